@@ -58,6 +58,7 @@ def release(
     released = chosen(chapters, exercises)
     if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:
         raise ValueError(f"the reference of {missing[0]} is not in this folder")
+    _check_place(out, submissions, root)
     if submissions and not grades:
         raise ValueError("--submissions needs the --grades of the same class")
     if grades and not submissions:
@@ -67,7 +68,7 @@ def release(
     reports = read_results(grades) if grades else []
     people = read_class(submissions, roster) if submissions else ClassList([])
     found, notes = people.submissions, [*people.notes]
-    _prepare(out, submissions, found, root)
+    _empty(out, submissions, found)
     whole = {chapter.name: chapter for chapter in chapters}
     texts = {c.name: write_reference(out, c, whole[c.name], root) for c in released}
     lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]
@@ -95,8 +96,8 @@ def release(
     return 0
 
 
-def _prepare(out: Path, submissions: Path | None, found: Sequence[Submission], root: Path) -> None:
-    """Prepare the folder ``out`` for the released solutions, and delete any earlier release in it.
+def _check_place(out: Path, submissions: Path | None, root: Path) -> None:
+    """Check that the released solutions may be written to the folder ``out``.
 
     Raises:
         ValueError: ``out`` contains other files, is inside the folder with the submissions, or is
@@ -113,16 +114,24 @@ def _prepare(out: Path, submissions: Path | None, found: Sequence[Submission], r
     record = out / RECORD
     if not record.is_file() and not is_new(out, record):
         raise ValueError(f"--out must be a new folder or an earlier release, got {str(out)!r}")
+
+
+def _empty(out: Path, submissions: Path | None, found: Sequence[Submission]) -> None:
+    """Delete an earlier release in ``out``, if its pages are about students of the same class.
+
+    Raises:
+        ValueError: The pages of other students would be lost.
+    """
     names = {file_name(one.student) for one in found}
     others = [path.stem for path in (out / "students").glob("*.html") if path.stem not in names]
     if others:
-        which = f"the class in {submissions}" if submissions else "this release, which has none"
+        which = f"the class in {submissions}" if submissions else "this release, which has no class"
         raise ValueError(
             f"{out} has the pages of {len(others)} students who are not in {which}, such as "
             f"{others[0]}. Name their class with --submissions and --grades (make: SUBMISSIONS=, "
-            f"GRADES=), or use another --out (make: OUT=)"
+            "GRADES=), or use another --out (make: OUT=)"
         )
-    replace_file(record, UNFINISHED)  # so that a run that is killed can be started again
+    replace_file(out / RECORD, UNFINISHED)  # so that a run that is killed can be started again
     for name in ("reference", "students"):
         shutil.rmtree(out / name, ignore_errors=True)
 

@@ -30,27 +30,29 @@ class Names(Generic[T]):
 
     def __init__(self, people: Iterable[tuple[T, str, Sequence[str]]]) -> None:
         self.labels: dict[T, str] = {}
-        self._exact: defaultdict[str, dict[T, None]] = defaultdict(dict)
-        self._alike: defaultdict[str, dict[T, None]] = defaultdict(dict)
         self._plain: dict[str, T] = {}
+        # The strictest form of a name is the first. Each form has everyone whom it fits.
+        self._levels = [defaultdict[str, dict[T, None]](dict) for _ in _levels("")]
         for who, label, names in people:
             self.labels[who] = label
             for name in filter(None, names):
-                self._exact[_exact(name)][who] = None
                 self._plain.setdefault(_plain(name), who)
-                for form in {*_forms(name), *_forms(as_cell(name))}:
-                    self._alike[form][who] = None
+                for level, forms in zip(self._levels, _levels(name), strict=True):
+                    for form in forms - {""}:
+                        level[form][who] = None
 
     def all_of(self, text: str) -> list[T]:
         """Return everyone whom a name fits.
 
-        If it is exactly the name of someone, only exact names count. Otherwise, capital letters,
-        spaces, punctuation, leading zeros of a number and "Doe, Jane" for "Jane Doe" make no
-        difference. Accents do: a name without them may be another student's.
+        If it is exactly the name of someone, only exact names count. Otherwise, capital letters
+        make no difference, and if that finds nobody either, neither do spaces, punctuation, leading
+        zeros of a number and "Doe, Jane" for "Jane Doe". Accents always do: a name without them may
+        be another student's.
         """
-        if found := self._exact.get(_exact(text)):
-            return [*found]
-        return [*{who: None for form in _forms(text) for who in self._alike.get(form, ())}]
+        for level, forms in zip(self._levels, _levels(text), strict=True):
+            if found := {who: None for form in sorted(forms) for who in level.get(form, ())}:
+                return [*found]
+        return []
 
     def problem(self, text: str, found: Sequence[T]) -> ValueError:
         """Say why a name does not mean one student. ``found`` is everyone whom it fits."""
@@ -86,13 +88,13 @@ def _exact(text: str) -> str:
     return unicodedata.normalize("NFC", text.strip())
 
 
-def _forms(text: str) -> set[str]:
-    """Return the forms of a name in which two spellings of it are equal."""
+def _levels(text: str) -> list[set[str]]:
+    """Return the forms in which two spellings of a name are equal, the strictest first."""
     last, comma, first = text.partition(",")
-    forms = {key(text), letters(first + last if comma else text)}
+    loose = {letters(first + last if comma else text)}
     if text.strip().isdecimal():  # a spreadsheet makes 42 of 00042
-        forms.add(text.strip().lstrip("0"))
-    return forms - {""}
+        loose.add(text.strip().lstrip("0"))
+    return [{_exact(text)}, {key(text), key(as_cell(text))}, loose]
 
 
 def _plain(name: str) -> str:

@@ -27,7 +27,7 @@ from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_
 from autograder.text.wrapping import plain_console
 
 MARKER = ".unpacked.json"
-COUNTS = (".zip", ".py", ".md", ".csv")  # we ignore files of all other types
+COUNTS = (".zip", ".py", ".md", ".csv")  # we unpack no content of other types
 # These limits are in bytes. A student's zip may have 5 MB. We unpack a larger one as well, so that
 # the grader can report that it is too large.
 LARGEST_FILE = 50_000_000
@@ -136,8 +136,6 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
         elif any(part.startswith(".") or part in SILENT for part in parts):
             continue
-        elif len(parts) == 1 and not (entry.is_dir() or name.lower().endswith(".zip")):
-            notes.append(f"{name} was left out: it is neither a folder nor a .zip file")
         else:
             files.append(_File(parts, entry))
     return files, notes
@@ -146,8 +144,9 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
     """Extract the students' files from a zip into ``folder``.
 
-    Only zips and the types of files that students hand in are extracted. Return notes on the files
-    that were rejected.
+    Only zips and the types of files that students hand in are extracted. Other files at the top of
+    a submission, such as a PDF, become empty files, so that it is known that they were handed in.
+    Return notes on the files that were rejected.
     """
     notes: list[str] = []
     sizes: Counter[str] = Counter()
@@ -157,7 +156,11 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
         try:
             if len(one.parts) > 1 or one.entry.is_dir():
                 (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
-            if one.entry.is_dir() or not target.name.lower().endswith(COUNTS):
+            if one.entry.is_dir():
+                continue
+            if not target.name.lower().endswith(COUNTS):
+                if len(one.parts) <= 2:
+                    target.touch(exist_ok=False)
                 continue
             content = read_entry(file, one.entry, LARGEST_FILE)
             sizes[student] += len(content)
@@ -169,6 +172,8 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
             with target.open("xb") as out:  # does not follow a link or overwrite another file
                 out.write(content)
         except NotTakenError as error:
+            if len(one.parts) == 1:
+                target.touch(exist_ok=True)
             notes.append(f"{'/'.join(one.parts)} was left out: {error}")
         except OSError as error:
             if error.errno not in NAMES:

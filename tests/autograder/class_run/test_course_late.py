@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import random
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta, timezone
 from pathlib import Path
 from typing import Any
@@ -15,11 +14,10 @@ import pytest
 from autograder.course.dates import deadline_from_json, deadline_to_json
 from autograder.course.late import HandedIn, days_late, deduction, late_of
 from autograder.course.model import Deadline, LatePolicy
-from autograder.course.of_class import late_on_gradescope, lateness
+from autograder.course.of_class import for_gradescope, late_on_gradescope, lateness
 from autograder.course.times import times_of
 from autograder.reports.marks import Mark, apply_marks
-from autograder.submissions.exports import read_export
-from autograder.submissions.find import Submission
+from autograder.submissions.class_list import ClassList, read_class
 from graded import CHAPTERS, failed_run, report_of
 
 BERLIN = ZoneInfo("Europe/Berlin")
@@ -88,7 +86,7 @@ def test_the_price_is_that_of_the_days_up_to_the_cap(
 def test_the_penalty_is_apart_from_the_points_and_never_more_than_they_are() -> None:
     """The invented report has 3 points from checks, and 2 by hand once they are marked."""
     at = FALL + timedelta(hours=30)
-    late = late_of(Deadline(FALL, LatePolicy(2, "points")), ["ada"], HandedIn("it", at), 14)
+    late = late_of(Deadline(FALL, LatePolicy(2, "points")), [], HandedIn("it", at), 14)
     report = report_of(late=late)
     assert (report.score, report.earned, report.penalty, report.total) == (3, 3, 3, 0)
     marked = apply_marks(report, {("ada", "2.3"): Mark(2, "")})
@@ -99,11 +97,11 @@ def test_the_penalty_is_apart_from_the_points_and_never_more_than_they_are() -> 
 
 def test_an_extension_moves_the_due_date_of_one_student() -> None:
     longer = datetime(2026, 10, 25, 23, 59, tzinfo=BERLIN)
-    deadline = Deadline(FALL, FIVE, {"ann": longer})
+    deadline = Deadline(FALL, FIVE)
     said = HandedIn("times.csv", longer)
-    assert late_of(deadline, ["ann"], said, 10).days == 0
-    assert "due 2026-10-25 23:59 CET (extended)" in late_of(deadline, ["ann"], said, 10).words
-    bob = late_of(deadline, ["bob"], said, 10)
+    assert late_of(deadline, [longer], said, 10).days == 0
+    assert "due 2026-10-25 23:59 CET (extended)" in late_of(deadline, [longer], said, 10).words
+    bob = late_of(deadline, [], said, 10)
     assert (bob.days, bob.deduction) == (2, 10)
     assert bob.words == (
         "It was due 2026-10-23 23:59 CEST. It was handed in 2026-10-25 23:59 CET, according to "
@@ -120,7 +118,7 @@ def test_an_extension_moves_the_due_date_of_one_student() -> None:
     ],
 )
 def test_without_a_time_there_is_no_penalty_and_the_words_say_so(said: Any, words: str) -> None:
-    late = late_of(Deadline(FALL, FIVE), ["ann"], said, 10)
+    late = late_of(Deadline(FALL, FIVE), [], said, 10)
     assert (late.days, late.deduction) == (None, 0)
     assert late.words.endswith(words)
 
@@ -133,37 +131,46 @@ submission_17:
   :created_at: 2026-10-24 10:00:00.123456000 Z
 submission_18:
   :created_at:
+submission_19:
+  :created_at: 2026-10-24 10:00:00.123456000 Z
 """
 GRADES = """\
 "assignment_name","student_repository_name","submission_timestamp","points_awarded"
 "lab1","lab1-bob","2026-10-24 11:00:00 UTC","3"
 "lab1","lab1-cem","","0"
 """
+TIMES = "student;submitted\nfay;2026-10-24 12:00\n\nGIL LEE;2026-10-24T12:00:00-04:00\n"
+
+
+def class_in(folder: Path, *names: str, roster: str = "") -> ClassList:
+    for name in names:
+        (folder / name).mkdir()
+    (folder / "roster.csv").write_text(f"id,name,email,login\n{roster}", encoding="utf-8")
+    return read_class(folder, folder / "roster.csv" if roster else None)
 
 
 def test_times_come_from_the_best_source_that_knows_one(tmp_path: Path) -> None:
     (tmp_path / "submission_metadata.yml").write_text(EXPORT, encoding="utf-8")
     (tmp_path / "grades.csv").write_text(GRADES, encoding="utf-8")
-    times = (
-        "student;submitted\nfay;2026-10-24 12:00\n\ngil;2026-10-24T12:00:00-04:00\nnobody;2026\n"
-    )
-    (tmp_path / "times.csv").write_text(times.replace("2026\n", "2026-01-01\n"), encoding="utf-8")
-    names = ["submission_17", "submission_18", "lab1-bob", "lab1-cem", "fay", "gil_7_8_work.zip"]
-    names += ["dee_LATE_12_34_work.zip", "eli_56_78_ch02-1.zip", "hal"]
-    submissions = [
-        Submission(Path(name).stem, tmp_path / name, read_export(Path(name).stem)) for name in names
+    (tmp_path / "times.csv").write_text(TIMES, encoding="utf-8")
+    names = ["submission_17", "submission_18", "lab1-bob", "lab1-cem", "fay", "leegil_7_8_work"]
+    names += ["dee_LATE_12_34_work", "eli_56_78_ch02-1", "hal"]
+    roster = "1,Ann,,\n7,Gil Lee,,\n12,Dee,,\n56,Eli,,\n"
+    people = class_in(tmp_path, *names, roster=roster)
+    assert people.notes == [
+        f"1 submissions of the platform's files are not in {tmp_path}: submission_19"
     ]
-    submissions[5] = replace(submissions[5], student="Gil Lee", aliases=("gil",))  # of a roster
-    found = times_of(tmp_path, submissions, BERLIN)
+    found, notes = times_of(tmp_path, people, BERLIN)
     said = {name: (one.source, one.at, one.late) for name, one in found.items()}
     at = datetime(2026, 10, 24, 10, 0, tzinfo=UTC)
+    assert notes == []
     assert said == {
-        "submission_17": ("Gradescope", at.replace(microsecond=123456), False),
+        "Ann": ("Gradescope", at.replace(microsecond=123456), False),
         "lab1-bob": ("GitHub Classroom", at + timedelta(hours=1), False),
         "fay": ("times.csv", at, False),  # 12:00 in Berlin
         "Gil Lee": ("times.csv", at + timedelta(hours=6), False),
-        "dee_LATE_12_34_work": ("Canvas", None, True),
-        "eli_56_78_ch02-1": ("Canvas", None, False),
+        "Dee": ("Canvas", None, True),
+        "Eli": ("Canvas", None, False),
     }
 
 
@@ -172,40 +179,83 @@ def test_times_come_from_the_best_source_that_knows_one(tmp_path: Path) -> None:
     [
         ("name,time\n", r"line 1: the header must be student,submitted, got 'name,time'"),
         (
-            "student,submitted\nann,soon\nbob,2026-10-24,x\nann,2026-10-24\n",
-            r"(?s)line 2: a time looks like .*, got 'soon'.*line 3: .* 2 cells, got 3"
-            r".*line 4: a second time for 'ann'",
+            "student,submitted\nann,soon\n7,2026-10-24\nbob,2026-10-24,x\nAnn Lee,2026-10-24\n"
+            "007,2026-10-25\nEve Nobody,2026-10-24\nBo Roe,2026-10-24\n",
+            r"(?s)line 2: there is no student 'ann'.*line 4: there must be 2 cells, got 3"
+            r".*line 5: a second time for 'Ann Lee', who is also in line 3"
+            r".*line 6: a second time for 'Ann Lee'"
+            r".*line 7: there is no student 'Eve Nobody'"
+            r".*line 8: 'Bo Roe' could be Bo Roe \(8\) and Bo Roe \(9\)",
         ),
+        ("student,submitted\n7,soon\n", r"line 2: a time looks like .*, got 'soon'"),
     ],
 )
-def test_wrong_lines_of_times_are_reported_together(tmp_path: Path, text: str, words: str) -> None:
+def test_rows_of_times_that_cannot_be_used_are_reported_together(
+    tmp_path: Path, text: str, words: str
+) -> None:
+    people = class_in(tmp_path, "7", "8", roster="7,Ann Lee,,\n8,Bo Roe,,\n9,Bo Roe,,\n")
     (tmp_path / "times.csv").write_text(text, encoding="utf-8")
     with pytest.raises(ValueError, match=words):
-        times_of(tmp_path, [], BERLIN)
+        times_of(tmp_path, people, BERLIN)
 
 
 def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody(
     tmp_path: Path,
 ) -> None:
-    submissions = [
-        Submission("ann", tmp_path / "ann"),
-        Submission("bob", tmp_path / "bob", aliases=("bob@example.org",)),
-    ]
+    people = class_in(tmp_path, "ann", "bob")
     (tmp_path / "times.csv").write_text("student,submitted\nann,2026-10-27\n", encoding="utf-8")
+    policy = LatePolicy(10, "percent")
     late, notes = lateness(
-        Deadline(FALL, LatePolicy(10, "percent"), {"anne": FALL, "bob@example.org": FALL}),
-        CHAPTERS,
-        tmp_path,
-        submissions,
+        Deadline(FALL, policy, {"anne": FALL, "Bob": FALL}), CHAPTERS, tmp_path, people
     )
-    assert "(extended)" in late["bob"].words, "by another name of the roster"
+    assert "(extended)" in late["bob"].words, "by a name with another first letter"
     assert (late["ann"].days, late["ann"].deduction) == (4, 4 * 1.4), "of 14 points possible"
     assert (late["bob"].days, late["bob"].deduction) == (None, 0)
     first, second, third = notes
-    assert first == "Extension for 'anne': no submission has this name. Did you mean ann?"
+    assert first == "Extension for 'anne': there is no student 'anne'. Did you mean ann?"
     assert second.startswith("The submission time is unknown for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {tmp_path / 'times.csv'}.")
     assert third == "Late: 1. With a penalty: 1."
+
+
+@pytest.mark.parametrize(
+    ("extensions", "words"),
+    [
+        ({"Bo Roe": FALL}, r"'Bo Roe' could be Bo Roe \(8\) and Bo Roe \(9\)"),
+        ({"Ann Le": FALL}, r"there is no student 'Ann Le'. Did you mean Ann Lee\?"),
+        ({"7": FALL, "Ann Lee": SPRING}, "'7' is the same student and has another date"),
+    ],
+)
+def test_an_extension_is_that_of_one_student_on_the_roster(
+    tmp_path: Path, extensions: dict[str, datetime], words: str
+) -> None:
+    people = class_in(tmp_path, "7", "8", roster="7,Ann Lee,,\n8,Bo Roe,,\n9,Bo Roe,,\n")
+    with pytest.raises(ValueError, match=f"Extension for .*: {words}"):
+        lateness(Deadline(FALL, FIVE, extensions), CHAPTERS, tmp_path, people)
+    deadline = Deadline(FALL, FIVE, {"7": SPRING, "Ann Lee": SPRING, "9": SPRING})
+    late, _ = lateness(deadline, CHAPTERS, tmp_path, people)
+    extended = {name for name, one in late.items() if "(extended)" in one.words}
+    assert extended == {"Ann Lee"}, "the other one has handed in nothing"
+
+
+def test_an_extension_by_id_holds_on_gradescope_which_knows_names_alone(tmp_path: Path) -> None:
+    rows = "13,Ivan Petrov,,\n14,Bo Roe,bo@x.org,\n15,Bo Roe,,\n"
+    class_in(tmp_path, "13", roster=rows)
+    longer = datetime(2026, 10, 26, 23, 59, tzinfo=BERLIN)
+    given = Deadline(FALL, FIVE, {"13": longer, "14": longer})
+    deadline = for_gradescope(given, tmp_path / "roster.csv")
+
+    def days(name: str, email: str) -> int | None:
+        users = [{"name": name, "email": email}]
+        metadata = {"created_at": "2026-10-24T14:22:32.365935-07:00", "users": users}
+        return late_on_gradescope(deadline, CHAPTERS, metadata).days
+
+    assert days("Ivan Petrov", "ip@elsewhere.org") == days("PETROV, Ivan", "") == 0
+    assert (days("Bo Roe", "Bo@X.org"), days("Bo Roe", "roe@x.org")) == (0, 1), "by the email"
+    with pytest.raises(ValueError, match=r"Add one to .*, line 4"):
+        for_gradescope(Deadline(FALL, FIVE, {"15": longer}), tmp_path / "roster.csv")
+    with pytest.raises(ValueError, match="Extension for 'Ivan': there is no student 'Ivan'"):
+        for_gradescope(Deadline(FALL, FIVE, {"Ivan": longer}), tmp_path / "roster.csv")
 
 
 def test_gradescope_says_when_and_who() -> None:

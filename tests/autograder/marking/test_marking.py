@@ -14,7 +14,7 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest, HTTPResponse
 
 from autograder.manifest import ROOT, select_chapters
 from autograder.marking.answers import LONGEST, collect_tasks
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import read_class
 from graded import SHOUT
 from served import marking
 
@@ -45,12 +45,12 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_answers_are_collected_as_they_were_handed_in(folder: Path) -> None:
-    first, second = collect_tasks(find_submissions(folder)[0], select_chapters("2-3"))
+    first, second = collect_tasks(read_class(folder).submissions, select_chapters("2-3"))
     assert (first.exercise.id, second.exercise.id) == ("2.2b", "2.3")
     assert first.question.startswith("a . b = |a| |b| cos t. Why does the sign")
     assert first.rubric.startswith("- 0.5 points: The two lengths are never negative")
     assert "**Rubric**" not in first.model
-    by = {answer.student: answer for answer in first.answers}
+    by = {answer.submission.student: answer for answer in first.answers}
     assert sorted(by) == ["ann", "bob", "cem", "dan", "eve", "fay", "gus"]
     assert by["ann"].text == "The lengths are never negative, so the cosine decides."
     assert (by["bob"].text, by["bob"].note) == ("", "")
@@ -72,8 +72,8 @@ def test_the_order_is_no_order_of_names_and_stays_as_it_is(tmp_path: Path) -> No
         )
     orders = []
     for _ in range(2):
-        tasks = collect_tasks(find_submissions(tmp_path)[0], select_chapters("2"))
-        orders.append([[answer.student for answer in task.answers] for task in tasks])
+        tasks = collect_tasks(read_class(tmp_path).submissions, select_chapters("2"))
+        orders.append([[answer.submission.student for answer in task.answers] for task in tasks])
     (first, second), again = orders
     assert [first, second] == again
     assert sorted(first) != first != second
@@ -147,16 +147,21 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
         assert "this is not a valid mark" in json.loads(answer.body)["why"]
     assert not (folder / "marks.csv").exists()
 
+    kept = {one["code"]: {**good["mark"], "changed": False}}
     saved = ask(address, "marks.json", good)
     assert saved.code == 200
-    assert json.loads(saved.body)["marks"]["2.2b"] == {one["code"]: good["mark"]}
+    assert json.loads(saved.body)["marks"]["2.2b"] == {
+        one["code"]: {**good["mark"], "changed": False}
+    }
     assert re.search(
         r"\n(ann|cem|dan|fay),2\.2b,0\.5,Why\?\n$",
         (folder / "marks.csv").read_text(encoding="utf-8"),
     )
     stale = ask(address, "marks.json", {**one, "mark": {"points": 1, "comment": ""}})
     assert stale.code == 409
-    assert json.loads(stale.body)["marks"]["2.2b"] == {one["code"]: good["mark"]}
+    assert json.loads(stale.body)["marks"]["2.2b"] == {
+        one["code"]: {**good["mark"], "changed": False}
+    }
 
     with (folder / "marks.csv").open("a", encoding="utf-8") as file:
         file.write("ann,2.3,nine,\n")
@@ -168,7 +173,7 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
 
 @pytest.mark.parametrize(
     ("chapters", "words"),
-    [("3", "there are no written exercises to mark"), ("2", "line 2: student 'zoe'")],
+    [("3", "there are no written exercises to mark"), ("2", "line 2: there is no student 'zoe'")],
 )
 def test_it_says_why_there_is_nothing_to_mark(folder: Path, chapters: str, words: str) -> None:
     from autograder.marking.server import mark

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from autograder.reports.marks import Mark, apply_marks, read_marks
-from graded import CHAPTERS, failed_run, report_of
+from graded import CHAPTERS, class_of, failed_run, report_of
 
-STUDENTS = ["ada", "=1+1", "Zoe\u0301"]
+STUDENTS = class_of("ada", "=1+1", "Zoe\u0301")
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def file(tmp_path: Path) -> Path:
 
 
 def test_without_a_file_there_are_no_marks(file: Path) -> None:
-    assert read_marks(file, CHAPTERS, STUDENTS) == {}
+    assert read_marks(file, CHAPTERS, STUDENTS)[0] == {}
 
 
 @pytest.mark.parametrize(
@@ -34,7 +34,7 @@ def test_without_a_file_there_are_no_marks(file: Path) -> None:
 )
 def test_marks_are_read_as_spreadsheets_write_them(file: Path, content: bytes) -> None:
     file.write_bytes(content)
-    assert read_marks(file, CHAPTERS, STUDENTS) == {("ada", "2.3"): Mark(2.5, "Good, but short")}
+    assert read_marks(file, CHAPTERS, STUDENTS)[0] == {("ada", "2.3"): Mark(2.5, "Good, but short")}
 
 
 @pytest.mark.parametrize(("written", "student"), [("'=1+1", "=1+1"), ("Zo\u00e9", "Zoe\u0301")])
@@ -42,18 +42,18 @@ def test_a_name_may_be_copied_from_the_gradebook_or_typed(
     file: Path, written: str, student: str
 ) -> None:
     file.write_text(f"student,exercise,points,comment\n{written},2.3,0,\n", encoding="utf-8")
-    assert read_marks(file, CHAPTERS, STUDENTS) == {(student, "2.3"): Mark(0.0, "")}
+    assert read_marks(file, CHAPTERS, STUDENTS)[0] == {(student, "2.3"): Mark(0.0, "")}
 
 
 def test_a_name_that_could_mean_two_students_means_the_one_who_is_called_so(file: Path) -> None:
     file.write_text("student,exercise,points,comment\n'=x,2.3,1,\n", encoding="utf-8")
-    assert list(read_marks(file, CHAPTERS, ["=x", "'=x"])) == [("'=x", "2.3")]
+    assert list(read_marks(file, CHAPTERS, class_of("=x", "'=x"))[0]) == [("'=x", "2.3")]
 
 
 @pytest.mark.parametrize(
     ("row", "line", "words"),
     [
-        ("bob,2.3,1,", 2, "student 'bob' did not hand anything in. Use the name in the gradebook"),
+        ("bob,2.3,1,", 2, "there is no student 'bob'"),
         ("ada,2.9,1,", 2, "no exercise '2.9'. Written exercises: 2.3"),
         ("ada,B2.1,1,", 2, "'B2.1' gets its points from checks. Written exercises: 2.3"),
         ("ada,2.3,two,", 2, "the points for 2.3 must be a number from 0 to 3, got 'two'"),
@@ -64,8 +64,12 @@ def test_a_name_that_could_mean_two_students_means_the_one_who_is_called_so(file
         ("ada,2.3,,", 2, "got ''"),
         ("ada,2.3,٣,", 2, "got '٣'"),
         ('ada,2.3,"2,5",', 2, "got '2,5'"),
-        ("ada,2.3,1,a\n\nada,2.3,2,b", 4, "a second mark for 'ada' in 2.3. Give only one"),
-        ('ada,2.3,1,"two\nlines"\nbob,2.3,1,', 4, "student 'bob'"),
+        (
+            "ada,2.3,1,a\n\nada,2.3,2,b",
+            4,
+            "a second mark for 'ada' in 2.3, as in line 2. Give only one",
+        ),
+        ('ada,2.3,1,"two\nlines"\nbob,2.3,1,', 4, "no student 'bob'"),
         ("ada,2.3,1,good, but short", 2, "there must be 4 cells, got 5. Put a comment"),
         ('ada,2.3,1,"never closed\nada,2.3,2,', 2, "Close the quote"),
     ],

@@ -9,7 +9,7 @@ import pytest
 
 from autograder.marking.marks_file import ChangedError, MarksFile
 from autograder.reports.marks import Mark, read_marks
-from graded import CHAPTERS, NASTY
+from graded import CHAPTERS, NASTY, class_of
 
 STUDENTS = ["ada", "bob", "=1+1", "-x", "Zoe\u0301", " cem ", NASTY]
 HEADER = "student,exercise,points,comment\n"
@@ -17,7 +17,7 @@ HEADER = "student,exercise,points,comment\n"
 
 @pytest.fixture
 def marks(tmp_path: Path) -> MarksFile:
-    return MarksFile(tmp_path / "marks.csv", CHAPTERS, STUDENTS)
+    return MarksFile(tmp_path / "marks.csv", CHAPTERS, class_of(*STUDENTS))
 
 
 def text_of(marks: MarksFile) -> str:
@@ -68,7 +68,7 @@ def test_what_is_written_is_read_again_and_is_no_formula(
     marks: MarksFile, student: str, comment: str
 ) -> None:
     marks.change(student, "2.3", Mark(1.0, comment), None)
-    (((who, _), mark),) = read_marks(marks.path, CHAPTERS, STUDENTS).items()
+    (((who, _), mark),) = marks.read().items()
     assert (who, mark.points) == (student, 1.0)
     assert mark.comment == comment.replace("\x1b", "\\x1b")
     row = text_of(marks).removeprefix(HEADER)
@@ -78,7 +78,7 @@ def test_what_is_written_is_read_again_and_is_no_formula(
 
 def test_a_mark_that_somebody_else_has_changed_is_not_overwritten(marks: MarksFile) -> None:
     marks.change("ada", "2.3", Mark(2.0, ""), None)
-    other = MarksFile(marks.path, CHAPTERS, STUDENTS)
+    other = MarksFile(marks.path, CHAPTERS, class_of(*STUDENTS))
     other.change("ada", "2.3", Mark(1.0, ""), Mark(2.0, ""))
     for new in (Mark(3.0, ""), None):
         with pytest.raises(ChangedError):
@@ -97,14 +97,14 @@ def test_a_file_with_a_mistake_stays_as_it_is(marks: MarksFile) -> None:
 def test_a_link_to_the_file_stays_a_link(tmp_path: Path) -> None:
     (tmp_path / "class").mkdir()
     (tmp_path / "class/marks.csv").symlink_to(tmp_path / "kept.csv")
-    marks = MarksFile(tmp_path / "class/marks.csv", CHAPTERS, STUDENTS)
+    marks = MarksFile(tmp_path / "class/marks.csv", CHAPTERS, class_of(*STUDENTS))
     marks.change("ada", "2.3", Mark(1.0, ""), None)
     assert (tmp_path / "class/marks.csv").is_symlink()
     assert (tmp_path / "kept.csv").read_text(encoding="utf-8") == f"{HEADER}ada,2.3,1,\n"
 
 
 def give(path: Path, students: list[str], mine: list[str]) -> None:
-    marks = MarksFile(path, CHAPTERS, students)
+    marks = MarksFile(path, CHAPTERS, class_of(*students))
     for student in mine:
         marks.change(student, "2.3", Mark(1.0, student), None)
 
@@ -121,5 +121,5 @@ def test_two_servers_lose_no_mark_of_each_other(tmp_path: Path) -> None:
     for process in processes:
         process.join()
         assert process.exitcode == 0
-    marks = read_marks(tmp_path / "marks.csv", CHAPTERS, students)
+    marks = read_marks(tmp_path / "marks.csv", CHAPTERS, class_of(*students))[0]
     assert marks == {(s, "2.3"): Mark(1.0, s) for s in students}

@@ -12,13 +12,13 @@ from autograder.reports.gradebook import write_gradebook
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
 from autograder.submissions.csv_rows import as_cell
-from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
+from graded import CHAPTERS, class_of, failed_run, hostile, nothing_done, report_of
 
 FULL_WIDTH = "\uff1d\uff0b\uff0d\uff20"  # = + - @ as Chinese and Japanese keyboards write them
 
 
 def rows(out: Path, *reports: StudentReport, separator: str = ",") -> list[list[str]]:
-    path = write_gradebook(out, CHAPTERS, reports)
+    path = write_gradebook(out, CHAPTERS, reports, class_of())
     assert path == out / "gradebook.csv"
     with path.open(encoding="utf-8", newline="") as file:
         return list(csv.reader(file, delimiter=separator))

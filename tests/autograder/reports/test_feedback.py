@@ -27,6 +27,7 @@ from graded import (
     NASTY,
     SHOUT,
     check,
+    class_of,
     failed_run,
     hostile,
     nothing_done,
@@ -94,7 +95,7 @@ def student_page(tmp_path: Path, report: StudentReport) -> Page:
 
 
 def index_page(tmp_path: Path, *reports: StudentReport) -> Page:
-    return Page(write_index(tmp_path, CHAPTERS, reports).read_text(encoding="utf-8"))
+    return Page(write_index(tmp_path, CHAPTERS, reports, class_of()).read_text(encoding="utf-8"))
 
 
 @pytest.fixture(params=[*range(len(CLASS)), "index", "index of one", "index of errors"], ids=str)
@@ -352,7 +353,7 @@ def test_a_browser_shows_and_prints_the_pages_and_nothing_leaves(
 
     report = with_exercise(with_words(hostile(attack), attack), 2, comment=attack)
     student = write_feedback(tmp_path, report)
-    index = write_index(tmp_path, CHAPTERS, [report, report_of()])
+    index = write_index(tmp_path, CHAPTERS, [report, report_of()], class_of())
     shown = browse(student, "--dump-dom")
     assert "<title>Feedback for &lt;img src=" in shown
     assert "How it was graded" in shown

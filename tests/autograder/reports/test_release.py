@@ -118,7 +118,12 @@ def test_a_class_with_a_roster_is_compared_under_its_names(
     assert release(load_chapters(root), [], folder, grades, out, root, roster=roster) == 0
     assert [page.name for page in (out / "students").iterdir()] == ["Ann Lee.html"]
     assert "1 of 1 students have a page" in capsys.readouterr().out
-    assert release(load_chapters(root), [], folder, grades, out, root) == 0
+    pages = [*(out / "students").iterdir()]
+    for submissions, results in ((folder, grades), (None, None)):
+        with pytest.raises(ValueError, match="has the pages of 1 students who are not in"):
+            release(load_chapters(root), [], submissions, results, out, root)
+        assert [*(out / "students").iterdir()] == pages
+    assert release(load_chapters(root), [], folder, grades, tmp_path / "other", root) == 0
     assert "77 has no page" in capsys.readouterr().out
 
 
@@ -164,7 +169,7 @@ def test_a_folder_that_would_lose_or_leak_something_is_refused(root: Path, tmp_p
             release(chapters, [], tmp_path / "class", tmp_path / "grades", out, root)
     assert (tmp_path / "full/reference").read_text(encoding="utf-8") == "mine"
     assert not os.path.lexists(tmp_path / "class/out")
-    with pytest.raises(ValueError, match="--submissions and --grades belong together"):
+    with pytest.raises(ValueError, match="--submissions needs the --grades"):
         release(chapters, [], tmp_path / "class", None, tmp_path / "out", root)
     with pytest.raises(ValueError, match="has no results"):
         release(chapters, [], tmp_path / "class", tmp_path / "grades", tmp_path / "out", root)

@@ -13,7 +13,7 @@ from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
 from autograder.reports.results import read_result, write_class, write_result, write_student
 from autograder.reports.texts import replace_file
-from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
+from graded import CHAPTERS, class_of, failed_run, hostile, nothing_done, report_of
 
 
 @pytest.mark.parametrize("report", [report_of(), failed_run(), nothing_done()])
@@ -84,7 +84,7 @@ def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> Non
     reports = [cleo, nothing_done(), failed_run()]
     for report in reports:
         write_student(tmp_path, report)
-    places = write_class(tmp_path, CHAPTERS, reports)
+    places = write_class(tmp_path, CHAPTERS, reports, class_of())
     assert all(place.exists() for place in places)
     assert {place.name for place in places} == {path.name for path in tmp_path.iterdir()}
     files = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")}
@@ -94,7 +94,7 @@ def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> Non
     for report in again:
         assert report is not None
         write_student(tmp_path, report)
-    write_class(tmp_path, CHAPTERS, [report for report in again if report])
+    write_class(tmp_path, CHAPTERS, [report for report in again if report], class_of())
     assert files == {
         path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")
     }

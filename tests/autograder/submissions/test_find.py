@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.submissions.find import file_name, find_submissions
+from autograder.submissions.class_list import read_class
+from autograder.submissions.find import file_name
 
 
 def test_folders_and_zips_are_submissions_sorted_by_student(tmp_path: Path) -> None:
@@ -18,24 +19,33 @@ def test_folders_and_zips_are_submissions_sorted_by_student(tmp_path: Path) -> N
         (tmp_path / name).mkdir()
     for name in ("bob.zip", "Carl.ZIP", "d.e.Zip"):
         (tmp_path / name).touch()
-    found, notes = find_submissions(tmp_path)
+    people = read_class(tmp_path)
     paths = ["Carl.ZIP", "[red]Åsa B", "ann", "ann.zip", "bob.zip", "bob-b", "d.e.Zip", "zoe"]
-    assert [item.path for item in found] == [tmp_path / name for name in paths]
+    assert [item.path for item in people.submissions] == [tmp_path / name for name in paths]
     names = ["Carl", "[red]Åsa B", "ann", "ann.zip", "bob", "bob-b", "d.e", "zoe"]
-    assert ([item.student for item in found], notes) == (names, [])
+    assert ([item.student for item in people.submissions], people.notes) == (names, [])
 
 
-def test_what_is_left_out_is_noted_unless_it_is_to_be_expected(tmp_path: Path) -> None:
+def test_what_cannot_be_graded_is_handed_in_and_what_is_not_a_students_is_noted(
+    tmp_path: Path,
+) -> None:
     for name in ("ann", "__MACOSX", "__pycache__", ".git"):
         (tmp_path / name).mkdir()
-    for name in ("marks.csv", ".DS_Store", "notes.txt", "bob.tar", "odd\n.txt"):
+    for name in ("marks.csv", ".DS_Store", "notes.txt", "bob.tar.gz", "cy.PDF", "odd\n.txt"):
         (tmp_path / name).touch()
+    (tmp_path / "ann.pdf").touch()
     (tmp_path / "carl").symlink_to("ann")
     (tmp_path / "dan.zip").symlink_to("notes.txt")
-    found, notes = find_submissions(tmp_path)
-    assert [item.student for item in found] == ["ann"]
-    assert sorted(notes) == [
-        "bob.tar was left out: it is neither a folder nor a .zip file",
+    people = read_class(tmp_path)
+    why = "cannot be graded: it is neither a folder nor a .zip file"
+    assert {one.student: one.nothing for one in people.submissions} == {
+        "ann": "",
+        "bob": f"'bob.tar.gz' {why}",
+        "cy": f"'cy.PDF' {why}",
+    }
+    (note,) = people.submissions[0].notes
+    assert note.startswith("'ann' was graded, and 'ann.pdf' was not: it is neither")
+    assert sorted(people.notes) == [
         "carl was left out: it is a symbolic link",
         "dan.zip was left out: it is a symbolic link",
         "notes.txt was left out: it is neither a folder nor a .zip file",
@@ -43,21 +53,41 @@ def test_what_is_left_out_is_noted_unless_it_is_to_be_expected(tmp_path: Path) -
     ]
 
 
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("lab1_2026_10_ann", "lab1_2026_11_bob"),
+        ("hw_1_1_cat", "hw_1_2_dan"),
+        ("lab1_2026_10_ann.zip", "lab1_2026_11_bob.zip"),  # two uploads of one student?
+        ("lab1_2026_10_ann.zip", "lab2_2026_11_bob.zip"),  # two students with one number?
+        ("doejane_77_1_work.zip", "leebo_78_2_work.zip", "carl.zip"),  # not all are Canvas's
+        ("doejane_77_1_work", "leebo_78_2_work"),  # Canvas has no folders
+    ],
+)
+def test_a_name_is_a_platforms_only_if_the_whole_download_looks_like_one(
+    tmp_path: Path, names: tuple[str, ...]
+) -> None:
+    for name in names:
+        (tmp_path / name).touch() if name.endswith(".zip") else (tmp_path / name).mkdir()
+    found = [one.student for one in read_class(tmp_path).submissions]
+    assert sorted(found) == sorted(name.removesuffix(".zip") for name in names)
+
+
 def test_a_class_that_is_none_is_refused(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").touch()
     with pytest.raises(ValueError, match="has no submissions"):
-        find_submissions(tmp_path)
+        read_class(tmp_path)
     for path in (tmp_path / "notes.txt", tmp_path / "nowhere"):
         with pytest.raises(ValueError, match=f"must be in a folder, got '.*{path.name}'"):
-            find_submissions(path)
+            read_class(path)
 
 
 @pytest.mark.parametrize("other", ["ann.zip", "ann.ZIP"])
 def test_a_student_who_is_there_twice_is_refused(tmp_path: Path, other: str) -> None:
     (tmp_path / "ann").mkdir()
     (tmp_path / other).touch()
-    with pytest.raises(ValueError, match=f"once, got 'ann' and '{other}'"):
-        find_submissions(tmp_path)
+    with pytest.raises(ValueError, match=f"ann must hand in only once, got 'ann' and '{other}'"):
+        read_class(tmp_path)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="other systems have no such names")
@@ -66,7 +96,7 @@ def test_strange_names_are_told_apart_and_can_be_printed(tmp_path: Path) -> None
     names += ["a\u200b", "a", "a ", "é", "e\u0301", "\udce9", "=1+1", "-x", "x" * 255, "x" * 254]
     for name in names:
         (tmp_path / name).mkdir()
-    found = [submission.student for submission in find_submissions(tmp_path)[0]]
+    found = [submission.student for submission in read_class(tmp_path).submissions]
     assert len(set(found)) == len(names)
     assert len({file_name(student) for student in found}) == len(names)
     for student in found:

@@ -134,7 +134,7 @@ def test_a_mark_under_two_names_of_a_student_is_refused(
 ) -> None:
     with (submissions / "marks.csv").open("a", encoding="utf-8") as marks:
         marks.write("Jane Doe,90.2,2,\n")
-    with pytest.raises(ValueError, match=r"second mark for 'Jane Doe' in 90\.2, under another"):
+    with pytest.raises(ValueError, match=r"line 4: a second mark for 'Jane Doe' in 90\.2, as"):
         grade(submissions, tmp_path / "out", root, roster=roster)
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import csv
 import re
 from pathlib import Path
 
 import pytest
 
-from autograder.submissions.class_list import ClassList, match
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import ClassList, read_class
 from autograder.submissions.roster import Student, read_roster
 
 HEADER = "id,name,email,login\n"
@@ -53,6 +53,7 @@ def test_a_roster_is_read_as_spreadsheets_write_it(file: Path, content: str, lin
         (HEADER + "1,Lee, Ann,a@x,al\n", 2, "must be 4 cells, got 5. Put a cell that contains ','"),
         (HEADER + "1;Ann;a@x;al\n", 2, "cells must be separated by ',', as in the header"),
         (HEADER + '1,"Ann,a@x,al\n2,Bo,b@x,bo\n', 2, "Close the quote"),
+        (HEADER + ",Ann,,\n1,,,\n", 3, "the name is empty"),  # all lines at once
         (HEADER + "=1+1,Ann,,\n", 2, "the id must not begin like a spreadsheet formula"),
         (HEADER + "1,Ann,@SUM(A1),\n", 2, "the email must not begin like a spreadsheet formula"),
     ],
@@ -78,18 +79,21 @@ def people(folder: Path, names: str, roster: list[Student]) -> ClassList:
     """Return the class of a folder with these submissions, of which those with dots are zips."""
     (folder / "class").mkdir()
     for name in names.split("|"):
-        (folder / "class" / name).touch() if name.endswith("zip") else (
-            folder / "class" / name
-        ).mkdir()
-    return match(find_submissions(folder / "class")[0], roster, Path("r.csv"))
+        path = folder / "class" / name
+        path.touch() if name.endswith(("zip", "pdf")) else path.mkdir()
+    rows = [[one.id, one.name, one.email, one.login, one.group] for one in roster]
+    with (folder / "r.csv").open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([[*HEADER.strip().split(","), "group"], *rows])
+    return read_class(folder / "class", folder / "r.csv")
 
 
 @pytest.mark.parametrize(
     "name",
     [
-        *("1042", "ANN@x.org.zip", "al7", "Ann Lee", "ann_lee.zip", "LeeAnn"),
+        *("1042", "ANN@x.org.zip", "al7", "Ann Lee", "ann_lee.zip", "Lee, Ann"),
         # As Canvas names them: by the id, and by the name where the id is that of another system.
         *("leeann_1042_7_work.zip", "leeann_555_7_work-2.zip", "leeann_LATE_555_7_x.zip"),
+        *("leeann_1042_7_work", "leeann_555_7_work"),  # unpacked by hand
         *("Ann Lee_12345_assignsubmission_file", "Ann Lee_12345_assignsubmission_file_"),
         "Ann Lee_12345_assignsubmission_file_work.zip",
     ],
@@ -101,7 +105,33 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
     assert shown == {"Ann Lee": name, "O'Neill, Bo": "oneillbo_9_1_w.zip", "zoe": "zoe"}
     assert (found.missing, found.unmatched) == ([], ["zoe"])
     assert [one.late for one in found.submissions] == ["LATE" in name, False, False]
-    assert {"Ann Lee", "1042", "ann@x.org", "al7"} <= set(found.submissions[0].aliases)
+    for known in ("Ann Lee", "1042", "ann@x.org", "AL7", name):
+        assert found.report_of(known) == "Ann Lee"
+
+
+@pytest.mark.parametrize(
+    "name", ["LeeAnn", "Lee Ann", "annlee_555_7_w", "lab1_1042_7_w.zip", "ann", "Ann Lée"]
+)
+def test_a_name_that_is_only_similar_is_another_student(tmp_path: Path, name: str) -> None:
+    """Li Wei and Wei Li are two people, and a Canvas name begins with the family name."""
+    if name == "lab1_1042_7_w.zip":
+        with pytest.raises(ValueError, match="its number 1042 is that of Ann Lee in line 2"):
+            people(tmp_path, name, [ANN])
+        return
+    if name == "annlee_555_7_w":
+        assert people(tmp_path, name, [ANN]).unmatched == []
+        return
+    assert people(tmp_path, name, [ANN]).missing == ["Ann Lee"]
+
+
+def test_two_people_whose_names_are_swapped_stay_two(tmp_path: Path) -> None:
+    roster = [Student("1", "Li Wei", "", "", 2), Student("2", "Wei Li", "", "", 3)]
+    found = people(tmp_path, "Wei Li|Li Wei", roster)
+    assert {one.student: one.path.name for one in found.submissions} == {
+        "Li Wei": "Li Wei",
+        "Wei Li": "Wei Li",
+    }
+    assert (found.report_of("li wei"), found.report_of("Li, Wei")) == ("Li Wei", "Wei Li")
 
 
 def test_a_participants_number_in_moodle_is_no_id(tmp_path: Path) -> None:
@@ -113,31 +143,94 @@ def test_a_participants_number_in_moodle_is_no_id(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("names", "other", "words"),
     [
-        ("Ann Lee", Student("7", "Lee, Ann", "", "", 5), "lines 2 and 5: both match .* 'Ann Lee'"),
-        ("al7", Student("al7", "Bo", "", "", 5), "lines 2 and 5: both match the submission 'al7'"),
+        ("Ann Lee", Student("7", "ann lee", "", "a2", 3), ""),  # exactly the first one's name
+        ("ANN LEE", Student("7", "ann lee", "", "", 3), "lines 2 and 3: both match .* 'ANN LEE'"),
+        ("al7", Student("al7", "Bo", "", "", 3), "lines 2 and 3: both match the submission 'al7'"),
         # The id is Ann's, and the name is Bo's: ids of another system.
-        ("bo_1042_7_w.zip", Student("7", "Bo", "", "", 5), "lines 2 and 5: both match"),
-        ("1042|al7", Student("7", "Bo", "", "", 5), "line 2: Ann Lee .* '1042' and 'al7'. Keep"),
+        ("bo_1042_7_w.zip", Student("7", "Bo", "", "", 3), "lines 2 and 3: both match"),
+        ("cy_1042_7_w.zip", Student("7", "Bo", "", "", 3), "its number 1042 is that of Ann Lee"),
+        ("1042|al7", Student("7", "Bo", "", "", 3), "line 2: Ann Lee .* '1042' and 'al7'. Keep"),
+        (
+            "Ann Lee_9_assignsubmission_file",
+            Student("7", "Ann Lee", "", "", 3),
+            "lines 2 and 3: .* Rename it to 'ID_9_assignsubmission_file', where ID is its",
+        ),
     ],
 )
 def test_what_could_be_anothers_is_refused_with_the_lines(
     tmp_path: Path, names: str, other: Student, words: str
 ) -> None:
-    with pytest.raises(ValueError, match=rf"r\.csv, {words}"):
+    if not words:
+        assert people(tmp_path, names, [ANN, other]).missing == ["ann lee (7)"]
+        return
+    with pytest.raises(ValueError, match=words):
         people(tmp_path, names, [ANN, other])
+
+
+def test_all_that_is_not_clear_is_reported_at_once(tmp_path: Path) -> None:
+    names = "bo_1042_7_w.zip|1042|al7|ANN@x.org"
+    with pytest.raises(ValueError, match="both match") as caught:
+        people(tmp_path, names, [ANN, Student("7", "Bo", "", "", 3)])
+    assert len(str(caught.value).splitlines()) == 2
 
 
 def test_students_of_one_name_are_told_apart_by_their_ids(tmp_path: Path) -> None:
     found = people(tmp_path, "al7|8", [ANN, Student("8", "ann lee", "", "", 3)])
     first, second = [one.student for one in found.submissions]
     assert (first, second) == ("Ann Lee (1042)", "ann lee (8)")
-    assert found.names == {
-        **dict.fromkeys([first, "1042", "Ann Lee", "ann@x.org", "al7"], first),
-        **dict.fromkeys([second, "8", "ann lee"], second),
+    for name in ("1042", "Ann Lee", "ann@x.org", "al7", first):
+        assert found.report_of(name) == first
+    for name in ("8", "ann lee", second):
+        assert found.report_of(name) == second
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("Ann Lee", r"'Ann Lee' could be Ann Lee \(1042\) and Ann Lee \(8\). Write the id or"),
+        ("Jose Nandu", r"there is no student 'Jose Nandu'. Did you mean José Ñandú\?"),
+        ("Eve Nobody", r"there is no student 'Eve Nobody'.$"),
+    ],
+)
+def test_a_name_that_means_nobody_or_several_is_an_error(
+    tmp_path: Path, name: str, words: str
+) -> None:
+    jose = Student("00042", "José Ñandú", "", "", 4)
+    found = people(tmp_path, "al7|00042", [ANN, Student("8", "Ann Lee", "", "", 3), jose])
+    assert found.report_of("42") == "José Ñandú", "as a spreadsheet writes the id"
+    assert found.report_of("8") == "", "has handed in nothing"
+    with pytest.raises(ValueError, match=words):
+        found.report_of(name)
+
+
+def test_a_student_is_in_exactly_one_state(tmp_path: Path) -> None:
+    roster = [ANN, Student("7", "Bo", "", "", 3), Student("8", "Cy", "", "", 4)]
+    found = people(tmp_path, "Bo.pdf|1042|1042.pdf|zoe", roster)
+    states = {m.shown: m.submission and (m.submission.nothing or "graded") for m in found.members}
+    assert states == {
+        "Ann Lee": "graded",
+        "Bo": "'Bo.pdf' cannot be graded: it is neither a folder nor a .zip file",
+        "Cy": None,
+        "zoe": "graded",
     }
 
 
-def test_a_name_that_two_students_have_means_neither(tmp_path: Path) -> None:
-    found = people(tmp_path, "al7", [ANN, Student("8", "Ann Lee", "", "", 3)])
-    assert found.missing == ["Ann Lee (8)"]
-    assert set(found.names) == {"Ann Lee (1042)", "1042", "ann@x.org", "al7"}
+def test_a_group_hands_in_once(tmp_path: Path) -> None:
+    roster = [
+        Student("1", "Ann", "", "", 2, "team 1"),
+        Student("2", "Bo", "", "", 3, "Team 1"),
+        Student("3", "Cy", "", "", 4, "team 2"),
+        Student("4", "Di", "", "", 5, "team 2"),
+        Student("5", "Eve", "", "", 6),
+    ]
+    found = people(tmp_path, "Bo|team 2|5", roster)
+    reports = {one.student: one.path.name for one in found.submissions}
+    assert set(reports.values()) == {"Bo", "team 2", "5"}
+    (first,) = [name for name, path in reports.items() if path == "Bo"]
+    assert found.students_of(first) == ["Ann", "Bo"]
+    assert found.report_of("Ann") == found.report_of("2") == first
+    assert found.report_of("team 2") == "team 2 (Cy, Di)"
+    assert found.missing == []
+    (tmp_path / "class/Ann").mkdir()
+    with pytest.raises(ValueError, match=r"Ann, .*Bo must hand in only once, got 'Ann' and 'Bo'"):
+        read_class(tmp_path / "class", tmp_path / "r.csv")

@@ -12,7 +12,7 @@ import pytest
 
 from autograder.manifest import load_chapters
 from autograder.submissions import unpack
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import read_class
 from autograder.submissions.unpack import class_folder
 from staging import CODE, EXERCISES, OF_CH03, TAKEN, VECTOR, boxed, make_zip, zip_of
 
@@ -27,15 +27,15 @@ def class_zip(folder: Path, files: Mapping[Any, bytes]) -> Path:
 
 def found_in(path: Path) -> tuple[dict[str, Path], list[str]]:
     """Return the submissions in the zip of a class, by student, and the notes on the others."""
-    submissions, notes = find_submissions(class_folder(path))
-    return {one.student: one.path for one in submissions}, notes
+    people = read_class(class_folder(path))
+    return {one.student: one.path for one in people.submissions}, people.notes
 
 
 def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Path) -> None:
     names = ("doejane_77_101_work.zip", "doejane_77_205_work-1.zip", "doejane_77_205_work-2.zip")
     late = "leebo_LATE_78_150_my_work-1.zip"
     zipped = class_zip(tmp_path, dict.fromkeys((*names, late, "anon_x7Yk2_9_w.zip"), WORK))
-    submissions, notes = find_submissions(class_folder(zipped))
+    submissions = read_class(class_folder(zipped)).submissions
     by_name = {one.student: one for one in submissions}
     assert {name: one.path.name for name, one in by_name.items()} == {
         "anon_x7Yk2": "anon_x7Yk2_9_w.zip",
@@ -43,8 +43,12 @@ def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Pat
         "leebo_78": late,
     }
     assert {name for name, one in by_name.items() if one.late} == {"leebo_78"}
-    assert [note.split(" was left out: ")[0] for note in notes] == [*names[:2]]
-    assert all("doejane_77_205_work" in note for note in notes)
+    last = f"'{names[2]}' was graded, and "
+    why = "it was uploaded earlier. Put all files into one zip"
+    assert by_name["doejane_77"].notes == (
+        f"{last}'{names[0]}' was not: {why}",
+        f"{last}'{names[1]}' was not: {why}",
+    )
     for one in submissions:
         assert boxed(one.path) == TAKEN
 
@@ -61,12 +65,15 @@ def test_a_download_from_moodle_is_read(tmp_path: Path) -> None:
         },
     )
     found, notes = found_in(zipped)
-    assert list(found) == ["Ann Lee_12", "Bo Ek_13", "Cy_14"]
-    for path in found.values():
-        assert boxed(path) == TAKEN
-    text = "it is text that was typed into the platform"
-    assert notes == [f"Di_15_assignsubmission_onlinetext was left out: {text}"]
-    assert not [*tmp_path.rglob("film.mp4")], "what cannot count is not unpacked"
+    assert list(found) == ["Ann Lee_12", "Bo Ek_13", "Cy_14", "Di_15"]
+    for student in ("Ann Lee_12", "Bo Ek_13", "Cy_14"):
+        assert boxed(found[student]) == TAKEN
+    (typed,) = [one for one in read_class(class_folder(zipped)).submissions if one.nothing]
+    assert typed.student == "Di_15"
+    assert typed.nothing.endswith("cannot be graded: it is text that was typed into the platform")
+    assert notes == []
+    (film,) = tmp_path.rglob("film.mp4")
+    assert film.stat().st_size == 0, "what cannot count is not unpacked, but known"
 
 
 def test_every_file_that_students_hand_in_is_unpacked(tmp_path: Path) -> None:
@@ -94,7 +101,7 @@ def test_the_zips_in_a_folder_count_like_folders(tmp_path: Path) -> None:
 def test_what_is_unpacked_is_kept_until_the_zip_changes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    zipped = class_zip(tmp_path, {"ann.zip": WORK, "bob/": b"", "notes.txt": b""})
+    zipped = class_zip(tmp_path, {"ann.zip": WORK, "bob/": b"", "../notes.zip": b""})
     folder = class_folder(zipped)
     assert folder == tmp_path / "lab1"
     (folder / "marks.csv").write_text("mine", encoding="utf-8")
@@ -102,7 +109,7 @@ def test_what_is_unpacked_is_kept_until_the_zip_changes(
     capsys.readouterr()
     class_folder(zipped)
     assert not (folder / "ann.zip").exists()
-    assert "notes.txt was left out" in capsys.readouterr().out
+    assert "../notes.zip was left out" in capsys.readouterr().out
     class_zip(tmp_path, {"ann.zip": WORK, "cem.zip": WORK})
     class_folder(zipped)
     names = {path.name for path in folder.iterdir()}
@@ -149,8 +156,10 @@ def test_a_hostile_zip_of_a_class_writes_nowhere_else(
     )
     class_folder(zipped)
     assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {
-        *("lab1.zip", "dee.zip", ".unpacked.json")
+        *("lab1.zip", "dee.zip", ".unpacked.json"),
+        "bomb_1_2_w.zip",  # empty, so that it is known who handed it in
     }
+    assert (below / "lab1/bomb_1_2_w.zip").stat().st_size == 0
     notes = capsys.readouterr().out
     assert notes.count(" was left out: ") == len(bad) + 1, notes
     assert "bomb_1_2_w.zip was left out: it is larger than 10,000 bytes" in notes

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import re
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,10 +16,8 @@ import pytest
 
 from autograder.platforms.uploads import Column, write_uploads
 from autograder.reports.report import Late, StudentReport
-from autograder.submissions.class_list import ClassList, match
-from autograder.submissions.exports import read_export
-from autograder.submissions.find import Submission
-from autograder.submissions.roster import Student
+from autograder.submissions.class_list import ClassList, read_class
+from autograder.submissions.roster import COLUMNS, Student
 from graded import CHAPTERS, failed_run, report_of
 
 ROSTER = [
@@ -34,12 +33,20 @@ SIS_IDS = {"u8": 78, "2024": 501}
 TOTALS = {"Ann Lee": 14.0, "O'Neill, Bo": 4.66, "=1+1": 0.0, "zoe": 5.0}  # of 14; Cy's failed
 
 
+def of_folders(*names: str, roster: list[Student] | None = None) -> ClassList:
+    """Return the class that has handed in folders of these names."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "roster.csv"
+        rows = [[one.id, one.name, one.email, one.login] for one in roster or []]
+        with path.open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows([COLUMNS, *rows])
+        for name in names:
+            (Path(folder) / name).mkdir()
+        return read_class(Path(folder), path if roster else None)
+
+
 def a_class() -> tuple[ClassList, list[StudentReport]]:
-    submissions = []
-    for name in NAMES:
-        export = read_export(name)
-        submissions.append(Submission(export.student if export else name, Path(name), export))
-    people = match(submissions, ROSTER, Path("roster.csv"))
+    people = of_folders(*NAMES, roster=ROSTER)
     reports = [report_of(name, score=points, waiting=0) for name, points in TOTALS.items()]
     return people, [*reports, failed_run("Cy")]
 
@@ -194,9 +201,7 @@ def test_without_a_roster_there_is_only_the_worksheet_of_a_class_from_moodle(
     tmp_path: Path,
 ) -> None:
     names = ["Ann Lee_12_assignsubmission_file", "Cy_13_assignsubmission_file_", "zoe"]
-    found = [(name, read_export(name)) for name in names]
-    submissions = [Submission(e.student if e else n, Path(n), e) for n, e in found]
-    people = match(submissions, None, None)
+    people = of_folders(*names)
     reports = [report_of("Ann Lee_12", score=7.0), failed_run("Cy_13"), report_of("zoe")]
     paths, _ = write_uploads(tmp_path, CHAPTERS, people, reports, Column())
     assert [path.name for path in paths] == ["moodle-worksheet.csv"]
@@ -206,7 +211,7 @@ def test_without_a_roster_there_is_only_the_worksheet_of_a_class_from_moodle(
     assert "Feedback comments" not in header
     grades = {row[header.index("Identifier")]: row[header.index("Grade")] for row in rows}
     assert grades == {"Participant 12": "50", "Participant 13": ""}  # of 100; no grade is skipped
-    assert write_uploads(tmp_path, CHAPTERS, match([], None, None), [], Column()) == ([], [])
+    assert write_uploads(tmp_path, CHAPTERS, ClassList([]), [], Column()) == ([], [])
 
 
 @pytest.mark.parametrize(

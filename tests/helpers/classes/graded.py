@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from autograder.checks.verdict import Status
@@ -11,6 +12,8 @@ from autograder.message import Message
 from autograder.records import from_json
 from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
 from autograder.scores import ExerciseStatus
+from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.find import Submission
 
 SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
 # Escape sequences, control characters, half a character, a reversal of the reading direction.
@@ -37,6 +40,11 @@ CHAPTERS = [
     ),
     Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5)]),
 ]
+
+
+def class_of(*students: str) -> ClassList:
+    """Return a class without a roster, in which these students have handed something in."""
+    return ClassList([Member(s, s, None, Submission(s, Path(s))) for s in students])
 
 
 def points_of(*chapters: Chapter) -> int:

@@ -21,6 +21,8 @@ from autograder.checks.runner import GraderError
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.grading import digest_of, grade_submission, report_of_failure
 from autograder.grader.run_key import run_key
+from autograder.manifest import load_chapters
+from autograder.marking.answers import answer_hashes
 from autograder.marking.marked_answers import MarkedAnswers
 from autograder.reports.marks import Mark, Marks, apply_marks
 from autograder.reports.report import Late, StudentReport
@@ -147,9 +149,14 @@ class ClassRun:
         other students are still graded, and this one counts as not graded.
         """
 
-        def is_changed(exercise: str, mark: Mark, answer: str) -> bool:
+        answers: dict[str, str] = {}
+        if self.marked and any(student == report.student for student, _ in self.marks):
+            root = self.assignment.root
+            answers = answer_hashes(submission, load_chapters(root), root)
+
+        def is_changed(exercise: str, mark: Mark) -> bool:
             marked, owner = self.marked, submission.owner
-            return marked is not None and marked.is_changed(owner, exercise, mark, answer)
+            return bool(marked and marked.is_changed(owner, exercise, mark, answers[exercise]))
 
         report = apply_marks(report, self.marks, is_changed)
         report = replace(report, late=self.late.get(report.student))

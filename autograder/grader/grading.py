@@ -15,8 +15,6 @@ from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.manifest import Chapter, load_chapters
-from autograder.marking.answers import texts_of
-from autograder.marking.marked_answers import hash_of
 from autograder.message import Message
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
 from autograder.scores import Result, results_of, total
@@ -53,15 +51,14 @@ def grade_submission(
             if staged.nothing:
                 why = f"'{submission.path.name}': {staged.nothing}"
                 return _nothing(assignment, submission, why, staged.digest)
-            notes = [*submission.notes, *_notes(staged, assignment.chapters, chapters, box)]
+            notes = [*submission.notes, *staged.notes]
             with (
                 with_given(assignment.given, [box], assignment.root) as engine,
                 tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
             ):
                 pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
-            report = _report(assignment, once, submission.student, pairs, notes)
-            exercises = _with_answers(report.exercises, assignment.chapters, box)
-        report = replace(report, submission=staged.digest, exercises=exercises)
+        report = _report(assignment, once, submission.student, pairs, notes)
+        report = replace(report, submission=staged.digest)
     except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
     return replace(report, seconds=round(time.monotonic() - start, 3))
@@ -86,17 +83,6 @@ def _nothing(
     )
 
 
-def _with_answers(
-    exercises: list[ExerciseReport], chapters: list[Chapter], box: Path
-) -> list[ExerciseReport]:
-    """Add the hash of each written answer, which shows later whether the answer has changed."""
-    hashes: dict[str, str] = {}
-    for chapter in chapters:
-        if any(exercise.kind == "written" for exercise in chapter.exercises):
-            hashes |= {name: hash_of(text) for name, (text, _) in texts_of(chapter, box).items()}
-    return [replace(exercise, answer=hashes.get(exercise.id, "")) for exercise in exercises]
-
-
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
     """Build the report on a submission that could not be graded because the grader itself failed.
 
@@ -105,18 +91,6 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     """
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
-
-
-def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the instructor's notes on a student's submission.
-
-    If the submission contains no file that could be graded, a note says so.
-    """
-    files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
-    if staged.missing or any(file.exists() for file in files):
-        return staged.notes
-    wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in graded)
-    return [*staged.notes, f"no files such as {wanted} were found, at most three levels down"]
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:

@@ -92,22 +92,19 @@ def _answers_of(
         staged = stage(submission.path, wanted, Path(folder), root)
         for chapter in wanted:
             refused = staged.missing.get(f"{chapter.name}.{FILE}", "")
-            for name, (text, note) in texts_of(chapter, Path(folder)).items():
+            for question in questions_of(chapter, [Path(folder)]):
+                name = question.exercise.id
+                text, note = _text_of(question, Path(folder) / chapter.name / FILE)
                 code = _code(submission.student, name)
                 shown = _shown(text)
                 yield name, Answer(submission, code, shown, refused or note, hash_of(text))
 
 
-def texts_of(chapter: Chapter, engine: Path) -> dict[str, tuple[str, str]]:
-    """Return a student's answer to each written question of a chapter, and a note or "".
-
-    ``engine`` is the folder into which the submission has been staged.
-    """
-    file = engine / chapter.name / FILE
-    return {
-        question.exercise.id: _text_of(question, file)
-        for question in questions_of(chapter, [engine])
-    }
+def answer_hashes(
+    submission: Submission, chapters: list[Chapter], root: Path = ROOT
+) -> dict[str, str]:
+    """Return a hash of a student's answer to each written question, by which changes are seen."""
+    return {name: answer.hash for name, answer in _answers_of(submission, chapters, root)}
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:

@@ -130,13 +130,13 @@ def row_of(student: str, exercise: str, mark: Mark, people: ClassList) -> list[s
 def apply_marks(
     report: StudentReport,
     marks: Marks,
-    is_changed: Callable[[str, Mark, str], bool] = lambda *_: False,
+    is_changed: Callable[[str, Mark], bool] = lambda *_: False,
 ) -> StudentReport:
     """Return a copy of a student's report that contains the marks for written answers.
 
     Any earlier marks in the report are replaced. An answer without a mark is reported as waiting to
-    be marked. ``is_changed`` says of an exercise, a mark and the hash of an answer whether the mark
-    was given for another answer. Such a mark counts, and is reported as changed.
+    be marked. ``is_changed`` says of an exercise and a mark whether the mark was given for another
+    answer. Such a mark counts, and is reported as changed.
     """
     exercises = []
     given: list[float] = []
@@ -150,7 +150,7 @@ def apply_marks(
             else:
                 exercise = _marked(exercise, mark)
                 given.append(mark.points)
-                if is_changed(exercise.id, mark, exercise.answer):
+                if is_changed(exercise.id, mark):
                     exercise = replace(exercise, status="changed")
         exercises.append(exercise)
     by_hand = round(sum(given), 2) if given else None

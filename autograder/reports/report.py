@@ -50,8 +50,7 @@ class ExerciseReport:
 
     A score is None if it is not known yet. ``score_on_given`` is the score that the student would
     get with our solutions to the earlier chapters. If ``extra`` is True, the exercise gives extra
-    credit, and its points are not part of the possible total. ``answer`` is a hash of the written
-    answer.
+    credit, and its points are not part of the possible total.
     """
 
     chapter: int
@@ -66,7 +65,6 @@ class ExerciseReport:
     checks: list[CheckReport]
     chart: Chart | None
     extra: bool = False
-    answer: str = ""
 
 
 @dataclass(frozen=True)

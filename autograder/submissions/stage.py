@@ -58,9 +58,8 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
         OSError: The folder cannot be written, or a file of the repository cannot be read.
     """
     found, notes, nothing = _search(submission, chapters)
-    if not found:
-        nothing = "it contains no folder of a chapter, at most three levels down"
     missing: dict[str, str] = {}
+    taken = False
     digest = hashlib.sha256()
     for chapter in chapters:
         target = box / chapter.name
@@ -77,10 +76,13 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
             try:
                 content = check_text(files[name].read(LARGEST_FILE))
                 _write(target / name, content)
+                taken = True
             except NotTakenError as error:
                 reason = rejection(chapter.name, name, error)
                 missing[module_of(chapter.name, name)] = reason
             digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
+    if not (taken or missing):
+        nothing = "no folder of a chapter with files to grade was found, at most three levels down"
     shown = [printable(note) for note in notes]
     return Staged(missing, shown, digest.hexdigest(), printable(nothing))
 

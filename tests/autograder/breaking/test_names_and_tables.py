@@ -17,9 +17,9 @@ from autograder.manifest import ROOT
 from autograder.reports.feedback import write_index
 from autograder.reports.gradebook import write_gradebook
 from autograder.reports.results import write_result
-from autograder.submissions.find import Submission
+from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.roster import read_roster
-from graded import CHAPTERS, SHOUT, report_of
+from graded import CHAPTERS, SHOUT, class_of, report_of
 from small import RIGHT, hand_in, make_root
 from small_class import grade, scores
 
@@ -98,13 +98,12 @@ def test_odd_times_are_refused_in_a_sentence_or_unknown(
     tmp_path: Path, name: str, text: str, is_refused: bool
 ) -> None:
     (tmp_path / name).write_text(text, encoding="utf-8")
-    submissions = [Submission("ann", tmp_path / "ann")]
     if is_refused:
         with pytest.raises(ValueError, match=name):
-            times_of(tmp_path, submissions, UTC)
+            times_of(tmp_path, class_of("ann"), UTC)
         return
-    known = times_of(tmp_path, submissions, UTC)
-    late = late_of(Deadline(datetime(2026, 1, 1, tzinfo=UTC)), ["ann"], known.get("ann"), 1.0)
+    known, _ = times_of(tmp_path, class_of("ann"), UTC)
+    late = late_of(Deadline(datetime(2026, 1, 1, tzinfo=UTC)), [], known.get("ann"), 1.0)
     assert late.days is None
 
 
@@ -122,16 +121,19 @@ def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Pat
     for run in ("lab1", "lab2"):
         write_result(tmp_path / run, report_of(SHOUT))
     names = [SHOUT, "=1+1", " @x;-y"]
+    absent = [Member(name, name, None, None) for name in names]
+    unmatched = class_of("=2+2").members
+    people = ClassList([*unmatched, *absent], has_roster=True)
     pages = [
         write_progress([tmp_path / "lab1", tmp_path / "lab2"], tmp_path / "progress"),
-        write_index(tmp_path, CHAPTERS, [report_of(SHOUT)], names, names),
+        write_index(tmp_path, CHAPTERS, [report_of(SHOUT)], people),
     ]
     for page in pages:
         text = page.read_text(encoding="utf-8")
         assert "owned" in text
         assert "<script" not in text
         assert "<b onclick" not in text
-    book = write_gradebook(tmp_path, CHAPTERS, [report_of("=2+2")], names, ["=2+2"])
+    book = write_gradebook(tmp_path, CHAPTERS, [report_of("=2+2")], people)
     with book.open(encoding="utf-8", newline="") as file:
         cells = [row[0] for row in csv.reader(file)]
     assert cells[2:] == ["'=2+2", SHOUT, "'=1+1", " '@x;'-y"]

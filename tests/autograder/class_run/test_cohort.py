@@ -100,7 +100,10 @@ def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
         seeds.append(results(out)["ann"]["seed"])
     assert seeds[0] != seeds[1], "the first run was finished"
     state = json.loads((out / "run.json").read_text(encoding="utf-8"))
-    assert state == {"seed": seeds[1], "finished": True, "roster": False}
+    assert state == {
+        **{"seed": seeds[1], "finished": True, "roster": False, "assignment": ""},
+        "folder": str(submissions),
+    }
     (out / "run.json").write_text(json.dumps(state | {"finished": False}), encoding="utf-8")
     before = results(out)
     grade(submissions, out, root, None)
@@ -172,15 +175,18 @@ def test_reports_of_others_are_moved_aside_and_not_lost(
     assert "Reports of students outside this class: 1, moved to " in capsys.readouterr().out
 
 
-def test_an_empty_submission_is_noted(
+def test_a_submission_without_a_chapter_is_nothing_to_grade(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (submissions / "dee/chapter 90").mkdir(parents=True)
     grade(submissions, tmp_path / "out", root)
     screen = " ".join(capsys.readouterr().out.split())
-    note = "no files such as ch90_small/small.py were found, at most three levels down"
-    assert results(tmp_path / "out")["dee"]["notes"] == [note]
-    assert f"dee: {note}" in screen
+    report = results(tmp_path / "out")["dee"]
+    why = "'dee': no folder of a chapter with files to grade was found, at most three levels down"
+    assert (report["status"], report["nothing"]) == ("nothing to grade", why)
+    how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
+    assert report["notes"] == [how]
+    assert f"Handed in, nothing to grade: 1 (dee: {why})." in screen
 
 
 @pytest.mark.parametrize(

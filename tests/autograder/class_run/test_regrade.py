@@ -80,7 +80,7 @@ def test_a_changed_check_is_logged_and_other_conditions_are_refused(
 ) -> None:
     before = everything_in(out)
     for options, complaint in (
-        ({"student": "dan"}, "there is no submission of 'dan'. There are: ann, bob, cem"),
+        ({"student": "dan"}, "there is no student 'dan'"),
         ({"student": "bob", "seed": "5"}, "--seed must be that of the class, '"),
         ({"student": "bob", "hidden": root / "tests"}, "without hidden checks: leave out --checks"),
     ):

@@ -12,7 +12,7 @@ from autograder.similarity.code import LONGEST, read_functions
 from autograder.similarity.collect import Ground, collect, ground_of, work_of
 from autograder.similarity.compare import FEWEST, Part, Work, compare
 from autograder.similarity.winnow import fingerprints
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import read_class
 from staging import LINK, VECTOR
 
 CHAPTERS = load_chapters()[:2]
@@ -162,7 +162,7 @@ def test_submissions_are_staged_and_never_run(tmp_path: Path, ground: Ground) ->
         (tmp_path / "class" / student / "ch02_vectors").mkdir(parents=True)
     (tmp_path / "class/ann/ch02_vectors/vector.py").write_text(code, encoding="utf-8")
     (tmp_path / "class/bob/ch02_vectors/vector.py").symlink_to("/etc/passwd")
-    submissions, _ = find_submissions(tmp_path / "class")
+    submissions = read_class(tmp_path / "class").submissions
     (ann, notes_of_ann), (bob, notes_of_bob) = collect(submissions, ground)
     assert not (tmp_path / "ran").exists()
     assert (len(ann.parts), notes_of_ann) == (1, [])

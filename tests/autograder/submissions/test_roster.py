@@ -77,7 +77,7 @@ def test_other_rosters_are_refused(file: Path) -> None:
 
 def people(folder: Path, names: str, roster: list[Student]) -> ClassList:
     """Return the class of a folder with these submissions, of which those with dots are zips."""
-    (folder / "class").mkdir()
+    (folder / "class").mkdir(exist_ok=True)
     for name in names.split("|"):
         path = folder / "class" / name
         path.touch() if name.endswith(("zip", "pdf")) else path.mkdir()
@@ -234,3 +234,80 @@ def test_a_group_hands_in_once(tmp_path: Path) -> None:
     (tmp_path / "class/Ann").mkdir()
     with pytest.raises(ValueError, match=r"Ann, .*Bo must hand in only once, got 'Ann' and 'Bo'"):
         read_class(tmp_path / "class", tmp_path / "r.csv")
+
+
+GRADESCOPE = """\
+submission_1:
+  :submitters:
+  - {":name": Anna, ":sid": '1042', ":email": other@x.org}
+submission_2:
+  :submitters:
+  - {":name": Bo, ":email": BO@x.org}
+  - {":name": Cy}
+submission_3:
+  :submitters:
+  - {":name": Stranger}
+"""
+GITHUB = """\
+assignment_name,github_username,roster_identifier,student_repository_name
+lab1,al,ann@x.org,lab1-al
+lab1,bo,,lab1-bo
+"""
+CLASSMATES = [ANN, Student("7", "Bo", "bo@x.org", "", 3), Student("8", "Cy", "", "", 4)]
+
+
+def with_file(folder: Path, name: str, text: str, submissions: str) -> ClassList:
+    (folder / "class").mkdir()
+    (folder / "class" / name).write_text(text, encoding="utf-8")
+    return people(folder, submissions, CLASSMATES)
+
+
+def test_gradescope_says_who_handed_in(tmp_path: Path) -> None:
+    names = "submission_1|submission_2|submission_3"
+    found = with_file(tmp_path, "submission_metadata.yml", GRADESCOPE, names)
+    who = {m.shown: m.submission.path.name for m in found.members if m.submission}
+    assert who == {
+        "Ann Lee": "submission_1",
+        "Bo": "submission_2",  # a pair, which has one report
+        "Cy": "submission_2",
+        "Stranger": "submission_3",
+    }
+    assert found.students_of("Bo, Cy") == ["Bo", "Cy"]
+    assert (found.missing, found.unmatched) == ([], ["Stranger"])
+
+
+def test_github_says_who_a_repository_belongs_to(tmp_path: Path) -> None:
+    found = with_file(tmp_path, "grades.csv", GITHUB, "lab1-al|lab1-bo")
+    assert {one.student: one.path.name for one in found.submissions} == {
+        "Ann Lee": "lab1-al",
+        "lab1-bo": "lab1-bo",
+    }
+    assert found.unmatched == ["lab1-bo"]
+    without = read_class(tmp_path / "class")
+    assert [one.student for one in without.submissions] == ["ann@x.org", "lab1-bo"]
+
+
+@pytest.mark.parametrize(
+    ("submitters", "words"),
+    [
+        (
+            '{":name": Bo, ":sid": "1042"}',
+            "lines 2 and 3: both match the submission 'submission_1'",
+        ),
+        ('{":name": Bo}, {":name": Eve}', "Gradescope names 'Eve', who is not on the roster"),
+    ],
+)
+def test_submitters_who_contradict_the_roster_are_an_error(
+    tmp_path: Path, submitters: str, words: str
+) -> None:
+    text = f"submission_1:\n  :submitters: [{submitters}]\n"
+    with pytest.raises(ValueError, match=words):
+        with_file(tmp_path, "submission_metadata.yml", text, "submission_1")
+
+
+def test_students_of_one_name_on_gradescope_stay_two_without_a_roster(tmp_path: Path) -> None:
+    text = 'a:\n  :submitters: [{":name": Bo}]\nb:\n  :submitters: [{":name": Bo}]\n'
+    (tmp_path / "submission_metadata.yml").write_text(text, encoding="utf-8")
+    for name in "ab":
+        (tmp_path / name).mkdir()
+    assert [one.student for one in read_class(tmp_path).submissions] == ["Bo (a)", "Bo (b)"]

@@ -33,6 +33,7 @@ from autograder.grader.people import differences, folder_with_names, marks_of, p
 from autograder.grader.regrade import Regrade
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.platforms.give_back import give_back
 from autograder.platforms.moodle_worksheet import worksheet_in
 from autograder.platforms.uploads import Column, write_uploads
 from autograder.reports.report import Late
@@ -147,6 +148,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         places.append(write_class_page(out, chapters, reports))
         named = folder_with_names(out, anonymous=options.anonymous)
         uploads, lines = write_uploads(named, chapters, people, reports, options.column, worksheet)
+        uploads += give_back(named, out, people, reports)
         finished = all(report.status == "graded" for report in reports)
         finished = finished and {*everyone} == {report.student for report in reports}
         replace_file(state, json.dumps({**record, "finished": finished}) + "\n")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,21 @@ def test_the_worksheet_of_an_anonymous_class_is_outside_its_folder(
     assert not (tmp_path / "out/moodle-worksheet.csv").exists()
     grades, _ = upload((tmp_path / "out-named/moodle-worksheet.csv").read_bytes(), SHEET)
     assert grades.keys() == {12, 13}
+
+
+@pytest.mark.parametrize(("anonymous", "folder"), [(False, "out"), (True, "out-named")])
+def test_the_feedback_pages_are_in_a_zip_for_moodle(
+    root: Path, submissions: Path, tmp_path: Path, anonymous: bool, folder: str
+) -> None:
+    assert grade(submissions, tmp_path / "out", root, anonymous=anonymous) == 0
+    assert [*tmp_path.rglob("feedback-*.zip")] == [tmp_path / folder / "feedback-moodle.zip"]
+    with zipfile.ZipFile(tmp_path / folder / "feedback-moodle.zip") as file:
+        assert sorted(file.namelist()) == [
+            "Ann Lee_12_assignfeedback_file_/feedback.html",
+            "Bo O'Neill_13_assignfeedback_file_/feedback.html",
+        ]
+        pages = {file.read(name) for name in file.namelist()}
+    assert pages == {page.read_bytes() for page in tmp_path.glob("out/feedback/*.html")}
 
 
 def test_a_broken_worksheet_stops_the_run_before_anything_is_graded(

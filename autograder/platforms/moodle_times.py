@@ -8,13 +8,15 @@ from datetime import datetime
 from dateparser.date import DateDataParser
 
 ORDERS = ("DMY", "MDY")
+YEARS = range(2000, 2100)  # others are of another calendar, such as the Thai one
 
 
 def read_times(cells: Sequence[str]) -> list[datetime | None]:
     """Read times such as "Friday, 23 October 2026, 8:15 PM", in any of many languages.
 
-    The result is None for a cell that is not a time, and for one whose day and month are both
-    numbers that could be the other. A time has no time zone, because Moodle does not write one.
+    The result is None for a cell that is not a time, for one whose day and month are both numbers
+    that could be the other, and for a year of another calendar. A time has no time zone, because
+    Moodle does not write one.
     """
     readers = [
         DateDataParser(
@@ -28,6 +30,6 @@ def read_times(cells: Sequence[str]) -> list[datetime | None]:
 def _read_time(readers: Sequence[DateDataParser], cell: str) -> datetime | None:
     times: set[datetime | None] = {reader.get_date_data(cell).date_obj for reader in readers}
     at = times.pop()
-    if at is None or times or str(at.year) not in cell:
+    if at is None or times or at.year not in YEARS:
         return None
     return at.replace(tzinfo=None)

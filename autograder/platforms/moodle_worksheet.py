@@ -177,7 +177,6 @@ def _places(path: Path, columns: Sequence[Sequence[str]]) -> tuple[int, list[int
         and _number(cells[0]) > 0
         and _fits(NUMBER, columns[place - 1])
         and {place + 2, place + 3} & {*times}
-        and not any(NUMBER.fullmatch(cell) or not cell for cell in columns[place + 1])
     ]
     if len(found) != 1:
         raise ValueError(

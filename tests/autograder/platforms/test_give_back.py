@@ -35,7 +35,7 @@ FROM_CANVAS = {  # each with the user and the upload
     "leebo_LATE_78_102_work": (78, 102),
     "anon_x3f9q_103_work": (79, 103),
     "LATE_anon_a1b2c_104_my_work.zip": (80, 104),
-    "leebo_81_105_link_2": (81, 105),
+    "leebo_81_105_linked.zip": (81, 105),
     "3po_82_106_7_8_work.ZIP": (82, 106),
 }
 ANONYMOUS = {"x3f9q": 79, "a1b2c": 80}

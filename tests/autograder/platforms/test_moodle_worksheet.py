@@ -90,12 +90,15 @@ def test_the_form_of_the_file_stays_as_it_was(
     ("sheet", "name", "email", "id_number", "time"),
     [
         (LAYOUTS["anonymous"], "", "", "", AT),
+        (Sheet(anonymous=True, teams=True, overrides=True), "", "", "", AT),
+        (Sheet(identity=("username", "idnumber", "email")), "Ann Lee", "ann@x.org", "u77", AT),
+        (Sheet(identity=("username", "idnumber")), "Ann Lee", "", "", AT),
         (LAYOUTS["no e-mail"], "Ann Lee", "", "u77", AT),
         (LAYOUTS["only the name"], "Ann Lee", "", "", AT),
         (Sheet(identity=("email", "phone1")), "Ann Lee", "ann@x.org", "", AT),
         (Sheet(identity=("idnumber", "phone1")), "Ann Lee", "", "u77", AT),  # the same phones
         (LAYOUTS["everything"], "Ann Lee", "ann@x.org", "u77", AT),
-        (Sheet(submissions=False), "Ann Lee", "ann@x.org", "u77", None),
+        (Sheet(submissions=False, graded={12: "5.00"}), "Ann Lee", "ann@x.org", "u77", None),
     ],
 )
 def test_what_a_worksheet_does_not_show_is_left_empty(
@@ -111,14 +114,20 @@ def test_a_suspended_student_has_a_name_without_html(tmp_path: Path) -> None:
     assert worksheet.rows[0].name == "Ann Lee"
 
 
-def test_a_class_of_one_is_understood(tmp_path: Path) -> None:
+@pytest.mark.parametrize("known", ["idnumber", "phone1"])
+def test_a_class_of_one_is_understood(tmp_path: Path, known: str) -> None:
+    """Its e-mail address is empty like a grade, and its other number is the same in each row."""
     one = {12: ("Ann Lee", "2024", "")}
-    worksheet = read(tmp_path, download(Sheet(), one))
+    identity = (known, "email") if known == "idnumber" else ("email", known)
+    worksheet = read(tmp_path, download(Sheet(identity=identity), one))
     assert worksheet.rows[0].name == "Ann Lee"
     assert cells(worksheet.filled({"12": 3.0}))[1][5:7] == ["3.00", "100.00"]
 
 
-@pytest.mark.parametrize("time", ["kedd, 4/5/2026, 8:15", "Xyzday, 23 Foober 2026, 20:15"])
+@pytest.mark.parametrize(
+    "time",
+    ["Tue, 4/5/2026, 8:15", "Xyzday, 23 Foober 2026, 20:15", "Friday, 23 October 2569, 20:15"],
+)
 def test_a_time_that_is_not_certain_is_unknown_and_listed(tmp_path: Path, time: str) -> None:
     text = download(Sheet()).replace("Friday, 23 October 2026, 8:15 PM", time, 1)
     worksheet = read(tmp_path, text)

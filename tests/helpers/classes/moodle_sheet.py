@@ -104,7 +104,7 @@ def download(sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE) -> 
                 "idnumber": idnumber,
                 "email": email,
                 "phone1": "0301234",
-                "username": name[:3],
+                "username": f"user{number}",
             }
             for each in sheet.identity:
                 row[getattr(say, each, each)] = known[each]

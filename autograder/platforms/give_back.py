@@ -9,11 +9,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.files import replace_bytes
+from autograder.platforms.moodle import report_of
 from autograder.platforms.zipped import zipped
 from autograder.reports.gradebook import as_cell
 from autograder.reports.report import StudentReport
 from autograder.reports.texts import replace_file
-from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.class_list import ClassList
 from autograder.submissions.exports import Exported
 from autograder.submissions.find import file_name
 
@@ -34,9 +35,9 @@ def give_back(
     """
     graded = {report.student for report in reports if report.status == "graded"}
     pages = {
-        member: out / "feedback" / f"{file_name(_report_of(member))}.html"
+        member: out / "feedback" / f"{file_name(report_of(member))}.html"
         for member in people.members
-        if _report_of(member) in graded
+        if report_of(member) in graded
     }
     to_moodle, to_canvas = {}, {}
     for member, page in pages.items():
@@ -62,11 +63,6 @@ def give_back(
         csv.writer(text).writerows([["name", "email", "file"], *rows])
         replace_file(paths[-1], text.getvalue())
     return paths
-
-
-def _report_of(member: Member) -> str:
-    """Return the name of the report on a student's submission."""
-    return member.shown
 
 
 def _in_moodle(export: Exported) -> str:

@@ -14,7 +14,7 @@ from autograder.files import replace_bytes
 from autograder.platforms.moodle_worksheet import Worksheet
 from autograder.reports.gradebook import as_cell
 from autograder.reports.texts import number, replace_file
-from autograder.submissions.class_list import ClassList
+from autograder.submissions.class_list import ClassList, Member
 
 MOST = 100.0  # Moodle does not import larger grades, unless the site allows it
 NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item
@@ -39,18 +39,23 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
     _write(path, [[*columns], *map(list, zip(*columns.values(), strict=True))])
 
 
+def report_of(member: Member) -> str:
+    """Return the name of the report on a student's submission."""
+    return member.shown
+
+
 def from_moodle(people: ClassList) -> dict[str, str]:
     """Find the submissions that were downloaded from Moodle.
 
     Returns:
-        The number of each participant in Moodle, by the student's name in the reports.
+        The name of each participant's report, by the participant's number in Moodle.
     """
-    numbers = {}
+    found = {}
     for member in people.members:
         export = member.submission.export if member.submission else None
         if export and export.platform == "moodle":
-            numbers[member.shown] = export.number
-    return numbers
+            found[export.number] = report_of(member)
+    return found
 
 
 def write_worksheet(
@@ -64,13 +69,12 @@ def write_worksheet(
     Returns:
         The students who have a grade but are not in the worksheet.
     """
-    numbers = from_moodle(people)
     known = {row.number for row in worksheet.rows}
-    left_out = sorted(name for name in grades if numbers.get(name) not in known)
-    if len(left_out) < len(grades):
-        filled = {numbers[name]: grade for name, grade in grades.items() if name not in left_out}
+    reports = {number: one for number, one in from_moodle(people).items() if number in known}
+    filled = {number: grades[one] for number, one in reports.items() if one in grades}
+    if filled:
         replace_bytes(path, worksheet.filled(filled))
-    return left_out
+    return sorted(grades.keys() - reports.values())
 
 
 def _write(path: Path, rows: list[list[str]]) -> None:

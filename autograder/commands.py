@@ -36,7 +36,7 @@ ADVICE = {
 PACKAGES = {
     "requirements": "libcst pymunk pytest rich tornado watchfiles",
     "pictures": "matplotlib",
-    "teaching": "jinja2 yaml",
+    "teaching": "dateparser jinja2 yaml",
     "everything": "jinja2 matplotlib scipy yaml",
 }
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages

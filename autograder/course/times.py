@@ -26,8 +26,8 @@ def times_of(
     """Find out when each report's submission was handed in, with notes on rows without effect.
 
     Submissions whose time is unknown are left out of the result. If several files contain a time
-    for the same student, times.csv takes precedence, because the instructor writes it. A time in
-    times.csv without a time zone is taken to be in ``zone``.
+    for the same student, times.csv takes precedence, because the instructor writes it. A time
+    without a time zone, in times.csv or in Moodle's worksheet, is taken to be in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
@@ -39,7 +39,8 @@ def times_of(
             # Canvas marks late submissions in the file name, but does not say how late they are.
             known[submission.student] = HandedIn("Canvas", late=submission.late)
         if (upload := uploads.of(submission.path)) and upload.at:
-            known[submission.student] = HandedIn(upload.source, upload.at)
+            at = upload.at if upload.at.tzinfo else upload.at.replace(tzinfo=zone, fold=1)
+            known[submission.student] = HandedIn(upload.source, at)
     written, notes = _of_instructor(folder / TIMES, people, zone)
     return known | written, notes
 

@@ -35,6 +35,7 @@ from autograder.grader.regrade import Regrade
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.marking.marked_answers import MarkedAnswers
+from autograder.platforms.give_back import give_back
 from autograder.platforms.uploads import Column, write_uploads
 from autograder.reports.marks import Marks, read_marks
 from autograder.reports.report import Late, StudentReport
@@ -42,6 +43,7 @@ from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.codes import key_path
 from autograder.submissions.find import Submission
+from autograder.submissions.moodle_worksheet import worksheet_in
 from autograder.text.wrapping import plain_console
 
 
@@ -106,6 +108,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         OSError: A file cannot be read or written.
     """
     people = people_of(folder, out, options.roster, anonymous=options.anonymous)
+    worksheet = worksheet_in(folder)
     submissions = people.submissions
     _refuse_inside(out, folder, submissions)
     refuse_other_class(out, people, folder, options.assignment)
@@ -156,7 +159,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         places = write_class(out, chapters, reports, people)
         places.append(write_class_page(out, chapters, reports))
         named = folder_with_names(out, anonymous=options.anonymous)
-        uploads, lines = write_uploads(named, chapters, people, reports, options.column)
+        uploads, lines = write_uploads(named, chapters, people, reports, options.column, worksheet)
+        uploads += give_back(named, out, people, reports)
         finished = all(report.status != "error, retry" for report in reports)
         finished = finished and {*everyone} == {report.student for report in reports}
         replace_file(state, json.dumps({**record, "finished": finished}) + "\n")

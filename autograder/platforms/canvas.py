@@ -34,7 +34,7 @@ def write_canvas(
         if who := member.student:
             name = as_cell(who.name)
             login = who.login or who.email
-            grade = number(grades.get(member.shown))
+            grade = number(grades.get(member.report))
             rows.append([name, _canvas_id(member), who.id, login, "", grade])
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)

@@ -6,9 +6,7 @@ reference solution that grading needs.
 
 from __future__ import annotations
 
-import io
 import json
-import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,11 +16,11 @@ from autograder.course.model import Work
 from autograder.course.of_class import for_gradescope
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT, Chapter, chapters_below
+from autograder.platforms.zipped import zipped
 from autograder.scores import possible, shown
 
 HIDDEN = "hidden"  # the folder of the hidden checks in the zip
 SCRIPTS = ("setup.sh", "run_autograder")
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # with the same date, equal files give equal bytes in the zip
 
 
 def make_gradescope(
@@ -69,7 +67,7 @@ def make_gradescope(
     contents |= _hidden(work)
     contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
     contents["assignment.json"] = (json.dumps(settings) + "\n").encode()
-    replace_bytes(out, _zipped(contents))
+    replace_bytes(out, zipped(contents, SCRIPTS))
     print(f"graded: {_names(chapters)}")
     if given:
         print(f"given complete: {_names(given)}")
@@ -113,22 +111,6 @@ def _hidden(work: Work) -> dict[str, bytes]:
         for chapter in work.chapters
         for file in (sorted((work.hidden / chapter.name).glob("*.py")) if work.hidden else ())
     }
-
-
-def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Pack the files for Gradescope into a zip archive, and return its bytes.
-
-    The files are sorted and all have the same date, so that packing them twice gives identical
-    bytes. The scripts are marked as executable.
-    """
-    memory = io.BytesIO()
-    with zipfile.ZipFile(memory, "w") as file:
-        for name in sorted(contents):
-            entry = zipfile.ZipInfo(name, FIRST_DATE)
-            entry.create_system = 3  # Unix, because modes are read only for this system
-            entry.external_attr = (0o100755 if name in SCRIPTS else 0o100644) << 16
-            file.writestr(entry, contents[name], zipfile.ZIP_DEFLATED)
-    return memory.getvalue()
 
 
 def _names(chapters: list[Chapter]) -> str:

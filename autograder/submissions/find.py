@@ -18,6 +18,7 @@ SILENT = (
     *("__pycache__", "__MACOSX", "README.md", "course.toml"),
     *("marks.csv", "roster.csv", "roster-key.csv"),
     *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
+    "worksheet.csv",  # from Moodle
 )
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")

@@ -8,7 +8,7 @@ from pathlib import Path
 from autograder.submissions.exports import Exported
 from autograder.submissions.find import Entry, printable
 from autograder.submissions.names import Names, key, letters
-from autograder.submissions.platform_files import Uploads
+from autograder.submissions.platform_files import OF_MOODLE, Uploads
 from autograder.submissions.roster import Student
 
 Who = tuple[Student | str, ...]  # the students of a submission, or a name if there is no student
@@ -52,7 +52,8 @@ class Owners:
         """
         upload = self._uploads.of(entry.path)
         if upload and upload.people:
-            people = [self._person(entry, names) for names in upload.people]
+            also = (entry.export.name,) if entry.export else ()  # which must not disagree
+            people = [self._person(entry, (*names, *also)) for names in upload.people]
             known = [student for student in people if student]
             if known and None in people:
                 stranger = upload.people[people.index(None)][-1]
@@ -160,19 +161,23 @@ class Owners:
 
     def _only(self, entry: Entry, students: list[Student]) -> Student | None:
         if len(students) > 1:
-            lines = " and ".join(str(student.line) for student in students)
+            lines = " and ".join(str(line) for line in sorted(one.line for one in students))
             raise ValueError(
                 f"{self.path}, lines {lines}: both match the submission {entry.path.name!r}. "
-                f"{_how_to_rename(entry)}"
+                f"{self._how_to_decide(entry)}"
             )
         return students[0] if students else None
 
-
-def _how_to_rename(entry: Entry) -> str:
-    if entry.export and entry.export.platform == "moodle":
+    def _how_to_decide(self, entry: Entry) -> str:
+        if not entry.export or entry.export.platform != "moodle":
+            return "Rename it to its student's id"
+        if self._uploads.of(entry.path):
+            return f"Check that {OF_MOODLE} is the worksheet of this assignment"
         new = entry.path.name.replace(entry.export.name, "ID", 1)
-        return f"Rename it to {new!r}, where ID is its student's id"
-    return "Rename it to its student's id"
+        return (
+            f"Save Moodle's grading worksheet as {OF_MOODLE} in {str(entry.path.parent)!r}, or "
+            f"rename the submission to {new!r}, where ID is its student's id"
+        )
 
 
 def _resemble(student: Student, export: Exported) -> bool:

@@ -1,6 +1,7 @@
-"""Read who handed in and when from the files that a platform adds to a download.
+"""Read who handed in and when from the files of a platform that accompany the submissions.
 
-They are submission_metadata.yml of Gradescope, and the grades.csv of GitHub Classroom.
+They are submission_metadata.yml of Gradescope, grades.csv of GitHub Classroom, and worksheet.csv of
+Moodle.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.dates import parse_time
+from autograder.submissions.exports import read_export
 
+OF_MOODLE = "worksheet.csv"  # instructors save the grading worksheet under this name
 OF_GRADESCOPE = "submission_metadata.yml"
 OF_GITHUB = "grades.csv"  # instructors save the grades of GitHub Classroom under this name
 REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
@@ -29,7 +32,7 @@ class Upload:
         source: The platform.
         people: The students who handed in together. Each has all names that the platform knows,
             the surest first.
-        at: The time of the submission, or None if it is unknown.
+        at: The time of the submission, or None if it is unknown. Moodle names no time zone.
     """
 
     source: str
@@ -53,9 +56,13 @@ class Uploads:
         self._folder = folder
         of_github, of_gradescope = folder / OF_GITHUB, folder / OF_GRADESCOPE
         self._by_name = dict([*_of_github(of_github), *_of_gradescope(of_gradescope)])
+        self._by_number = _of_moodle(folder)
 
     def of(self, path: Path) -> Upload | None:
         """Return what is known about the submission at this path."""
+        export = read_export(path.stem if path.suffix else path.name)
+        if export and export.platform == "moodle":
+            return self._by_number.get(export.number)
         return self._by_name.get(path.name) or self._by_name.get(path.stem)
 
     def name_of(self, path: Path) -> str:
@@ -63,7 +70,7 @@ class Uploads:
 
         If students of other submissions have the same names, the name of the submission follows.
         """
-        upload = self.of(path)
+        upload = self._by_name.get(path.name) or self._by_name.get(path.stem)
         if not upload or not upload.people:
             return ""
         alike = [other for other in self._by_name.values() if other.together == upload.together]
@@ -78,6 +85,23 @@ class Uploads:
         some = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")
         words = f"submissions of the platform's files are not in {self._folder}"
         return [f"{len(unknown)} {words}: {some}"]
+
+
+def _of_moodle(folder: Path) -> dict[str, Upload]:
+    """Read the participants of Moodle's worksheet. The keys are their numbers."""
+    if not (folder / OF_MOODLE).is_file():
+        return {}
+    # Only here, since Gradescope's own machine lacks the library that reads the times.
+    from autograder.submissions.moodle_worksheet import read_worksheet
+
+    return {
+        row.number: Upload(
+            "Moodle",
+            tuple(filter(None, [tuple(filter(None, [row.id_number, row.email, row.name]))])),
+            row.submitted,
+        )
+        for row in read_worksheet(folder / OF_MOODLE).rows
+    }
 
 
 def _of_gradescope(path: Path) -> Iterator[tuple[str, Upload]]:

@@ -104,7 +104,7 @@ def test_codes_replace_every_name_and_stay_the_same(
     page = out / "feedback" / f"{codes['Bo Lee']}.html"
     assert note in page.read_text(encoding="utf-8")
     assert {path.name for path in (tmp_path / "out-named").iterdir()} == {
-        *("canvas.csv", "moodle.csv")
+        *("canvas.csv", "moodle.csv", "feedback-canvas.zip", "mail.csv")
     }
     assert stat.S_IMODE(key.stat().st_mode) == 0o600
     # Another class has a secret of its own, and so has this one without its key.

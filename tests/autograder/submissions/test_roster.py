@@ -153,7 +153,7 @@ def test_a_participants_number_in_moodle_is_no_id(tmp_path: Path) -> None:
         (
             "Ann Lee_9_assignsubmission_file",
             Student("7", "Ann Lee", "", "", 3),
-            "lines 2 and 3: .* Rename it to 'ID_9_assignsubmission_file', where ID is its",
+            "lines 2 and 3: .* rename the submission to 'ID_9_assignsubmission_file', where ID",
         ),
     ],
 )

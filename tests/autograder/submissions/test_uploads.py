@@ -1,14 +1,13 @@
 """canvas.csv and moodle.csv, read by the rules that the importers of Canvas and Moodle follow.
 
 The rules are those of Canvas's lib/gradebook_importer.rb, and of Moodle's
-grade/import/csv/classes/load_data.php and mod/assign/feedback/offline.
+grade/import/csv/classes/load_data.php (those for a grading worksheet are in moodle_sheet.py).
 """
 
 from __future__ import annotations
 
 import csv
 import re
-import tempfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,9 +15,12 @@ import pytest
 
 from autograder.platforms.uploads import Column, write_uploads
 from autograder.reports.report import Late, StudentReport
-from autograder.submissions.class_list import ClassList, read_class
-from autograder.submissions.roster import COLUMNS, Student
+from autograder.submissions.class_list import ClassList
+from autograder.submissions.moodle_worksheet import Worksheet, read_worksheet
+from autograder.submissions.roster import Student
 from graded import CHAPTERS, failed_run, report_of
+from listed import listed
+from moodle_sheet import GERMAN, Sheet, download, upload
 
 ROSTER = [
     Student("77", "Ann Lee", "ann@x.org", "al7", 2),
@@ -33,20 +35,8 @@ SIS_IDS = {"u8": 78, "2024": 501}
 TOTALS = {"Ann Lee": 14.0, "O'Neill, Bo": 4.66, "=1+1": 0.0, "zoe": 5.0}  # of 14; Cy's failed
 
 
-def of_folders(*names: str, roster: list[Student] | None = None) -> ClassList:
-    """Return the class that has handed in folders of these names."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "roster.csv"
-        rows = [[one.id, one.name, one.email, one.login] for one in roster or []]
-        with path.open("w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([COLUMNS, *rows])
-        for name in names:
-            (Path(folder) / name).mkdir()
-        return read_class(Path(folder), path if roster else None)
-
-
 def a_class() -> tuple[ClassList, list[StudentReport]]:
-    people = of_folders(*NAMES, roster=ROSTER)
+    people = listed(*NAMES, roster=ROSTER)
     reports = [report_of(name, score=points, waiting=0) for name, points in TOTALS.items()]
     return people, [*reports, failed_run("Cy")]
 
@@ -169,13 +159,29 @@ def test_grades_are_rescaled_to_the_points_of_the_assignment(
     assert import_into_moodle(files["moodle.csv"], "ID number")["u8"] == of_moodle
 
 
-def test_a_grade_over_the_maximum_does_not_stop_moodle(tmp_path: Path) -> None:
+def test_only_a_grade_that_moodle_would_reject_is_cut(tmp_path: Path) -> None:
+    """Ann has 14.5 of 14 points, and Bo 15.4, because of extra credit."""
     people, reports = a_class()
-    reports[0] = report_of("Ann Lee", score=14.5)  # with extra credit
+    reports[:2] = [report_of("Ann Lee", score=14.5), report_of("O'Neill, Bo", score=15.4)]
     paths, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column("Lab 1"))
-    assert import_into_moodle(rows_of(paths[1]), "ID number")["77"] == 100.0
+    grades = import_into_moodle(rows_of(paths[1]), "ID number")
+    assert (grades["77"], grades["u8"]) == (100.0, 100.0)
     assert import_into_canvas(rows_of(paths[0]))[0][77] == "14.5"
-    assert "Grades over 100: 1. Moodle would reject them, so they are imported as 100." in lines
+    cut = next(line for line in lines if "were cut" in line)
+    assert "moodle.csv: grades above 100 were cut, because Moodle accepts no larger ones" in cut
+    assert "2 (Ann Lee; O'Neill, Bo). With POINTS=90.9, no grade is cut." in cut
+    paths, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column("Lab 1", 90.9))
+    grades = import_into_moodle(rows_of(paths[1]), "ID number")
+    assert (grades["77"], grades["u8"]) == (94.15, 99.99)
+    assert "were cut" not in "".join(lines)
+
+
+def test_five_students_whose_grades_are_cut_are_named(tmp_path: Path) -> None:
+    roster = [Student(str(n), f"Student {n}", "", "", n) for n in range(1, 8)]
+    people = listed(*map(str, range(1, 8)), roster=roster)
+    reports = [report_of(student.name, score=20.0) for student in roster]
+    _, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column())
+    assert "7 (Student 1; Student 2; Student 3; Student 4; Student 5; and 2 more)" in "".join(lines)
 
 
 def test_those_outside_the_roster_are_left_out_and_named(tmp_path: Path) -> None:
@@ -197,20 +203,66 @@ def test_answers_that_wait_are_reported(tmp_path: Path) -> None:
     assert lines[-1].startswith("Students with answers that are not marked yet: 2.")  # and Cy
 
 
-def test_without_a_roster_there_is_only_the_worksheet_of_a_class_from_moodle(
-    tmp_path: Path,
+def from_moodle(*names: str) -> ClassList:
+    return listed(*names)
+
+
+OF_MOODLE = from_moodle(
+    *("Ann Lee_12_assignsubmission_file", "Bo O'Neill_13_assignsubmission_file_"),
+    *("Bo O'Neill_14_assignsubmission_file", "zoe"),
+)
+
+
+def worksheet_of(folder: Path, sheet: Sheet) -> Worksheet:
+    (folder / "worksheet.csv").write_text(download(sheet), encoding="utf-8")
+    return read_worksheet(folder / "worksheet.csv")
+
+
+@pytest.mark.parametrize(("points", "half"), [(None, 10.0), (16, 8.0), (50, 10.0)])
+def test_the_worksheet_from_moodle_gets_grades_in_its_own_points(
+    tmp_path: Path, points: float | None, half: float
 ) -> None:
-    names = ["Ann Lee_12_assignsubmission_file", "Cy_13_assignsubmission_file_", "zoe"]
-    people = of_folders(*names)
-    reports = [report_of("Ann Lee_12", score=7.0), failed_run("Cy_13"), report_of("zoe")]
-    paths, _ = write_uploads(tmp_path, CHAPTERS, people, reports, Column())
+    """It needs no roster, and works for students with the same name."""
+    sheet = Sheet(GERMAN, most=20)
+    reports = [report_of("Ann Lee_12", score=7.0), failed_run("Bo O'Neill_13"), report_of("zoe")]
+    reports.append(report_of("Bo O'Neill_14", score=17.5))
+    worksheet = worksheet_of(tmp_path, sheet)
+    paths, lines = write_uploads(
+        tmp_path, CHAPTERS, OF_MOODLE, reports, Column("", points), worksheet
+    )
     assert [path.name for path in paths] == ["moodle-worksheet.csv"]
-    header, *rows = rows_of(paths[0])
-    # What Moodle needs to read a worksheet. An empty comment would replace the one that it has.
-    assert {"Identifier", "Grade", "Last modified (grade)"} <= set(header)
-    assert "Feedback comments" not in header
-    grades = {row[header.index("Identifier")]: row[header.index("Grade")] for row in rows}
-    assert grades == {"Participant 12": "50", "Participant 13": ""}  # of 100; no grade is skipped
+    assert upload(paths[0].read_bytes(), sheet) == ({12: half, 14: 20.0}, [])
+    assert "Not in worksheet.csv from Moodle: zoe." in "".join(lines)
+    if points != 16:  # of 20, 17.5 points of 14 are exactly 20
+        assert "1 (Bo O'Neill_14). With POINTS=16, no grade is cut." in "".join(lines)
+
+
+def test_a_worksheet_of_another_assignment_is_not_filled(tmp_path: Path) -> None:
+    people = from_moodle("Ann Lee_99_assignsubmission_file")
+    worksheet = worksheet_of(tmp_path, Sheet())
+    paths, lines = write_uploads(
+        tmp_path, CHAPTERS, people, [report_of("Ann Lee_99")], Column(), worksheet
+    )
+    assert paths == []
+    assert not (tmp_path / "moodle-worksheet.csv").exists()
+    assert lines[0].startswith("Not in worksheet.csv from Moodle: Ann Lee_99. Make sure that it is")
+
+
+def test_a_time_that_cannot_be_read_is_reported(tmp_path: Path) -> None:
+    text = download(Sheet()).replace("Friday, 23 October 2026, 8:15 PM", "Xday, 1 Foo 2026, 8:15")
+    (tmp_path / "worksheet.csv").write_text(text, encoding="utf-8")
+    worksheet = read_worksheet(tmp_path / "worksheet.csv")
+    reports = [report_of("Ann Lee_12")]
+    _, lines = write_uploads(tmp_path, CHAPTERS, OF_MOODLE, reports, Column(), worksheet)
+    wanted = "worksheet.csv: 3 submission times cannot be read, such as 'Xday, 1 Foo 2026, 8:15'."
+    assert wanted in lines
+
+
+def test_without_a_worksheet_the_instructor_hears_where_to_save_it(tmp_path: Path) -> None:
+    paths, lines = write_uploads(tmp_path, CHAPTERS, OF_MOODLE, [report_of("zoe")], Column())
+    assert paths == []
+    assert len(lines) == 1
+    assert "save it as worksheet.csv in the folder with the submissions" in lines[0]
     assert write_uploads(tmp_path, CHAPTERS, ClassList([]), [], Column()) == ([], [])
 
 

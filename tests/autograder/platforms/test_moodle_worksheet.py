@@ -1,0 +1,170 @@
+"""A grading worksheet of Moodle is understood and filled in any language.
+
+The worksheets have the columns that mod/assign/gradingtable.php writes, and an importer follows the
+rules of mod/assign/feedback/offline (see moodle_sheet.py).
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from autograder.submissions.moodle_worksheet import Worksheet, read_worksheet, worksheet_in
+from moodle_sheet import GERMAN, LANGUAGES, PEOPLE, Language, Sheet, download, upload
+
+AT = datetime(2026, 10, 23, 20, 15)
+LAYOUTS = {
+    "plain": Sheet(),
+    "anonymous": Sheet(anonymous=True),
+    "no e-mail": Sheet(identity=("idnumber",)),
+    "only the name": Sheet(identity=()),
+    "everything": Sheet(
+        overrides=True, teams=True, workflow=True, online_text=True, identity=("idnumber", "email")
+    ),
+    "no comments": Sheet(comments=False),
+    "some grades": Sheet(graded={12: "50.00", 13: "0.00"}),
+    "equal grades": Sheet(workflow=True, graded=dict.fromkeys(PEOPLE, "80.00")),
+}
+
+
+def read(folder: Path, text: str, encoding: str = "utf-8-sig") -> Worksheet:
+    (folder / "worksheet.csv").write_bytes(text.encode(encoding))
+    return read_worksheet(folder / "worksheet.csv")
+
+
+def cells(content: bytes | str, separator: str = ",") -> list[list[str]]:
+    text = content if isinstance(content, str) else content.decode("utf-8-sig")
+    return [*csv.reader(io.StringIO(text, newline=""), delimiter=separator)]
+
+
+@pytest.mark.parametrize("language", LANGUAGES.values(), ids=LANGUAGES)
+def test_a_worksheet_in_any_language_says_who_is_who(tmp_path: Path, language: Language) -> None:
+    worksheet = read(tmp_path, download(Sheet(language, 12.5)))
+    assert worksheet.most == 12.5
+    assert [(row.number, row.name, row.email, row.id_number) for row in worksheet.rows] == [
+        ("12", "Ann Lee", "ann@x.org", "u77"),
+        ("13", "Bo O'Neill", "bo@x.org", "u78"),
+        ("15", "Cy", "cy@x.org", ""),
+        ("14", "Bo O'Neill", "bo2@x.org", "u80"),
+    ]
+    assert [row.submitted for row in worksheet.rows] == [AT, AT, None, AT]
+    assert worksheet.unread == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES.values(), ids=LANGUAGES)
+def test_moodle_takes_the_grades_back_in_its_language(tmp_path: Path, language: Language) -> None:
+    sheet = Sheet(language)
+    filled = read(tmp_path, download(sheet)).filled({"12": 87.5, "14": 0.0, "99": 3.0})
+    assert upload(filled, sheet) == ({12: 87.5, 14: 0.0}, [])
+
+
+@pytest.mark.parametrize("sheet", LAYOUTS.values(), ids=LAYOUTS)
+def test_only_the_cells_of_the_grades_change(tmp_path: Path, sheet: Sheet) -> None:
+    text = download(sheet)
+    filled = cells(read(tmp_path, text).filled({"12": 87.5}))
+    expected = cells(text)
+    expected[1][expected[0].index("Grade")] = "87.50"
+    assert filled == expected
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize("separator", [",", ";"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+def test_the_form_of_the_file_stays_as_it_was(
+    tmp_path: Path, end: str, separator: str, encoding: str
+) -> None:
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, delimiter=separator, lineterminator=end)
+    writer.writerows(cells(download(Sheet(GERMAN, graded={13: "1,00"}))))
+    before = text.getvalue().encode(encoding)
+    (tmp_path / "worksheet.csv").write_bytes(before)
+    after = read_worksheet(tmp_path / "worksheet.csv").filled({"13": 2.5})
+    assert after == before.replace(b"1,00", b"2,50")
+
+
+@pytest.mark.parametrize(
+    ("sheet", "name", "email", "id_number", "time"),
+    [
+        (LAYOUTS["anonymous"], "", "", "", AT),
+        (Sheet(anonymous=True, teams=True, overrides=True), "", "", "", AT),
+        (Sheet(identity=("username", "idnumber", "email")), "Ann Lee", "ann@x.org", "u77", AT),
+        (Sheet(identity=("username", "idnumber")), "Ann Lee", "", "", AT),
+        (LAYOUTS["no e-mail"], "Ann Lee", "", "u77", AT),
+        (LAYOUTS["only the name"], "Ann Lee", "", "", AT),
+        (Sheet(identity=("email", "phone1")), "Ann Lee", "ann@x.org", "", AT),
+        (Sheet(identity=("idnumber", "phone1")), "Ann Lee", "", "u77", AT),  # the same phones
+        (LAYOUTS["everything"], "Ann Lee", "ann@x.org", "u77", AT),
+        (Sheet(submissions=False, graded={12: "5.00"}), "Ann Lee", "ann@x.org", "u77", None),
+    ],
+)
+def test_what_a_worksheet_does_not_show_is_left_empty(
+    tmp_path: Path, sheet: Sheet, name: str, email: str, id_number: str, time: datetime | None
+) -> None:
+    ann = read(tmp_path, download(sheet)).rows[0]
+    assert (ann.name, ann.email, ann.id_number, ann.submitted) == (name, email, id_number, time)
+
+
+def test_a_suspended_student_has_a_name_without_html(tmp_path: Path) -> None:
+    name = '<span class="usersuspended">Ann Lee <i class="icon" title="Suspended"></i></span>'
+    worksheet = read(tmp_path, download(Sheet(), PEOPLE | {12: (name, "u77", "ann@x.org")}))
+    assert worksheet.rows[0].name == "Ann Lee"
+
+
+@pytest.mark.parametrize("known", ["idnumber", "phone1"])
+def test_a_class_of_one_is_understood(tmp_path: Path, known: str) -> None:
+    """Its e-mail address is empty like a grade, and its other number is the same in each row."""
+    one = {12: ("Ann Lee", "2024", "")}
+    identity = (known, "email") if known == "idnumber" else ("email", known)
+    worksheet = read(tmp_path, download(Sheet(identity=identity), one))
+    assert worksheet.rows[0].name == "Ann Lee"
+    assert cells(worksheet.filled({"12": 3.0}))[1][5:7] == ["3.00", "100.00"]
+
+
+@pytest.mark.parametrize(
+    "time",
+    ["Tue, 4/5/2026, 8:15", "Xyzday, 23 Foober 2026, 20:15", "Friday, 23 October 2569, 20:15"],
+)
+def test_a_time_that_is_not_certain_is_unknown_and_listed(tmp_path: Path, time: str) -> None:
+    text = download(Sheet()).replace("Friday, 23 October 2026, 8:15 PM", time, 1)
+    worksheet = read(tmp_path, text)
+    assert [row.submitted for row in worksheet.rows] == [None, AT, None, AT]
+    assert worksheet.unread == [time]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda _: "", "below its header"),
+        (lambda text: text.partition("\n")[0], "below its header"),
+        (lambda text: text + "Participant 99,Eve\n", "below its header"),
+        (lambda text: text + '"', "unexpected end of data"),
+        (lambda text: text.replace("Participant 13", "Bo"), "must have identifiers, .* got 'Part"),
+        (lambda text: text.replace("Participant 13", "Student 13"), "must have identifiers"),
+        (lambda text: text.replace("Participant 13", "Participant 12"), "appears twice"),
+        (lambda text: text.replace("100.00", "A\nB"), "not certain which column"),  # a scale
+        (lambda text: text.replace("100.00", "", 1), "not certain which column"),
+        (lambda text: text.replace("100.00", "0.00"), "not certain which column"),
+    ],
+)
+def test_what_is_no_worksheet_is_refused(tmp_path: Path, change: object, message: str) -> None:
+    assert callable(change)
+    text = change(download(Sheet())).replace("A\nB", '"A\nB"')
+    with pytest.raises(ValueError, match=rf"(?s)worksheet\.csv.*{message}.*as Moodle wrote it"):
+        read(tmp_path, text)
+
+
+def test_a_worksheet_in_another_encoding_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"worksheet\.csv, line 1: this is not UTF-8"):
+        read(tmp_path, download(Sheet(GERMAN)), "cp1252")
+
+
+def test_a_class_may_have_no_worksheet(tmp_path: Path) -> None:
+    assert worksheet_in(tmp_path) is None
+    read(tmp_path, download(Sheet()))
+    worksheet = worksheet_in(tmp_path)
+    assert worksheet is not None
+    assert len(worksheet.rows) == len(PEOPLE)

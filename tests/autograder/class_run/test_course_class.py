@@ -257,15 +257,27 @@ def test_the_zip_for_gradescope_grades_the_assignment(tmp_path: Path) -> None:
     assert gradescope_results(report).score == 24
 
 
+def test_a_run_on_gradescope_ignores_the_seed_of_the_course_file(tmp_path: Path) -> None:
+    """Otherwise students could copy the numbers from the results of an earlier run."""
+    text = '[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\nseed = "lab1"'
+    work = course(tmp_path, text)["lab1"]
+    assert work.seed == "lab1"
+    make_gradescope(work, tmp_path / "a.zip", unsafe=not best_level().is_sandbox)
+    with zipfile.ZipFile(tmp_path / "a.zip") as file:
+        file.extractall(tmp_path / "source")
+    (tmp_path / "submission").mkdir()
+    seeds = [grade_one(tmp_path, tmp_path / "source").seed for _ in range(2)]
+    assert len({*seeds, "lab1"}) == 3
+
+
 def test_hidden_checks_go_into_the_zip_where_a_sandbox_protects_them(tmp_path: Path) -> None:
     hidden = tmp_path / "hidden/ch02_vectors"
     hidden.mkdir(parents=True)
     (hidden / "test_secret.py").write_text("", encoding="utf-8")
-    work = Work("lab1", [CH02], hidden=tmp_path / "hidden", seed="7")
+    work = Work("lab1", [CH02], hidden=tmp_path / "hidden")
     make_gradescope(work, tmp_path / "a.zip")
     with zipfile.ZipFile(tmp_path / "a.zip") as file:
         assert "hidden/ch02_vectors/test_secret.py" in file.namelist()
-        assert json.loads(file.read("assignment.json"))["seed"] == "7"
     with pytest.raises(ValueError, match="could read the hidden checks"):
         make_gradescope(work, tmp_path / "b.zip", unsafe=True)
 

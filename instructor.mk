@@ -10,7 +10,6 @@ WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 CODED = $(filter-out 0,$(ANONYMOUS))
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
-TAKES_progress := RUNS OUT
 TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ROSTER ASSIGNMENT COURSE
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
@@ -35,7 +34,7 @@ TAKES_economy :=
 TAKES_soak :=
 TAKES_contacts := QUICK
 
-.PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
+.PHONY: grade release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
 .PHONY: bench charts choose limits
 .PHONY: economy soak contacts figures mutants seeds table
 
@@ -48,9 +47,6 @@ BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 # == For instructors ==
 grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
-
-progress: .venv/teaching ## compare graded assignments (RUNS="build/lab1 build/lab2")
-	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
 
 release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)") $(if $(ROSTER),--roster "$(ROSTER)")

@@ -9,7 +9,6 @@ import argparse
 import sys
 from pathlib import Path
 
-from autograder.analysis import commands as analysis
 from autograder.course.choose import add_options, work_of
 from autograder.manifest import ROOT, select_chapters
 from autograder.release import commands as release
@@ -91,7 +90,6 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     add_options(command)
     command.set_defaults(run=run_mark)
 
-    analysis.add_commands(commands)
     release.add_commands(commands)
 
     command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")

@@ -11,7 +11,7 @@ CODED = $(filter-out 0,$(ANONYMOUS))
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
 TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ROSTER ASSIGNMENT COURSE
-TAKES_similarity := SUBMISSIONS CHAPTERS OUT
+TAKES_similarity := SUBMISSIONS CHAPTERS OUT ROSTER ASSIGNMENT COURSE
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 TAKES_classroom := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
@@ -52,7 +52,7 @@ release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 
 	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)") $(if $(ROSTER),--roster "$(ROSTER)")
 
 similarity: .venv/teaching ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
-	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
+	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)similarity)" $(ASSIGNED) $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(ROSTER),--roster "$(ROSTER)")
 
 mark: .venv/teaching ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
 	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)

@@ -77,6 +77,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     command.add_argument("--out", type=Path, required=True, help="folder for the pages")
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
+    command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
+    add_options(command)
     command.set_defaults(run=run_similarity)
 
     command = commands.add_parser("mark", help="mark a class's written answers on a web page")
@@ -163,8 +165,9 @@ def run_similarity(arguments: argparse.Namespace) -> int:
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
-    folder = class_folder(arguments.folder)
-    return similarity(folder, arguments.out, select_chapters(arguments.chapters))
+    work = work_of(arguments)
+    roster = arguments.roster or work.roster
+    return similarity(class_folder(arguments.folder), arguments.out, work.chapters, roster)
 
 
 def run_mark(arguments: argparse.Namespace) -> int:

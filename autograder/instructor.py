@@ -145,10 +145,11 @@ def run_handout(arguments: argparse.Namespace) -> int:
 def run_classroom(arguments: argparse.Namespace) -> int:
     """Build a handout for GitHub Classroom, with a workflow that grades every push."""
     from autograder.course.handout import about
-    from autograder.platforms.classroom import make_classroom
+    from autograder.platforms.classroom import make_classroom, rounded_points
 
     work = work_of(arguments, handed_out=True)
-    make_classroom(work.chapters, work.given, arguments.out, about=about(work))
+    words = about(work, on_github=rounded_points(work.chapters))
+    make_classroom(work.chapters, work.given, arguments.out, about=words)
     return 0
 
 

@@ -16,7 +16,15 @@ from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind, Message
-from autograder.scores import Result, place_on_chart, possible, shown, total
+from autograder.scores import (
+    Result,
+    extra_possible,
+    of_possible,
+    place_on_chart,
+    possible,
+    shown,
+    total,
+)
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
@@ -187,13 +195,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
         console.print(
             f'"{WORKS}" means that the physics passes, but robust checks are still open.\n'
         )
-    earned, points = total(results)
-    answers = shown(possible(r.exercise for r in results if r.exercise.kind == "written"))
-    more = f", plus {answers} for written answers, marked by a person" if answers != "0" else ""
-    console.print(
-        f"{bar(earned or 0.0, points)} {shown(earned)} of {shown(points)} points{more}\n",
-        markup=False,
-    )
+    console.print(f"{points_line(results)}\n", markup=False)
     for result in results:
         if result.on_chart:
             exercise = result.exercise
@@ -201,6 +203,23 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
             console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
     for words in extra_notes(chapter, engine):
         console.print(f"{words}\n", markup=False, soft_wrap=True)
+
+
+def points_line(results: list[Result]) -> str:
+    """Return the line that shows how many points a student has, with a progress bar.
+
+    The exercises may earn only extra credit, or no points at all because they are optional.
+    """
+    earned, points = total(results)
+    written = [r.exercise for r in results if r.exercise.kind == "written"]
+    extra = extra_possible(r.exercise for r in results if r.exercise not in written)
+    answers = possible(written) + extra_possible(written)
+    if not points and not extra:
+        by_person = f"Points for written answers, marked by a person: {shown(answers)}"
+        return by_person if answers else "Optional exercises earn no points."
+    more = f", plus {shown(answers)} for written answers, marked by a person" if answers else ""
+    has_bar = bar(earned or 0.0, points or extra)
+    return f"{has_bar} {of_possible(earned, points, extra)}{more}"
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
@@ -253,11 +272,12 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
         below = chapters_below(chapter)
         earlier, numbers = _named(below), numbers_of(below)
         checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
-        earned, points = total(report.on_reference)
+        extra = extra_possible(result.exercise for result in report.on_reference)
+        on_reference = of_possible(*total(report.on_reference), extra)
         this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
         notes.append(
             f"{checks} here because of mistakes in {earlier}. On the reference's {earlier} "
-            f"you have {shown(earned)} of {shown(points)} points.\n"
+            f"you have {on_reference}.\n"
             f"Fix them:    {check_command(engine, CH=numbers)}\n"
             f"Or continue: {check_command(engine, **this, GIVEN=numbers)}"
         )

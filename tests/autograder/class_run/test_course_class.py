@@ -26,7 +26,7 @@ from autograder.handouts.stubs import messages_of, without_bodies
 from autograder.instructor import run_handout
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, load_chapter, load_chapters
-from autograder.platforms.classroom import in_whole_points, workflow
+from autograder.platforms.classroom import in_whole_points, rounded_points, workflow
 from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
@@ -236,6 +236,23 @@ def test_the_workflow_for_github_classroom_has_whole_points(tmp_path: Path) -> N
     # Of 2, 3, 5 and 3: 4.1, 6.15, 10.25 and, as extra credit, 6.15.
     assert points == [4, 6, 10, 6]
     assert {type(value) for value in points} == {int}
+
+
+def test_the_handout_for_github_classroom_names_the_points_of_both(tmp_path: Path) -> None:
+    """Of 2, 3, 5 and 3 points: 4.1, 6.15, 10.25 and, as extra credit, 6.15."""
+    course(tmp_path, VECTORS.replace("out_of = 20", "out_of = 20.5"))
+    lab1 = ["--assignment", "lab1", "--course", tmp_path / "course.toml"]
+    done = typed("autograder", "classroom", *lab1, "--out", tmp_path / "out")
+    assert "4 exercises, 26 points, 6 of them as extra credit" in done.stdout, done.stderr
+    page = (tmp_path / "out/README.md").read_text(encoding="utf-8")
+    rows = [line.split(" | ") for line in page.splitlines() if line.startswith("| ")]
+    assert [row[0].strip("| ") for row in rows[2:6]] == ["B2.1", "B2.2", "B2.4", "B2.5"]
+    assert [row[2] for row in rows[2:7]] == ["4.1", "6.15", "10.25", "6.15 (extra credit)", "20.5"]
+    assert [int(row[3].strip(" |")) for row in rows[2:7]] == [4, 6, 10, 6, 26]
+    assert "GitHub Classroom shows whole points only, so its points are rounded." in page
+    whole = course(tmp_path, VECTORS)["lab1"]
+    assert rounded_points(whole.chapters) == {}, "then there is one number for both"
+    assert "on GitHub" not in about(whole)
 
 
 def test_the_zip_for_gradescope_grades_the_assignment(tmp_path: Path) -> None:

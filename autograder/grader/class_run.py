@@ -209,7 +209,9 @@ def _class_table(reports: list[StudentReport], problems: list[str]) -> Table:
 
 
 def _two_lines(words: str, width: int) -> str:
-    return "\n".join(textwrap.wrap(words, width, max_lines=2, placeholder=" ..."))
+    first, *others = textwrap.wrap(words, width) or [""]
+    rest = " ".join(others)
+    return f"{first}\n{rest if len(rest) <= width else f'{rest[: width - 3]}...'}".rstrip()
 
 
 def _first_problem(report: StudentReport) -> str:

@@ -16,18 +16,11 @@ from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind, Message
-from autograder.scores import (
-    Result,
-    extra_possible,
-    of_possible,
-    place_on_chart,
-    possible,
-    shown,
-    total,
-)
+from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
+from autograder.student.points import points_line, points_of
 from autograder.student.written import all_pass
 from autograder.text.wrapping import plain_console, print_wrapped
 
@@ -44,7 +37,6 @@ STYLES = {
     "error": "magenta",
 }
 WORKS = "works"
-BAR = 40
 
 
 @dataclass(frozen=True)
@@ -205,36 +197,6 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
         console.print(f"{words}\n", markup=False, soft_wrap=True)
 
 
-def points_line(results: list[Result]) -> str:
-    """Return the line that shows how many points a student has, with a progress bar.
-
-    The exercises may earn only extra credit, or no points at all because they are optional.
-    """
-    earned, points = total(results)
-    written = [r.exercise for r in results if r.exercise.kind == "written"]
-    extra = extra_possible(r.exercise for r in results if r.exercise not in written)
-    answers = possible(written) + extra_possible(written)
-    if not points and not extra:
-        by_person = f"Points for written answers, marked by a person: {shown(answers)}"
-        return by_person if answers else "Optional exercises earn no points."
-    more = f", plus {shown(answers)} for written answers, marked by a person" if answers else ""
-    has_bar = bar(earned or 0.0, points or extra)
-    return f"{has_bar} {of_possible(earned, points, extra)}{more}"
-
-
-def points_of(chapter: Chapter, result: Result) -> str:
-    """Return a student's points for an exercise as the table shows them, such as "2/3".
-
-    For an optional exercise, the table shows "optional" or, if a required exercise builds on it,
-    "needed".
-    """
-    exercise = result.exercise
-    if exercise.optional:
-        return "needed" if exercise.id in asked_for(chapter) else "optional"
-    extra = " extra" if exercise.extra else ""
-    return f"{shown(result.score)}/{shown(exercise.points)}{extra}"
-
-
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
     """Warn the student not to import extra modules, because the grader ignores them."""
     known = {*chapter.edited_files, *chapter.complete}
@@ -247,12 +209,6 @@ def passing(checks: Sequence[Verdict]) -> str:
     """Count how many checks of an exercise pass, as in "3/4", or return "" if it has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
-
-
-def bar(part: float, whole: float) -> str:
-    """Return a progress bar such as [####....], which shows the fraction ``part / whole``."""
-    filled = min(BAR, int(BAR * part / whole)) if whole else 0
-    return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
 
 def print_inherited(

@@ -31,7 +31,8 @@ from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
-from autograder.student.screen import Report, first_open, points_of
+from autograder.student.points import points_of
+from autograder.student.screen import Report, first_open
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, results, scores

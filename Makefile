@@ -10,6 +10,18 @@ endif
 READY := .venv/ready
 ENGINE ?= chapters
 
+# Commands get the value of a variable exactly as it was typed, even if it has quotes or dollars, as
+# in NOTE="it's \"late\" and costs \$5". In single quotes, the shell changes nothing. A recipe cannot
+# have a value of several lines.
+define newline
+
+
+endef
+escaped = $(if $(findstring $(newline),$(value $(1))),$(error $(1) must be on one line))$(subst ','\'',$(value $(1)))
+typed = $(if $(value $(1)),'$(call escaped,$(1))')
+option = $(if $(value $(2)),$(1) $(call typed,$(2)))
+SETTINGS = $(foreach set,$(value SET),--set '$(call escaped,set)')
+
 # A diagnosis, such as checks that fail, is what these commands are for: their status 1 is no error
 # of make's. Trouble, such as a chapter that is not there, has status 2.
 DIAGNOSIS := ; status=$$?; test $$status -eq 1 || exit $$status
@@ -46,25 +58,25 @@ ifneq ($(wildcard instructor.mk),)
 endif
 
 watch: $(READY) ## check your current exercise whenever you save a file (CH=3)
-	@$(RUN) -m autograder watch --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
+	@$(RUN) -m autograder watch $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(call option,--seed,SEED)
 
 check: $(READY) ## check everything, a chapter (CH=3) or an exercise (EX=2.5)
-	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)") $(DIAGNOSIS)
+	@$(RUN) -m autograder check $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--exercise,EX) $(call option,--given,GIVEN) $(call option,--seed,SEED) $(DIAGNOSIS)
 
 hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)
-	@$(RUN) -m autograder hint $(or $(EX),$(error name an exercise: make hint EX=2.5)) $(if $(N),--count $(N)) $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder hint $(or $(call typed,EX),$(error name an exercise: make hint EX=2.5)) $(call option,--count,N) $(call option,--given,GIVEN)
 
 reset: $(READY) ## restore a stub (EX=2.5) or its file (WHOLE=1); keep a copy
-	@$(RUN) -m autograder reset $(or $(EX),$(error name an exercise: make reset EX=2.5)) --engine "$(ENGINE)" $(if $(WHOLE),--whole) $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder reset $(or $(call typed,EX),$(error name an exercise: make reset EX=2.5)) $(call option,--engine,ENGINE) $(if $(WHOLE),--whole) $(call option,--given,GIVEN)
 
 lab: $(READY) ## run scenes with your engine in the browser (SCENE=one-spring)
-	@$(RUN) -m lab serve $(if $(SCENE),"$(SCENE)") --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(if $(filter 0,$(OPEN)),--no-browser)
+	@$(RUN) -m lab serve $(call typed,SCENE) $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(SETTINGS) $(if $(filter 0,$(OPEN)),--no-browser)
 
 plot: .venv/pictures ## draw the pictures of a chapter with your engine (CH=2)
-	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
+	@$(RUN) -m studies plot $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(DIAGNOSIS)
 
 demo: .venv/pictures ## run a scene of the lab in its own window (DEMO=fireworks)
-	@$(RUN) -m lab play $(if $(DEMO),"$(DEMO)") --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(DIAGNOSIS)
+	@$(RUN) -m lab play $(call typed,DEMO) $(call option,--engine,ENGINE) $(call option,--given,GIVEN) $(SETTINGS) $(DIAGNOSIS)
 
 setup: $(READY) ## create .venv (the other commands do this when needed)
 	@echo "Set up: .venv is ready."
@@ -86,3 +98,5 @@ $(foreach goal,$(filter-out $(COMMANDS) .venv/%,$(GOALS)),$(error there is no co
 TAKEN := PYTHON $(foreach goal,$(GOALS),$(TAKES_$(goal)))
 GIVEN_BY_USER := $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
 $(foreach name,$(filter-out $(TAKEN) MAKE% -%,$(GIVEN_BY_USER)),$(error make $(GOALS) does not take $(name); it takes $(or $(sort $(filter-out PYTHON,$(TAKEN))),no variables)))
+# Otherwise, make would expand the values for the environment of the commands.
+unexport $(GIVEN_BY_USER)

@@ -1,5 +1,4 @@
 # The commands of instructors and of those who work on the companion itself.
-SUBMISSIONS ?= sample_class
 # It grades a class on all cores, and would do so once a process of the others.
 HOSTILE := tests/autograder/untrusted/test_hostile.py
 PYTEST = PYTHONPATH=tests/helpers $(RUN) -m pytest --dist worksteal
@@ -10,10 +9,9 @@ WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 CODED = $(filter-out 0,$(ANONYMOUS))
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
-TAKES_progress := RUNS OUT
 TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ROSTER ASSIGNMENT COURSE
-TAKES_similarity := SUBMISSIONS CHAPTERS OUT
-TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
+TAKES_similarity := SUBMISSIONS CHAPTERS OUT ROSTER ASSIGNMENT COURSE
+TAKES_mark := SUBMISSIONS CHAPTERS OPEN ROSTER ASSIGNMENT COURSE
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 TAKES_classroom := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 TAKES_gradescope := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
@@ -35,56 +33,54 @@ TAKES_economy :=
 TAKES_soak :=
 TAKES_contacts := QUICK
 
-.PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
+.PHONY: grade release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
 .PHONY: bench charts choose limits
 .PHONY: economy soak contacts figures mutants seeds table
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
-ASSIGNED = $(if $(ASSIGNMENT),--assignment "$(ASSIGNMENT)") $(if $(COURSE),--course "$(COURSE)")
+ASSIGNED = $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
 # The chapters of a handout, which the course file names if there is an assignment.
-NAMED = $(or $(CHAPTERS),$(if $(ASSIGNMENT),,$(error name the chapters: make $@ CHAPTERS=2 OUT=dir, or an assignment: make $@ ASSIGNMENT=lab1)))
-BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
+NAMED = $(or $(call typed,CHAPTERS),$(if $(value ASSIGNMENT),,$(error name the chapters: make $@ CHAPTERS=2 OUT=dir, or an assignment: make $@ ASSIGNMENT=lab1)))
+BUILT = build/$(if $(value ASSIGNMENT),$(call escaped,ASSIGNMENT)/)
+out = --out $(or $(call typed,OUT),'$(1)')
 
 # == For instructors ==
 grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
-
-progress: .venv/teaching ## compare graded assignments (RUNS="build/lab1 build/lab2")
-	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
+	@$(RUN) -m autograder grade $(call typed,SUBMISSIONS) $(call out,$(BUILT)grades$(if $(CODED),-anonymous)) $(ASSIGNED) $(call option,--seed,SEED) $(call option,--chapters,CHAPTERS) $(call option,--given,GIVEN) $(call option,--checks,CHECKS) $(call option,--roster,ROSTER) $(if $(CODED),--anonymous) $(call option,--title,TITLE) $(call option,--points,POINTS) $(call option,--student,STUDENT) $(call option,--note,NOTE)
 
 release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)") $(if $(ROSTER),--roster "$(ROSTER)")
+	@$(RUN) -m autograder release $(NAMED) $(call out,$(BUILT)release) $(ASSIGNED) $(call option,--exercises,EX) $(call option,--submissions,SUBMISSIONS) $(if $(value GRADES)$(value SUBMISSIONS)$(wildcard $(BUILT)grades/results),--grades $(or $(call typed,GRADES),'$(BUILT)grades')) $(call option,--roster,ROSTER)
 
 similarity: .venv/teaching ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
-	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
+	@$(RUN) -m autograder similarity $(or $(call typed,SUBMISSIONS),$(if $(value ASSIGNMENT)$(value ROSTER),$(error name the class: make similarity SUBMISSIONS=../handed-in),sample_class)) $(call out,$(BUILT)similarity) $(ASSIGNED) $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER)
 
 mark: .venv/teaching ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
-	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
+	@$(RUN) -m autograder mark $(or $(call typed,SUBMISSIONS),$(error name the class: make mark SUBMISSIONS=dir)) $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER) $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
 
 handout: .venv/teaching ## make a handout (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
-	@$(RUN) -m autograder handout $(NAMED) --out "$(or $(OUT),$(BUILT)handout)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder handout $(NAMED) $(call out,$(BUILT)handout) $(ASSIGNED) $(call option,--given,GIVEN)
 
 classroom: .venv/teaching ## make a handout for GitHub Classroom (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder classroom $(NAMED) --out "$(or $(OUT),$(BUILT)classroom)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder classroom $(NAMED) $(call out,$(BUILT)classroom) $(ASSIGNED) $(call option,--given,GIVEN)
 
 gradescope: .venv/teaching ## make the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
-	@$(RUN) -m autograder gradescope $(NAMED) --out "$(or $(OUT),$(BUILT)gradescope.zip)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder gradescope $(NAMED) $(call out,$(BUILT)gradescope.zip) $(ASSIGNED) $(call option,--given,GIVEN)
 
 site: .venv/pictures ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
-	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
+	@$(RUN) -m web $(call out,build/site) $(if $(SOLUTIONS),--with-solutions)
 
 # == For those who work on the companion itself ==
 # One scene of the lab replays a study.
-lab: $(if $(filter charts,$(SCENE)),.venv/everything)
-test: say-what-test-is .venv/everything $(if $(CH),lint) ## run the quick tests, or those of one chapter (CH=6)
-ifneq ($(CH),)
-	@$(PYTEST) -n auto -p tiers --tier quick -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
+lab: $(if $(filter charts,$(value SCENE)),.venv/everything)
+test: say-what-test-is .venv/everything $(if $(value CH),lint) ## run the quick tests, or those of one chapter (CH=6)
+ifneq ($(value CH),)
+	@$(PYTEST) -n auto -p tiers --tier quick -p by_chapter $(call option,--chapter,CH) --ignore=tests/autograder
 else
 	@$(PYTEST) -n $(WORKERS) -p tiers --tier quick
 endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 4 minutes)."
+	@echo "This tests the companion itself, and takes $(if $(value CH),half a minute,about 4 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
 test-all: test ## run all tests, as before a release
@@ -109,10 +105,10 @@ figures: .venv/everything ## draw the pictures of the lessons again
 
 # == Measurements ==
 mutants: .venv/everything ## count the mutants that the checks catch (CH=6)
-	@$(RUN) tests/strength mutants $(if $(CH),--chapter "$(CH)")
+	@$(RUN) tests/strength mutants $(call option,--chapter,CH)
 
 seeds: .venv/everything ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
-	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
+	@$(RUN) tests/strength seeds $(call option,--chapter,CH) $(call option,--seeds,SEEDS)
 
 table: .venv/everything ## copy the measured figures into the pages
 	@$(RUN) tests/strength table
@@ -124,7 +120,7 @@ charts: .venv/everything ## measure speed against accuracy (QUICK=1 takes 3 minu
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
 
 choose: .venv/everything ## find the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
-	@$(RUN) -m studies choose "$(or $(SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours))" $(if $(TOLERANCE),--tolerance "$(TOLERANCE)") $(DIAGNOSIS)
+	@$(RUN) -m studies choose $(or $(call typed,SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours)) $(call option,--tolerance,TOLERANCE) $(DIAGNOSIS)
 
 limits: .venv/everything ## find the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits

@@ -9,7 +9,6 @@ import argparse
 import sys
 from pathlib import Path
 
-from autograder.analysis import commands as analysis
 from autograder.course.choose import add_options, work_of
 from autograder.manifest import ROOT, select_chapters
 from autograder.release import commands as release
@@ -84,6 +83,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     command.add_argument("--out", type=Path, required=True, help="folder for the pages")
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
+    command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
+    add_options(command)
     command.set_defaults(run=run_similarity)
 
     command = commands.add_parser("mark", help="mark a class's written answers on a web page")
@@ -98,7 +99,6 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     add_options(command)
     command.set_defaults(run=run_mark)
 
-    analysis.add_commands(commands)
     release.add_commands(commands)
 
     command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")
@@ -175,10 +175,11 @@ def run_handout(arguments: argparse.Namespace) -> int:
 def run_classroom(arguments: argparse.Namespace) -> int:
     """Build a handout for GitHub Classroom, with a workflow that grades every push."""
     from autograder.course.handout import about
-    from autograder.platforms.classroom import make_classroom
+    from autograder.platforms.classroom import make_classroom, rounded_points
 
     work = work_of(arguments, handed_out=True)
-    make_classroom(work.chapters, work.given, arguments.out, about=about(work))
+    words = about(work, on_github=rounded_points(work.chapters))
+    make_classroom(work.chapters, work.given, arguments.out, about=words)
     return 0
 
 
@@ -195,8 +196,9 @@ def run_similarity(arguments: argparse.Namespace) -> int:
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
-    folder = class_folder(arguments.folder)
-    return similarity(folder, arguments.out, select_chapters(arguments.chapters))
+    work = work_of(arguments)
+    roster = arguments.roster or work.roster
+    return similarity(class_folder(arguments.folder), arguments.out, work.chapters, roster)
 
 
 def run_mark(arguments: argparse.Namespace) -> int:

@@ -112,6 +112,22 @@ def possible(exercises: Iterable[Exercise]) -> float:
     return round(sum(counted), 2)
 
 
+def extra_possible(exercises: Iterable[Exercise]) -> float:
+    """Add up the points that some exercises can give as extra credit."""
+    return round(sum(e.points for e in exercises if e.extra and not e.optional), 2)
+
+
+def of_possible(score: float | None, points: float, extra: float) -> str:
+    """Say how many of the possible points a student has, as in "3 of 5 points".
+
+    ``extra`` is the possible extra credit. It is named only if there are no other points, since
+    "4 of 0 points" would make no sense.
+    """
+    if extra and not points:
+        return f"{shown(score)} of {shown(extra)} points of extra credit"
+    return f"{shown(score)} of {shown(points)} points"
+
+
 def shown(score: float | None) -> str:
     """Format a score for people to read, such as 2.5, or "-" if the score is not known yet."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")

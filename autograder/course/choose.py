@@ -7,11 +7,11 @@ chapters.
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 
-from autograder.course.mistakes import nearest
 from autograder.course.model import Work
-from autograder.course.reading import read_course
+from autograder.course.reading import read_assignment
 from autograder.manifest import select_chapters, split_given
 
 DEFAULT = Path("course.toml")
@@ -34,7 +34,8 @@ def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
     Otherwise they are removed from it, and an empty selection means all chapters.
 
     Raises:
-        ValueError: The course file contains mistakes, or the options contradict each other.
+        ValueError: The options contradict each other, or the course file contains mistakes that
+            matter for the assignment. Its other mistakes are printed.
     """
     if arguments.assignment is not None:
         return _assigned(arguments)
@@ -55,11 +56,7 @@ def _assigned(arguments: argparse.Namespace) -> Work:
             raise ValueError(
                 f"with an assignment, {arguments.course} names the {option}: leave out {value}"
             )
-    assignments = {work.name: work for work in read_course(arguments.course).assignments}
-    if arguments.assignment not in assignments:
-        wanted = nearest(arguments.assignment, assignments)
-        raise ValueError(
-            f"{arguments.course} has no assignment {arguments.assignment!r}. {wanted} "
-            f"It has {', '.join(assignments)}".replace(".  ", ". ")
-        )
-    return assignments[arguments.assignment]
+    work, note = read_assignment(arguments.course, arguments.assignment)
+    if note:
+        print(note, file=sys.stderr)
+    return work

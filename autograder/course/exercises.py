@@ -29,6 +29,17 @@ class Chosen:
     earlier: list[str]
 
 
+def chapters_under(chapter: Chapter, chapters: list[Chapter]) -> list[Chapter]:
+    """List those of the ``chapters`` whose code a chapter imports.
+
+    These are the chapters in the ``builds_on`` list of its manifest. Without such a list, they are
+    all earlier chapters.
+    """
+    earlier = [other for other in chapters if other.number < chapter.number]
+    numbers = chapter.builds_on
+    return [other for other in earlier if numbers is None or other.number in numbers]
+
+
 class Chooser:
     """Finds out which exercises belong to an assignment, by reading its table in the course file.
 
@@ -130,7 +141,7 @@ class Chooser:
                 self._wrong(*self._where(name), word=name, words=words)
             earlier |= (needs_of(chapter, name) - ids) & self.before
         for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
-            for below in self._below(chapter):
+            for below in chapters_under(chapter, self.chapters):
                 if below in given or any(e.id in ids | self.before for e in below.exercises):
                     continue
                 self.mistakes.add(
@@ -139,16 +150,6 @@ class Chooser:
                     f"given nor assigned so far. Add {below.number} to given",
                 )
         return [name for name in self.home if name in earlier]
-
-    def _below(self, chapter: Chapter) -> list[Chapter]:
-        """List the earlier chapters whose code a chapter imports.
-
-        These are the chapters in the ``builds_on`` list of its manifest. Without such a list, they
-        are all earlier chapters.
-        """
-        earlier = [other for other in self.chapters if other.number < chapter.number]
-        numbers = chapter.builds_on
-        return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
         """Find the key in the course file that adds an exercise to the assignment.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -49,15 +50,23 @@ def _entry(text: str, chapter: Chapter) -> str:
     return POINTS.sub("\n".join(lines), text, count=1)
 
 
-def about(work: Work, root: Path = ROOT) -> str:
+def about(work: Work, root: Path = ROOT, *, on_github: Mapping[str, float] | None = None) -> str:
     """Write the README section about an assignment: its due date, its exercises and their points.
 
     Return an empty string if the instructor selected some chapters instead of an assignment.
+
+    ``on_github`` has the points of each exercise on GitHub Classroom, if they differ from the
+    others.
     """
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name
-    parts = [f"## {title}", *_due(work), _table(work)]
+    parts = [f"## {title}", *_due(work), _table(work, on_github or {})]
+    if on_github:
+        parts.append(
+            "GitHub Classroom shows whole points only, so its points are rounded. It does not\n"
+            "grade written answers, and it adds extra credit to the total."
+        )
     whole = {chapter.name: len(chapter.exercises) for chapter in load_chapters(root)}
     if any(len(chapter.exercises) < whole[chapter.name] for chapter in work.chapters):
         parts.append(
@@ -79,12 +88,18 @@ def _due(work: Work) -> list[str]:
     return ["\n".join([f"Due {clock(work.deadline.due)}.", *([policy.words] if policy else [])])]
 
 
-def _table(work: Work) -> str:
+def _table(work: Work, on_github: Mapping[str, float]) -> str:
     exercises = [exercise for chapter in work.chapters for exercise in chapter.exercises]
-    rows = ["| exercise | title | points |", "|---|---|---|"]
-    rows += [f"| {e.id} | {e.title} | {_points(e)} |" for e in exercises]
-    rows.append(f"| | total | {shown(points_of(work.chapters))} |")
-    return "\n".join(rows)
+    rows = [["exercise", "title", "points"], ["---"] * 3]
+    rows += [[e.id, e.title, _points(e)] for e in exercises]
+    rows.append(["", "total", shown(points_of(work.chapters))])
+    if on_github:
+        there = [shown(on_github[e.id]) if e.id in on_github else "" for e in exercises]
+        there = ["on GitHub", "---", *there, shown(sum(on_github.values()))]
+        rows = [[*row, cell] for row, cell in zip(rows, there, strict=True)]
+    return "\n".join(
+        "|".join(["", *(f" {cell} " if cell else " " for cell in r), ""]) for r in rows
+    )
 
 
 def _points(exercise: Exercise) -> str:

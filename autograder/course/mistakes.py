@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 from autograder.course.lines import Lines, Path
@@ -27,33 +27,58 @@ class Mistakes:
     def __init__(self, file: str, text: str) -> None:
         self.file = file
         self._lines = Lines(text)
-        self._found: list[tuple[int, str]] = []
+        # Each with its line, and the number of the assignment whose table contains it.
+        self._found: list[tuple[int, str, str | int | None]] = []
 
-    def add(self, path: Path, words: str, word: str = "") -> None:
+    def add(self, path: Path, words: str, word: str = "", *, concerns_all: bool = False) -> None:
         """Record a mistake in the course file, so that it can be reported with its line number.
 
         ``path`` contains the keys that lead to the invalid value, such as ("assignment", 0, "due").
-        If the value is a list, ``word`` is the invalid item.
+        If the value is a list, ``word`` is the invalid item. ``concerns_all`` is True for a mistake
+        that matters to all assignments, although it is in the table of one.
         """
-        self._found.append((self._lines.of(path, word), words))
+        is_in_one = path[:1] == ("assignment",) and len(path) > 1 and not concerns_all
+        self._found.append((self._lines.of(path, word), words, path[1] if is_in_one else None))
 
-    def raise_any(self) -> None:
-        """Raise a ValueError that lists all recorded mistakes by line, if there are any."""
+    def raise_any(self, assignments: Collection[int] | None = None) -> None:
+        """Raise a ValueError that lists all recorded mistakes by line, if there are any.
+
+        With ``assignments``, do not raise an error if all mistakes are in the tables of others.
+        """
+        tables = {table for _, _, table in self._found}
+        if tables and (assignments is None or tables & {None, *assignments}):
+            raise ValueError(self.listed())
+
+    def listed(self, where: str = "") -> str:
+        """List all recorded mistakes by line. If there are none, return an empty string.
+
+        ``where`` is inserted after the number of mistakes.
+        """
         if not self._found:
-            return
-        found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
+            return ""
+        found = sorted(dict.fromkeys(mistake[:2] for mistake in self._found), key=lambda m: m[0])
         count = "one mistake" if len(found) == 1 else f"{len(found)} mistakes"
         lines = [f"  line {line}: {words}" for line, words in found]
-        raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
+        return "\n".join([f"{self.file} has {count}{where}:", *lines])
 
-    def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
+    def check_keys(
+        self,
+        table: Mapping[str, Any],
+        path: Path,
+        known: Iterable[str],
+        elsewhere: Collection[str] = (),
+    ) -> None:
         """Record each unknown key of a table as a mistake, and suggest the most similar valid key.
 
-        For example, a misspelled "tilte" leads to the suggestion "title".
+        For example, a misspelled "tilte" leads to the suggestion "title". A key in ``elsewhere`` is
+        known, but only at the top of the file.
         """
         keys = list(known)
         for key in table:
-            if key not in keys:
+            if key in elsewhere:
+                words = f"{key} belongs at the top of the file, before the first [[assignment]]"
+                self.add((*path, key), words, concerns_all=True)
+            elif key not in keys:
                 wanted = nearest(key, keys, 1) or f"The keys here are {', '.join(keys)}."
                 self.add((*path, key), f"there is no key {key!r}. {wanted}")
 

@@ -1,6 +1,6 @@
 """The assignments, deadlines and late policies that an instructor describes in a course file.
 
-These objects are created only if the file has no mistakes.
+Commands get these objects only if the parts of the file that they come from have no mistakes.
 """
 
 from __future__ import annotations

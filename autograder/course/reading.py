@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.dates import read_time, read_zone
-from autograder.course.exercises import Chooser
+from autograder.course.exercises import Chooser, chapters_under
 from autograder.course.mistakes import Mistakes, nearest, shown
 from autograder.course.model import Course, Deadline, LatePolicy, Work
 from autograder.manifest import ROOT, Chapter, load_chapters
@@ -33,6 +33,44 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
         ValueError: The file contains mistakes. The message lists all of them with their lines.
         OSError: The file cannot be read.
     """
+    reader = _reader(path, root)
+    course = reader.course()
+    reader.mistakes.raise_any()
+    return course
+
+
+def read_assignment(path: Path, name: str, root: Path = ROOT) -> tuple[Work, str]:
+    """Read one assignment from the course file, even if other assignments have mistakes.
+
+    Returns:
+        The assignment, and a note that lists the mistakes in other assignments, if there are any.
+
+    Raises:
+        ValueError: There is no such assignment, or there are mistakes at the top of the file, in
+            this assignment, or in one that it builds on. The message lists all mistakes.
+        OSError: The file cannot be read.
+    """
+    reader = _reader(path, root)
+    works = reader.course().assignments
+    called = [number for number, work in enumerate(works) if work.name == name]
+    if not called:
+        reader.mistakes.raise_any()
+        wanted = nearest(name, [work.name for work in works])
+        known = f"It has {', '.join(work.name for work in works)}"
+        raise ValueError(
+            " ".join(filter(None, [f"{path} has no assignment {name!r}.", wanted, known]))
+        )
+    reader.mistakes.raise_any([*called, *reader.needed_by(called[0], works)])
+    return works[called[0]], reader.mistakes.listed(f" outside of {name}")
+
+
+def _reader(path: Path, root: Path) -> Reader:
+    """Parse the course file.
+
+    Raises:
+        ValueError: The file is not valid TOML.
+        OSError: The file cannot be read.
+    """
     if not path.is_file():
         raise ValueError(
             f"there is no file {str(path)!r}. Write one as autograder/README.md shows, or name "
@@ -45,7 +83,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
         raise ValueError(f"{path} is not UTF-8: save it as UTF-8 in your editor") from error
     except (ValueError, RecursionError) as error:  # also for a number of 5,000 digits
         raise ValueError(f"{path} is not valid TOML: {error}") from error
-    return Reader(data, path.parent, load_chapters(root), Mistakes(str(path), text)).course()
+    return Reader(data, path.parent, load_chapters(root), Mistakes(str(path), text))
 
 
 class Reader:
@@ -63,8 +101,8 @@ class Reader:
     def course(self) -> Course:
         """Read all assignments of the term.
 
-        Raises:
-            ValueError: The course file contains mistakes. The message lists all of them.
+        If the course file contains mistakes, they are recorded, and the result may be incomplete.
+        The caller must therefore check for recorded mistakes before using the result.
         """
         mistakes, data = self.mistakes, self.data
         mistakes.check_keys(data, (), OF_COURSE)
@@ -80,13 +118,31 @@ class Reader:
             tables = []
         self.roster = self._path(data, (), "roster")
         assignments = [self._assignment(i, table) for i, table in enumerate(tables)]
-        course = Course(assignments, mistakes.value(data, (), "title", str) or "")
-        mistakes.raise_any()
-        return course
+        return Course(assignments, mistakes.value(data, (), "title", str) or "")
+
+    def needed_by(self, number: int, works: list[Work]) -> list[int]:
+        """List the earlier assignments on which an assignment builds, by their numbers in the file.
+
+        They contain the exercises that it needs, or exercises of the earlier chapters that its code
+        imports.
+        """
+        work = works[number]
+        below = {
+            earlier.number
+            for chapter in work.chapters
+            for earlier in chapters_under(chapter, self.chapters)
+            if earlier not in work.given
+        }
+        return [
+            other
+            for other in range(number)
+            for chapter in works[other].chapters
+            if chapter.number in below or any(e.id in work.earlier for e in chapter.exercises)
+        ]
 
     def _assignment(self, index: int, table: dict[str, Any]) -> Work:
         mistakes, path = self.mistakes, ("assignment", index)
-        mistakes.check_keys(table, path, OF_ASSIGNMENT)
+        mistakes.check_keys(table, path, OF_ASSIGNMENT, ("roster", "time_zone"))
         name = mistakes.value(table, path, "name", str)
         others = [other.get("name") for other in self.data["assignment"][:index]]
         if name is None and "name" not in table:

@@ -5,6 +5,7 @@ If the run is interrupted, the reports written so far are kept.
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import closing
@@ -30,6 +31,9 @@ from autograder.reports.results import read_result, write_student
 from autograder.scores import shown
 from autograder.submissions.codes import without_names
 from autograder.submissions.find import Submission, file_name
+
+PROBLEM = "first problem"  # the heading of a column
+LONGEST_NAME = 20  # characters of a student's name in one line
 
 
 class ClassRun:
@@ -199,25 +203,46 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
     """Print a table of the class's results, with one row for each student.
 
     Each row shows the points, the number of passed checks, and the message of the most important
-    check that did not pass.
+    check that did not pass. It has at most two lines, so a long message is cut on a narrow screen.
     """
-    table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
+    problems = [_first_problem(report) for report in reports]
+    taken = console.measure(_class_table(reports, [""] * len(reports))).maximum
+    room = max(console.width - taken, len(PROBLEM))
+    console.print(_class_table(reports, [_two_lines(words, room) for words in problems]))
+
+
+def _class_table(reports: list[StudentReport], problems: list[str]) -> Table:
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    table.add_column("student", no_wrap=True)
     for heading in ("points", "on given", "checks"):
-        table.add_column(heading, justify="right")
+        table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("status")
-    table.add_column("first problem")
-    for report in reports:
-        checks = [(e, check) for e in report.exercises for check in e.checks]
-        passed = sum(check.status == "passed" for _, check in checks)
-        order = ("error", "failed", "inherited", "blocked")
-        lost = [pair for pair in checks if pair[1].status in order]
-        lost.sort(key=lambda pair: (order.index(pair[1].status), pair[1].robust))
+    table.add_column(PROBLEM if any(problems) else "", no_wrap=True)
+    for report, problem in zip(reports, problems, strict=True):
+        checks = [check for exercise in report.exercises for check in exercise.checks]
+        extra = " extra" if report.extra and not report.points else ""
         table.add_row(
-            report.student,
-            f"{shown(report.score)}/{shown(report.points)}",
+            _two_lines(report.student, LONGEST_NAME),
+            f"{shown(report.score)}/{shown(report.points or report.extra)}{extra}",
             shown(report.score_on_given),
-            f"{passed}/{len(checks)}",
+            f"{sum(check.status == 'passed' for check in checks)}/{len(checks)}",
             report.status,
-            f"{lost[0][0].id}: {lost[0][1].message.in_short[:200]}" if lost else "",
+            problem,
         )
-    console.print(table)
+    return table
+
+
+def _two_lines(words: str, width: int) -> str:
+    first, *others = textwrap.wrap(words, width) or [""]
+    rest = " ".join(others)
+    return f"{first}\n{rest if len(rest) <= width else f'{rest[: width - 3]}...'}".rstrip()
+
+
+def _first_problem(report: StudentReport) -> str:
+    """Return the message of the most important check that did not pass, with its exercise."""
+    order = ("error", "failed", "inherited", "blocked")
+    lost = [(e, check) for e in report.exercises for check in e.checks if check.status in order]
+    if not lost:
+        return ""
+    exercise, check = min(lost, key=lambda pair: (order.index(pair[1].status), pair[1].robust))
+    return f"{exercise.id}: {check.message.in_short[:200]}"

@@ -11,7 +11,7 @@ import yaml  # type: ignore[import-untyped]
 from autograder.course.points import rescaled
 from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise
-from autograder.scores import possible
+from autograder.scores import extra_possible, possible, shown
 
 WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
 GRADER = "classroom-resources/autograding-command-grader@v1"
@@ -39,7 +39,9 @@ def make_classroom(
     path.write_text(text, encoding="utf-8", newline="\n")
     exercises = _checked(chapters)
     points = sum(exercise.points for exercise in exercises)
-    print(f"workflow: {path}, {len(exercises)} exercises, {points} points")
+    extra = extra_possible(exercises)
+    of_these = f", {shown(extra)} of them as extra credit" if extra else ""
+    print(f"workflow: {path}, {len(exercises)} exercises, {points} points{of_these}")
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
@@ -101,6 +103,17 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
         replace(c, exercises=[replace(e, points=max(1, whole[e.id])) for e in c.exercises])
         for c in chapters
     ]
+
+
+def rounded_points(chapters: list[Chapter]) -> dict[str, float]:
+    """Return the whole points of the exercises that GitHub grades.
+
+    If no exercise had a fraction of a point, the points are the same everywhere, and the result is
+    empty.
+    """
+    before = {exercise.id: exercise.points for exercise in _checked(chapters)}
+    after = {exercise.id: exercise.points for exercise in _checked(in_whole_points(chapters))}
+    return {} if before == after else after
 
 
 def step_id(exercise: Exercise) -> str:

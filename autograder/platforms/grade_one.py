@@ -47,8 +47,9 @@ def main(folder: Path, root: Path = ROOT) -> None:
 def grade_one(folder: Path, root: Path) -> StudentReport:
     """Grade the submission that Gradescope has put into ``folder``, and return the report on it.
 
-    The file assignment.json, which comes with the grader, describes what to grade. If it does not
-    contain a seed, every run draws new random numbers for its checks.
+    The file assignment.json, which comes with the grader, describes what to grade. Every run draws
+    a new seed, even if the course file has one. Otherwise students could submit again with the
+    numbers that they saw in the results of an earlier run.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -62,8 +63,7 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     graded, given = ([chapters[n] for n in settings[key]] for key in ("chapters", "given"))
     graded = [_assigned(chapter, settings["points"], settings["extra"]) for chapter in graded]
     hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
-    seed = settings["seed"] or secrets.token_hex(4)
-    assignment = Assignment(graded, seed, level, given, hidden, root)
+    assignment = Assignment(graded, secrets.token_hex(4), level, given, hidden, root)
     student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))

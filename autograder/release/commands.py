@@ -41,11 +41,15 @@ def run_release(arguments: argparse.Namespace) -> int:
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 
+    course = None
+    if arguments.assignment or arguments.course.is_file():
+        # Any mistake in the file is an error here, because it could hide a due date.
+        course = read_course(arguments.course)
     work = work_of(arguments, handed_out=True)
     exercises = [name for name in arguments.exercises.replace(",", " ").split() if name]
     assigned = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
-    if arguments.assignment or arguments.course.is_file():
-        refuse_early(read_course(arguments.course), exercises or assigned, datetime.now(UTC))
+    if course:
+        refuse_early(course, exercises or assigned, datetime.now(UTC))
     if arguments.assignment:
         exercises = exercises or assigned
     numbers = [chapter.number for chapter in work.chapters]

@@ -96,8 +96,9 @@ def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
     """
     counts: Counter[int] = Counter()
     for report in reports:
-        if report.score is not None and report.points:
-            tenths = round(BINS * report.score / report.points, 6)
+        most = report.points or report.extra  # an assignment's checks may give only extra credit
+        if report.score is not None and most:
+            tenths = round(BINS * report.score / most, 6)
             counts[min(int(tenths), BINS - 1)] += 1
     step = 100 // BINS
     return [Bin(step * i, step * (i + 1), counts[i]) for i in range(BINS)]

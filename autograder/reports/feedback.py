@@ -20,7 +20,7 @@ from autograder.reports.pages import render
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
 from autograder.reports.scatter import Scatter, scatter
 from autograder.reports.texts import check_title, clean_all, replace_file
-from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
+from autograder.scores import PHYSICS_SHARE, extra_possible, place_on_chart, possible
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.find import file_name
 
@@ -106,6 +106,7 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
         chapters=[(n, list(group)) for n, group in groupby(exercises, lambda e: e.chapter)],
         inherited=None if own is None or given is None else round(given - own, 2),
         by_hand_points=_possible([e for e in exercises if e.kind == "written"]),
+        by_hand_extra=sum(e.points for e in exercises if e.kind == "written" and e.extra),
         possible=_possible(exercises),
         waiting=[e.id for e in exercises if e.status == "waiting"],
         next=_first_to_fix(exercises),
@@ -128,7 +129,8 @@ def write_index(
     clean = [clean_all(report) for report in reports]
     rates = exercise_rates(chapters, clean)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
-    by_hand_points = possible(e for e in exercises if e.kind == "written")
+    written = [exercise for exercise in exercises if exercise.kind == "written"]
+    by_hand_points, by_hand_extra = possible(written), extra_possible(written)
     scores = [report.score for report in clean if report.score is not None]
     page = render(
         "index.html",
@@ -142,7 +144,9 @@ def write_index(
         late=any(report.late for report in clean),
         errors=sum(report.status == "error, retry" for report in clean),
         points=round(possible(exercises) - by_hand_points, 2),
+        extra=round(extra_possible(exercises) - by_hand_extra, 2),
         by_hand_points=by_hand_points,
+        by_hand_extra=by_hand_extra,
         median=statistics.median(scores) if scores else None,
         waiting=sum(report.waiting for report in clean),
         seeds=_distinct(report.seed for report in clean),

@@ -10,7 +10,7 @@ from typing import Literal
 from autograder.records import to_json
 from autograder.reports.report import ExerciseReport, StudentReport, tiers
 from autograder.reports.texts import check_title, clean_all, number, replace_file
-from autograder.scores import place_on_chart
+from autograder.scores import of_possible, place_on_chart
 from autograder.submissions.find import file_name
 from autograder.text.clean import clean_line
 
@@ -119,7 +119,7 @@ def _summary(report: StudentReport, failed: bool) -> str:
     if report.nothing:
         lines.append(f"nothing to grade: {report.nothing}")
     elif not failed:
-        lines.append(f"checks: {number(report.score)} of {number(report.points)} points")
+        lines.append(f"checks: {of_possible(report.score, report.points, report.extra)}")
     if report.score_on_given is not None:
         lines.append(
             f"on given chapters: {number(report.score_on_given)} points, with the reference's "

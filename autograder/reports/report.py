@@ -140,6 +140,11 @@ class StudentReport:
     nothing: str = ""
 
     @property
+    def extra(self) -> float:
+        """The points that checks can give as extra credit. They are not part of ``points``."""
+        return round(sum(e.points for e in self.exercises if e.extra and e.kind != "written"), 2)
+
+    @property
     def earned(self) -> float | None:
         """The student's points from checks and marks, before any late penalty.
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.similarity.code import names_in, read_functions
 from autograder.similarity.compare import Part, Passage, Work
 from autograder.similarity.winnow import fingerprints, hashes
@@ -25,8 +25,8 @@ class Ground:
     """The rules for comparing students' code: which functions to compare, and what to ignore.
 
     Attributes:
-        parts: Maps each function to its exercise. A key is a file and a function name, such as
-            ("ch02_vectors/vector.py", "Vector3.dot").
+        parts: Maps each function to its exercise, or to an empty string if it is not compared. A
+            key is a file and a function name, such as ("ch02_vectors/vector.py", "Vector3.dot").
         known: The names of the engine, of Python's builtins and of the math module. All students
             use these names, so comparisons do not replace them.
         given: The hashes of the code in our stubs, complete modules and solutions. Comparisons
@@ -44,11 +44,12 @@ class Ground:
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
     """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore.
 
-    The comparison ignores code that all students were given. It also ignores exercises that are so
-    short that all solutions look alike.
+    The comparison ignores code that all students were given, and exercises that are not in
+    ``chapters``, because they are not assigned. It also ignores exercises that are so short that
+    all solutions look alike.
     """
-    names = [chapter.name for chapter in load_chapters(root)]
-    known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
+    whole = {chapter.name: chapter for chapter in load_chapters(root)}
+    known = frozenset(name for text in _our_files(root, [*whole]) for name in names_in(text))
     given: set[int] = set()
     for text in _our_files(root, [chapter.name for chapter in chapters]):
         for function in read_functions(text, known)[0]:
@@ -57,9 +58,10 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
     small = []
     for chapter in chapters:
         sizes = _reference_sizes(chapter, known, root)
+        for exercise in whole[chapter.name].exercises:
+            parts |= dict.fromkeys(_places(chapter, exercise), "")
         for exercise in chapter.exercises:
-            edits = [tuple(edit.split(".", 1)) for edit in exercise.edit]
-            places = [(f"{chapter.name}/{module}.py", name) for module, name in edits]
+            places = _places(chapter, exercise)
             if places and sum(sizes.get(place, 0) for place in places) < SMALLEST:
                 small.append(exercise.id)
             title = f"{exercise.id} {exercise.title}"
@@ -110,6 +112,12 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
                 part.passages.append(Passage(file, function.name, function.tokens, text))
                 part.fingerprints |= own
     return Work(student, parts), notes
+
+
+def _places(chapter: Chapter, exercise: Exercise) -> list[tuple[str, str]]:
+    """List the functions that students write for an exercise, each with its file."""
+    edits = [edit.split(".", 1) for edit in exercise.edit]
+    return [(f"{chapter.name}/{module}.py", name) for module, name in edits]
 
 
 def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:

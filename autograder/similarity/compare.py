@@ -17,7 +17,7 @@ import math
 import statistics
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from autograder.similarity.code import Token
@@ -35,6 +35,13 @@ class Passage:
     name: str
     tokens: list[Token]
     text: str
+
+    @property
+    def code(self) -> str:
+        """The lines of the function that have code, exactly as the student wrote them."""
+        lines = self.text.split("\n")
+        rows = {row for t in self.tokens for row in range(t.start[0], t.end[0] + 1)}
+        return "\n".join(lines[row - 1] for row in sorted(rows))
 
 
 @dataclass
@@ -58,18 +65,27 @@ class Work:
     student: str
     parts: Mapping[str, Part]
 
+    @property
+    def code(self) -> dict[tuple[str, str], str]:
+        """The text of all functions that are compared, by file and name."""
+        passages = [passage for part in self.parts.values() for passage in part.passages]
+        return {(passage.file, passage.name): passage.code for passage in passages}
+
 
 @dataclass(frozen=True)
 class Pair:
     """Two students and the similarity of their code, on a scale from 0 to 1.
 
-    ``surprise`` measures how unusual this similarity is in the class. It is None if the class is
-    too small for such a measure.
+    Attributes:
+        identical: True if the compared code of both is the same, character for character.
+        surprise: How unusual the similarity is in the class. It is None if the class is too small
+            for such a measure.
     """
 
     one: Work
     other: Work
     similarity: float
+    identical: bool = False
     surprise: float | None = None
 
 
@@ -94,8 +110,9 @@ class Comparison:
     The surprise of a pair says how unusual the similarity of their code is for the class.
 
     Attributes:
-        pairs: All pairs of students, sorted by decreasing surprise. If surprises could not be
-            computed, the pairs are sorted by decreasing similarity instead.
+        pairs: All pairs of students. Identical pairs come first. Otherwise, the pairs are sorted by
+            decreasing surprise. If surprises could not be computed, they are sorted by decreasing
+            similarity instead.
         line: The surprise from which a pair stands out, or None if there are no surprises.
         measure: The measure of similarity that was used.
     """
@@ -108,18 +125,22 @@ class Comparison:
     def stands_out(self, pair: Pair) -> bool:
         """Return True if two students' code is so similar that an instructor should read both.
 
-        That is the case if the similarity is far above what is usual in this class.
+        That is the case if the similarity is far above what is usual in this class, or if the code
+        is identical. Identical code may have a low surprise if both students did only a part of the
+        exercises.
         """
         if self.line is None or pair.surprise is None:
-            return False
-        return pair.surprise >= self.line
+            return pair.identical
+        return pair.identical or pair.surprise >= self.line
+
+    @property
+    def identical(self) -> list[Pair]:
+        """The pairs of students whose compared code is the same, character for character."""
+        return [pair for pair in self.pairs if pair.identical]
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs whose code is unusually similar compared with the rest of the class.
-
-        These pairs come first in ``pairs``.
-        """
+        """The number of pairs that stand out. These pairs come first in ``pairs``."""
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
@@ -143,16 +164,20 @@ def compare(works: list[Work]) -> Comparison:
     are then only sorted by similarity.
     """
     measure = Measure(works)
-    pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
+    codes = [(work, work.code) for work in works]
+    pairs = [
+        Pair(one, other, measure.similarity(one, other), bool(code) and code == other_code)
+        for (one, code), (other, other_code) in combinations(codes, 2)
+    ]
     if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:
-        pairs.sort(key=lambda pair: -pair.similarity)
+        pairs.sort(key=lambda pair: (not pair.identical, -pair.similarity))
         return Comparison(pairs, None, measure)
     middle, unit = spread
     judged = [
-        Pair(pair.one, pair.other, pair.similarity, (excess - middle) / unit)
+        replace(pair, surprise=(excess - middle) / unit)
         for pair, excess in zip(pairs, _excesses(pairs), strict=True)
     ]
-    judged.sort(key=lambda pair: -(pair.surprise or 0.0))
+    judged.sort(key=lambda pair: (not pair.identical, -(pair.surprise or 0.0)))
     line = statistics.NormalDist().inv_cdf(1.0 - FALSE_ALARMS / len(pairs))
     return Comparison(judged, line, measure)
 

@@ -4,29 +4,37 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from rich.console import Console
 from rich.progress import track
 
+from autograder.grader.people import differences
 from autograder.manifest import ROOT, Chapter
 from autograder.similarity.collect import collect, ground_of
-from autograder.similarity.compare import FEWEST, Work, compare
+from autograder.similarity.compare import FEWEST, Comparison, Work, compare
 from autograder.similarity.pages import write_pages
 from autograder.submissions.class_list import read_class
 from autograder.text.wrapping import plain_console
 
+MOST_NAMED = 20  # identical pairs that are named on the screen; the page lists all of them
 
-def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
+
+def similarity(
+    folder: Path, out: Path, chapters: list[Chapter], roster: Path | None = None, root: Path = ROOT
+) -> int:
     """Compare the code of each pair of students in a class, and write pages about similar pairs.
 
-    The submissions are in ``folder``, and the pages go into ``out``.
+    The submissions are in ``folder``, and the pages go into ``out``. With a ``roster``, the pages
+    show the same names as the gradebook.
 
     Raises:
-        ValueError: There are no submissions to compare, or ``out`` is inside ``folder``.
+        ValueError: There are no submissions to compare, the roster contains a mistake, or ``out``
+            is inside ``folder``.
         OSError: A file of the repository cannot be read, or a page cannot be written.
     """
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
-    people = read_class(folder)
-    submissions, notes = people.submissions, [*people.notes]
+    people = read_class(folder, roster)
+    submissions, notes = people.submissions, [*people.notes, *differences(people, [])]
     console = plain_console()
     ground = ground_of(chapters, root)
     works: list[Work] = []
@@ -44,10 +52,23 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
     index = write_pages(out, comparison, chapters, ground.small, notes)
     for note in notes:
         console.print(note, markup=False, soft_wrap=True)
-    if comparison.line is None:
-        console.print(f"No pair can stand out without {FEWEST} students whose code differs.")
-    else:
-        of_all = f"{comparison.outstanding} of {len(comparison.pairs)}"
-        console.print(f"{of_all} pairs stand out. Similarity alone proves nothing.")
+    _print_outstanding(console, comparison)
     console.print(f"Read the code of each pair yourself: {index}", markup=False, soft_wrap=True)
     return 0
+
+
+def _print_outstanding(console: Console, comparison: Comparison) -> None:
+    """Print the pairs whose code is identical, and then how many pairs stand out."""
+    same = comparison.identical
+    for pair in same[:MOST_NAMED]:
+        line = f"identical: {pair.one.student} and {pair.other.student}"
+        console.print(line, markup=False, soft_wrap=True)
+    if more := same[MOST_NAMED:]:
+        console.print(f"identical: {len(more)} more pairs, which the page lists")
+    if comparison.line is None:
+        words = "No other pair" if same else "No pair"
+        console.print(f"{words} can stand out without {FEWEST} students whose code differs.")
+        return
+    of_all = f"{comparison.outstanding} of {len(comparison.pairs)} pairs stand out"
+    of_these = ", counting those that are identical" if same else ""
+    console.print(f"{of_all}{of_these}. Similarity alone proves nothing.")

@@ -16,10 +16,11 @@ from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind, Message
-from autograder.scores import Result, place_on_chart, possible, shown, total
+from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
+from autograder.student.points import points_line, points_of
 from autograder.student.written import all_pass
 from autograder.text.wrapping import plain_console, print_wrapped
 
@@ -36,7 +37,6 @@ STYLES = {
     "error": "magenta",
 }
 WORKS = "works"
-BAR = 40
 
 
 @dataclass(frozen=True)
@@ -187,13 +187,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
         console.print(
             f'"{WORKS}" means that the physics passes, but robust checks are still open.\n'
         )
-    earned, points = total(results)
-    answers = shown(possible(r.exercise for r in results if r.exercise.kind == "written"))
-    more = f", plus {answers} for written answers, marked by a person" if answers != "0" else ""
-    console.print(
-        f"{bar(earned or 0.0, points)} {shown(earned)} of {shown(points)} points{more}\n",
-        markup=False,
-    )
+    console.print(f"{points_line(results)}\n", markup=False)
     for result in results:
         if result.on_chart:
             exercise = result.exercise
@@ -201,19 +195,6 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
             console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
     for words in extra_notes(chapter, engine):
         console.print(f"{words}\n", markup=False, soft_wrap=True)
-
-
-def points_of(chapter: Chapter, result: Result) -> str:
-    """Return a student's points for an exercise as the table shows them, such as "2/3".
-
-    For an optional exercise, the table shows "optional" or, if a required exercise builds on it,
-    "needed".
-    """
-    exercise = result.exercise
-    if exercise.optional:
-        return "needed" if exercise.id in asked_for(chapter) else "optional"
-    extra = " extra" if exercise.extra else ""
-    return f"{shown(result.score)}/{shown(exercise.points)}{extra}"
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
@@ -228,12 +209,6 @@ def passing(checks: Sequence[Verdict]) -> str:
     """Count how many checks of an exercise pass, as in "3/4", or return "" if it has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
-
-
-def bar(part: float, whole: float) -> str:
-    """Return a progress bar such as [####....], which shows the fraction ``part / whole``."""
-    filled = min(BAR, int(BAR * part / whole)) if whole else 0
-    return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
 
 def print_inherited(
@@ -253,11 +228,12 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
         below = chapters_below(chapter)
         earlier, numbers = _named(below), numbers_of(below)
         checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
-        earned, points = total(report.on_reference)
+        extra = extra_possible(result.exercise for result in report.on_reference)
+        on_reference = of_possible(*total(report.on_reference), extra)
         this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
         notes.append(
             f"{checks} here because of mistakes in {earlier}. On the reference's {earlier} "
-            f"you have {shown(earned)} of {shown(points)} points.\n"
+            f"you have {on_reference}.\n"
             f"Fix them:    {check_command(engine, CH=numbers)}\n"
             f"Or continue: {check_command(engine, **this, GIVEN=numbers)}"
         )

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
 from autograder.manifest import ROOT, load_chapters
+from lessons.doable import lost
 from lessons.lesson import lesson_of, minutes_of
 
 CHAPTERS = load_chapters()
@@ -53,6 +55,14 @@ def test_what_an_exercise_needs_is_on_the_path_before_it(path: list[str]) -> Non
         path.index(n) < path.index(number) for number in path for n in EXERCISES[number].needs
     )
     assert sorted(TEN_HOURS, key=order.index) == TEN_HOURS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", [SPINE, TEN_HOURS], ids=["spine", "ten hours"])
+def test_no_other_exercise_is_needed_even_in_other_chapters(
+    path: list[str], tmp_path: Path
+) -> None:
+    assert lost(tmp_path, path, path) == {}
 
 
 def test_the_hours_are_those_of_the_lessons() -> None:

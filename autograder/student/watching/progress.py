@@ -10,7 +10,8 @@ from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result
 from autograder.student.check import report_on
 from autograder.student.memory import Memory
-from autograder.student.screen import ProgressBar, Report, bar
+from autograder.student.points import bar
+from autograder.student.screen import ProgressBar, Report
 
 
 class Progress:

@@ -26,12 +26,13 @@ from autograder.handouts.stubs import messages_of, without_bodies
 from autograder.instructor import run_handout
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, load_chapter, load_chapters
-from autograder.platforms.classroom import in_whole_points, workflow
+from autograder.platforms.classroom import in_whole_points, rounded_points, workflow
 from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
-from autograder.student.screen import Report, first_open, points_of
+from autograder.student.points import points_of
+from autograder.student.screen import Report, first_open
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, results, scores
@@ -238,6 +239,23 @@ def test_the_workflow_for_github_classroom_has_whole_points(tmp_path: Path) -> N
     assert {type(value) for value in points} == {int}
 
 
+def test_the_handout_for_github_classroom_names_the_points_of_both(tmp_path: Path) -> None:
+    """Of 2, 3, 5 and 3 points: 4.1, 6.15, 10.25 and, as extra credit, 6.15."""
+    course(tmp_path, VECTORS.replace("out_of = 20", "out_of = 20.5"))
+    lab1 = ["--assignment", "lab1", "--course", tmp_path / "course.toml"]
+    done = typed("autograder", "classroom", *lab1, "--out", tmp_path / "out")
+    assert "4 exercises, 26 points, 6 of them as extra credit" in done.stdout, done.stderr
+    page = (tmp_path / "out/README.md").read_text(encoding="utf-8")
+    rows = [line.split(" | ") for line in page.splitlines() if line.startswith("| ")]
+    assert [row[0].strip("| ") for row in rows[2:6]] == ["B2.1", "B2.2", "B2.4", "B2.5"]
+    assert [row[2] for row in rows[2:7]] == ["4.1", "6.15", "10.25", "6.15 (extra credit)", "20.5"]
+    assert [int(row[3].strip(" |")) for row in rows[2:7]] == [4, 6, 10, 6, 26]
+    assert "GitHub Classroom shows whole points only, so its points are rounded." in page
+    whole = course(tmp_path, VECTORS)["lab1"]
+    assert rounded_points(whole.chapters) == {}, "then there is one number for both"
+    assert "on GitHub" not in about(whole)
+
+
 def test_the_zip_for_gradescope_grades_the_assignment(tmp_path: Path) -> None:
     """Ann has an extension of a day, so her work is one day late and costs 10 percent of 20."""
     walls = best_level().is_sandbox
@@ -257,15 +275,27 @@ def test_the_zip_for_gradescope_grades_the_assignment(tmp_path: Path) -> None:
     assert gradescope_results(report).score == 24
 
 
+def test_a_run_on_gradescope_ignores_the_seed_of_the_course_file(tmp_path: Path) -> None:
+    """Otherwise students could copy the numbers from the results of an earlier run."""
+    text = '[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\nseed = "lab1"'
+    work = course(tmp_path, text)["lab1"]
+    assert work.seed == "lab1"
+    make_gradescope(work, tmp_path / "a.zip", unsafe=not best_level().is_sandbox)
+    with zipfile.ZipFile(tmp_path / "a.zip") as file:
+        file.extractall(tmp_path / "source")
+    (tmp_path / "submission").mkdir()
+    seeds = [grade_one(tmp_path, tmp_path / "source").seed for _ in range(2)]
+    assert len({*seeds, "lab1"}) == 3
+
+
 def test_hidden_checks_go_into_the_zip_where_a_sandbox_protects_them(tmp_path: Path) -> None:
     hidden = tmp_path / "hidden/ch02_vectors"
     hidden.mkdir(parents=True)
     (hidden / "test_secret.py").write_text("", encoding="utf-8")
-    work = Work("lab1", [CH02], hidden=tmp_path / "hidden", seed="7")
+    work = Work("lab1", [CH02], hidden=tmp_path / "hidden")
     make_gradescope(work, tmp_path / "a.zip")
     with zipfile.ZipFile(tmp_path / "a.zip") as file:
         assert "hidden/ch02_vectors/test_secret.py" in file.namelist()
-        assert json.loads(file.read("assignment.json"))["seed"] == "7"
     with pytest.raises(ValueError, match="could read the hidden checks"):
         make_gradescope(work, tmp_path / "b.zip", unsafe=True)
 

@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 
 from autograder.course.points import rescaled
-from autograder.course.reading import read_course
+from autograder.course.reading import read_assignment, read_course
 from autograder.manifest import ROOT, load_chapters
+from typed import typed
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
 LAB = '[[assignment]]\nname = "lab1"\n'  # two lines, so that what is added begins on line 3
@@ -211,3 +212,70 @@ def test_rescaled_points_keep_their_proportions_and_add_up(values: list[float]) 
         assert sum(Fraction(str(value)) for value in new.values()) == out_of
         for name, value in new.items():
             assert abs(value - points[name] * out_of / sum(values)) < float(unit)
+
+
+LABS = """title = "Physics"
+[[assignment]]
+name = "lab1"
+exercises = ["B2.1", "B2.2", "B2.4"]
+[[assignment]]
+name = "lab2"
+exercises = ["2.1"]
+[[assignment]]
+name = "lab3"
+chapters = [3]
+given = [2]
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "works"),
+    [
+        ("chapters = [3]", "chapter = [3]", 10, "lab1 lab2"),
+        ("given = [2]", "given = [2]\ntotal = 7", 12, "lab1 lab2"),
+        ('["2.1"]', '["2.1"]\ndue = 2026-10-23', 8, "lab1 lab3"),
+        ('"B2.4"]', '"B2.4"]\nseed = 1.5', 5, "lab3"),  # lab2 builds on exercises of lab1
+        ('"lab3"', '"lab2"', 9, "lab1"),
+        ("given = [2]", 'roster = "roster.csv"', 11, ""),  # it would be the roster of no assignment
+        ("Physics", 'Physics"\ntimezone = "UTC', 2, ""),
+    ],
+)
+def test_a_mistake_stops_only_the_assignments_for_which_it_matters(
+    folder: Path, old: str, new: str, line: int, works: str
+) -> None:
+    text = LABS.replace(old, new)
+    assert text != LABS
+    found = mistakes(folder, text)
+    assert line in [at for at, _ in found]
+    for name in ("lab1", "lab2", "lab3"):
+        if name in works.split():
+            work, note = read_assignment(folder / "course.toml", name)
+            assert work.name == name
+            assert note.splitlines()[1:] == [f"  line {at}: {words}" for at, words in found]
+            assert f"outside of {name}:" in note.splitlines()[0]
+        else:
+            with pytest.raises(ValueError, match=rf"(?s)mistakes?:.*line {line}: "):
+                read_assignment(folder / "course.toml", name)
+
+
+def test_an_assignment_that_builds_on_a_chapter_needs_its_assignment_too(folder: Path) -> None:
+    text = LABS.replace("given = [2]", "").replace('"B2.4"]', '"B2.4"]\nseed = 1.5')
+    with pytest.raises(ValueError, match="seed must be"):
+        read_assignment(write(folder, text), "lab3")
+
+
+def test_commands_list_a_mistake_elsewhere_but_a_release_waits_for_its_correction(
+    folder: Path,
+) -> None:
+    """The due date of lab2 cannot be read, and it could be later than today."""
+    text = LABS.replace('"lab2"', '"lab2"\ndue = "tomorrow"').replace('["2.1"]', '["B2.1"]')
+    course = ["--assignment", "lab1", "--course", write(folder, text)]
+    handout = typed("autograder", "handout", *course, "--out", folder / "handout")
+    assert (folder / "handout/chapters/ch02_vectors").is_dir()
+    mistake = f"{folder / 'course.toml'} has one mistake outside of lab1:\n  line 7: due must be"
+    assert handout.stderr.startswith(mistake)
+    assert handout.returncode == 0
+    release = typed("autograder", "release", *course, "--out", folder / "released")
+    assert release.returncode == 2
+    assert "has one mistake:\n  line 7: due must be" in release.stderr
+    assert not (folder / "released").exists()

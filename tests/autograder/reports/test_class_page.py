@@ -1,4 +1,4 @@
-"""The class at a glance: discrimination, scores and mistakes, and its progress."""
+"""The class at a glance: discrimination, scores and mistakes."""
 
 from __future__ import annotations
 
@@ -15,15 +15,12 @@ import browser as browsers
 from autograder.analysis.class_page import write_class_page
 from autograder.analysis.discrimination import FEWEST, discrimination
 from autograder.analysis.mistakes import mistakes_of
-from autograder.analysis.progress import write_progress
 from autograder.message import Kind, Message
 from autograder.release.compare import Code, Compared, Pair
 from autograder.release.counts import Counts
 from autograder.release.pages import write_page
 from autograder.reports.report import CheckReport, StudentReport
-from autograder.reports.results import write_result
 from graded import CHAPTERS, SHOUT, check, failed_run, hostile, report_of, with_exercise
-from typed import typed
 
 browser = pytest.fixture(browsers.browser, scope="module")
 GONE = Message(wanted="1", likely="The stub is gone.", kind=Kind.GONE)
@@ -151,38 +148,6 @@ def test_the_page_shows_the_class_without_names(tmp_path: Path) -> None:
     assert '<th scope="col">Discrimination' not in small
 
 
-def graded_folders(folder: Path) -> list[Path]:
-    """Store two assignments: ann and bob, and then bob, cem and a student without a score."""
-    for name, reports in (
-        ("lab1", [with_lost("ann", wrong(SQUARED)), with_lost("bob", wrong(SQUARED))]),
-        ("lab2", [with_lost("bob", wrong(SQUARED)), report_of("cem", score=11.0), failed_run()]),
-    ):
-        for number, report in enumerate(reports):
-            score = report.score if report.score != 3.0 else (2.75, 5.5)[number]
-            write_result(folder / name, replace(report, score=score))
-    return [folder / "lab1", folder / "lab2"]
-
-
-def test_progress_compares_assignments(tmp_path: Path) -> None:
-    folders = graded_folders(tmp_path)
-    path = write_progress(folders, tmp_path / "out")
-    rows = rows_of(path)
-    for name, scores in (("lab1", [25.0, 50.0]), ("lab2", [25.0, 100.0])):
-        five = np.percentile(scores, [0, 25, 50, 75, 100])
-        assert rows[name] == ["2", *(f"{value:.0f} %" for value in np.round(five))]
-    assert rows["ann"] == ["25 %", "–", "–"]  # noqa: RUF001
-    assert rows["bob"] == ["50 %", "25 %", "−25"]  # noqa: RUF001
-    assert rows["eve"] == ["–", "–", "–"]  # noqa: RUF001
-    assert rows[SQUARED] == ["2", "1", "1"]
-    for runs, complaint in (
-        ([folders[0]], "progress needs at least 2 graded folders, got 1"),
-        ([folders[0], tmp_path / "lab3"], "has no results"),
-    ):
-        done = typed("autograder", "progress", "--out", tmp_path / "out", *runs)
-        assert done.returncode == 2
-        assert complaint in done.stderr
-
-
 @pytest.mark.slow
 def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe
@@ -193,7 +158,6 @@ def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     narrow, wide = (360, "dark"), (1280, "light")
     for path, size in (
         (write_class_page(tmp_path, CHAPTERS, everybody), narrow),
-        (write_progress(graded_folders(tmp_path), tmp_path / "out"), wide),
         (write_page(tmp_path, SHOUT, [Compared("2.2 Angles", [pair])], ["2.3"]), wide),
     ):
         assert SHOUT not in path.read_text(encoding="utf-8")

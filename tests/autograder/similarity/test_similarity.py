@@ -10,7 +10,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters
 from autograder.similarity.code import LONGEST, read_functions
 from autograder.similarity.collect import Ground, collect, ground_of, work_of
-from autograder.similarity.compare import FEWEST, Part, Work, compare
+from autograder.similarity.compare import FEWEST, Part, Passage, Work, compare
 from autograder.similarity.winnow import fingerprints
 from autograder.submissions.class_list import read_class
 from staging import LINK, VECTOR
@@ -200,6 +200,28 @@ def test_a_pair_that_shares_everything_stands_out_and_one_exercise_alone_does_no
     comparison = compare(students)
     assert comparison.outstanding == 1
     assert {comparison.pairs[0].one.student, comparison.pairs[0].other.student} == {"s3", "s5"}
+
+
+def test_identical_code_stands_out_before_code_that_is_more_surprising() -> None:
+    """Two students have the same code in one exercise only, which by itself is no surprise."""
+    students = lonely_class(33)
+    students[3] = Work("s3", students[5].parts)
+    (function,) = read_functions(LENGTH)[0]
+    for i, text in enumerate((LENGTH, LENGTH, LENGTH.replace("2.0", "2.00"))):
+        passage = Passage(VECTOR, "length", function.tokens, text)
+        part = Part([passage], students[8].parts["e4"].fingerprints)
+        students[30 + i] = Work(f"t{i}", {**students[30 + i].parts, "e4": part})
+    for comparison in (compare(students), compare(students[-FEWEST + 1 :])):
+        first, *others = comparison.pairs
+        assert (first.one.student, first.other.student) == ("t0", "t1")
+        assert comparison.identical == [first]
+        assert comparison.stands_out(first)
+        surprises = [pair.surprise for pair in others]
+        measured = surprises if comparison.line else [pair.similarity for pair in others]
+        assert measured == sorted(measured, key=lambda value: value or 0.0, reverse=True)
+    first, second, *_ = compare(students).pairs
+    assert {second.one.student, second.other.student} == {"s3", "s5"}
+    assert first.surprise < second.surprise  # type: ignore[operator]
 
 
 def test_a_small_class_has_no_surprise() -> None:

@@ -11,14 +11,25 @@ from typing import Any
 import pytest
 
 import browser as browsers
-from autograder.manifest import select_chapters
+from autograder.manifest import ROOT, select_chapters
 from autograder.similarity import run
 from autograder.similarity.collect import ground_of, work_of
 from autograder.similarity.compare import compare
 from copied_class import Files, copied_class
 from graded import NASTY, SHOUT
+from typed import typed
 
 browser = pytest.fixture(browsers.browser, scope="module")
+
+
+ADA = {
+    f"ch02_vectors/{path.name}": path.read_text(encoding="utf-8")
+    for path in (ROOT / "sample_class/ada/ch02_vectors").glob("*.py")
+}
+
+
+def page_of(out: Path, number: int) -> str:
+    return (out / f"pairs/pair-{number:03}.html").read_text(encoding="utf-8")
 
 
 def write_class(folder: Path, students: dict[str, Files]) -> Path:
@@ -120,6 +131,51 @@ def test_a_second_run_leaves_no_page_of_the_first(tmp_path: Path) -> None:
     run.similarity(few, tmp_path / "out", select_chapters("2"))
     assert [*tmp_path.glob("out/pairs/*")] == []
     assert "There are no two students" in (tmp_path / "out/index.html").read_text(encoding="utf-8")
+
+
+def test_identical_code_comes_first_and_is_said_to_be_identical(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    exercises = "ch02_vectors/exercises.py"
+    students, _ = copied_class(select_chapters("2"), seed=1, size=12, copiers=1)
+    everyone = {f"s{i}": files for i, files in enumerate(students)}
+    everyone["ann"] = {exercises: ADA[exercises]}
+    everyone["bob"] = {exercises: ADA[exercises].replace("def ", "# my own work\ndef ")}
+    everyone["cem"] = {exercises: ADA[exercises].replace(" + ", "  +  ")}
+    folder = write_class(tmp_path / "class", everyone)
+    run.similarity(folder, tmp_path / "out", select_chapters("2"))
+    index = (tmp_path / "out/index.html").read_text(encoding="utf-8")
+    assert re.findall("<bdi>(.+)</bdi> and <bdi>(.+)</bdi>", index)[0] == ("ann", "bob")
+    assert index.count(">identical<") == 1, "other spaces make a difference, comments none"
+    assert "Identical pairs first" in index
+    assert "identical: the compared code is the same" in page_of(tmp_path / "out", 1)
+    printed = capsys.readouterr().out
+    assert printed.startswith("identical: ann and bob\n")
+    assert "pairs stand out, counting those that are identical." in printed
+
+
+def test_an_assignment_is_compared_alone_with_the_names_of_the_gradebook(tmp_path: Path) -> None:
+    """The code differs only in B2.6, which is not assigned."""
+    vector = "ch02_vectors/vector.py"
+    other = {vector: ADA[vector].replace("(v) * scale", "(v)*scale")}
+    assert other[vector] != ADA[vector]
+    write_class(tmp_path / "class", {"101": {vector: ADA[vector]}, "102": other})
+    (tmp_path / "roster.csv").write_text(
+        "id,name,email,login\n101,Ann Lee,,\n102,Bob Roe,,\n103,Cem Kaya,,\n", encoding="utf-8"
+    )
+    (tmp_path / "course.toml").write_text(
+        'roster = "roster.csv"\n[[assignment]]\nname = "lab1"\nexercises = ["B2.1", "B2.2"]\n',
+        encoding="utf-8",
+    )
+    command = ["autograder", "similarity", tmp_path / "class", "--out", tmp_path / "out"]
+    lab1 = ["--assignment", "lab1", "--course", tmp_path / "course.toml"]
+    assigned = typed(*command, *lab1)
+    assert "identical: Ann Lee and Bob Roe" in assigned.stdout, assigned.stderr
+    assert "Nothing handed in: 1 (Cem Kaya)." in assigned.stdout
+    assert "<bdi>Ann Lee</bdi>" in page_of(tmp_path / "out", 1)
+    whole = typed(*command, "--chapters", "2", "--roster", tmp_path / "roster.csv")
+    assert "identical" not in whole.stdout
+    assert "<bdi>Ann Lee</bdi>" in page_of(tmp_path / "out", 1)
 
 
 def test_the_pages_are_not_written_among_the_submissions(tmp_path: Path) -> None:

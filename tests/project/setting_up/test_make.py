@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -95,24 +97,72 @@ def test_what_a_command_does_not_know_is_an_error_that_names_what_it_takes(
 def test_every_command_of_students_takes_given(arguments: str) -> None:
     done = make("--dry-run", *arguments.split(), "GIVEN=2")
     assert done.returncode == 0, done.stderr
-    assert '--given "2"' in done.stdout
+    assert "--given '2'" in done.stdout
 
 
 @pytest.mark.parametrize("command", ["lab SCENE=cloth", "demo DEMO=cloth"])
 def test_a_scene_takes_several_settings(command: str) -> None:
     done = make("--dry-run", *command.split(), "SET=rate=240 mass=2")
-    assert '--set "rate=240" --set "mass=2"' in done.stdout
+    assert "--set 'rate=240' --set 'mass=2'" in done.stdout
 
 
 def test_reports_with_codes_go_to_a_folder_of_their_own() -> None:
     with_names = make("--dry-run", "grade", "ROSTER=a b.csv", "ANONYMOUS=0").stdout
-    assert '--out "build/grades"' in with_names
-    assert '--roster "a b.csv"' in with_names
+    assert "--out 'build/grades'" in with_names
+    assert "--roster 'a b.csv'" in with_names
     assert "--anonymous" not in with_names
     with_codes = make("--dry-run", "grade", "ANONYMOUS=1", "TITLE=Lab 1 (12)", "POINTS=20").stdout
-    for words in ('--out "build/grades-anonymous"', "--anonymous", '--title "Lab 1 (12)"'):
+    for words in ("--out 'build/grades-anonymous'", "--anonymous", "--title 'Lab 1 (12)'"):
         assert words in with_codes
-    assert '--points "20"' in with_codes
+    assert "--points '20'" in with_codes
+
+
+ODD = [
+    'it\'s "late" and costs $5',
+    "$(",
+    "$(shell echo x) `echo x` $HOME $$ \\ # 100 %",
+    "a, b; c & d",
+]
+TAKERS = [
+    *("watch CH", "check EX", "hint EX", "reset EX", "plot GIVEN", "demo DEMO", "lab SCENE"),
+    *("grade NOTE", "grade SUBMISSIONS", "grade OUT", "release GRADES", "similarity ROSTER"),
+    *("mark SUBMISSIONS", "handout CHAPTERS", "classroom COURSE", "gradescope ASSIGNMENT"),
+    *("site OUT", "mutants CH", "seeds SEEDS", "choose SCENE"),
+]
+
+
+@pytest.fixture(scope="module")
+def echoing(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the commands, in which Python only prints its arguments as JSON."""
+    folder = tmp_path_factory.mktemp("echoing")
+    for name in ("Makefile", "instructor.mk"):
+        shutil.copyfile(ROOT / name, folder / name)
+    python = folder / ".venv/bin/python"
+    python.parent.mkdir(parents=True)
+    code = "import json, sys; print(json.dumps(sys.argv[1:]))"
+    python.write_text(f"#!/bin/sh\nexec {sys.executable} -c '{code}' \"$@\"\n", encoding="utf-8")
+    python.chmod(0o755)
+    return folder
+
+
+@pytest.mark.parametrize("taker", TAKERS)
+def test_commands_get_values_exactly_as_they_were_typed(taker: str, echoing: Path) -> None:
+    command, name = taker.split()
+    needed = ["CHAPTERS=2", "GRADES=a"] if command == "release" else ["ASSIGNMENT=lab1"]
+    needed = needed if command in ("release", "handout", "classroom", "gradescope") else []
+    installed = [f"--old-file=.venv/{group}" for group in ("teaching", "pictures", "everything")]
+    for value in ODD:
+        done = make(command, *needed, *installed, f"{name}={value}", folder=echoing)
+        words = [word for line in done.stdout.splitlines() for word in json.loads(line)]
+        assert value in words, done.stderr
+        if name == "ASSIGNMENT":
+            assert f"build/{value}/gradescope.zip" in words
+
+
+def test_a_value_of_several_lines_is_refused() -> None:
+    done = make("--dry-run", "grade", "NOTE=late\nbut right")
+    assert "NOTE must be on one line" in done.stderr
+    assert done.returncode == 2
 
 
 def test_several_commands_take_what_any_of_them_takes() -> None:

@@ -245,11 +245,10 @@ def would_run(*arguments: str) -> str:
     return done.stdout
 
 
-VALUES = {"hint": "EX=B2.5", "reset": "EX=B2.5", "choose": "SCENE=pendulum", "progress": "RUNS=a"}
+VALUES = {"hint": "EX=B2.5", "reset": "EX=B2.5", "choose": "SCENE=pendulum"}
 VALUES |= dict.fromkeys(("release", "handout", "classroom", "gradescope"), "CHAPTERS=2")
 VALUES |= {"mark": "SUBMISSIONS=a"}
-TEACHING = {"grade", "progress", "release", "similarity", "mark", "handout", "classroom"}
-TEACHING |= {"gradescope", "stubs"}
+TEACHING = {"grade", "release", "similarity", "mark", "handout", "classroom", "gradescope", "stubs"}
 
 
 @needs_make

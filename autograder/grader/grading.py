@@ -13,6 +13,7 @@ from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
 from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.diagnosis.missing import file_of
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
@@ -46,12 +47,12 @@ def grade_submission(
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
-            notes = _notes(staged, assignment.chapters, chapters, box)
+            notes = _notes(staged, assignment.chapters)
             with (
                 with_given(assignment.given, [box], assignment.root) as engine,
                 tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
             ):
-                pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
+                pairs = _all_results(assignment, once, engine, staged, Path(compiled))
         report = _report(assignment, once, submission.student, pairs, notes)
         report = replace(report, submission=staged.digest)
     except Exception as error:  # an error of the grader must not stop the rest of the class
@@ -69,16 +70,19 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
-def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
+def _notes(staged: Staged, graded: list[Chapter]) -> list[str]:
     """Return the instructor's notes on a student's submission.
 
-    If the submission contains no file that could be graded, a note says so.
+    A note says which files were found in the wrong folder. If the submission contains no file that
+    could be graded, a note says so.
     """
-    files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
-    if staged.missing or any(file.exists() for file in files):
-        return staged.notes
-    wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in graded)
-    return [*staged.notes, f"no files such as {wanted} were found, at most three levels down"]
+    names = {chapter.name for chapter in graded}
+    misplaced = [m for m in staged.misplaced if m.partition(".")[0] in names]
+    notes = [*staged.notes, *(staged.missing[module] for module in misplaced)]
+    if misplaced or staged.taken or {*staged.missing} - {*staged.misplaced}:
+        return notes
+    files = ", ".join(f"{c.name}/{c.edited_files[0]}" for c in graded if c.edited_files)
+    return [*notes, f"no files such as {files} were found, at most three levels down"]
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
@@ -97,7 +101,6 @@ def _all_results(
     once: OnceForAll,
     engine: list[Path],
     staged: Staged,
-    box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
     """Run each chapter's checks twice on a student's code, and return the results of both runs.
@@ -111,15 +114,14 @@ def _all_results(
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
         limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
-        return assignment.run(
-            chapter, engine, missing=staged.missing, run_limit=limit, compiled=compiled
-        )
+        missing = {m: why for m, why in staged.missing.items() if not _is_there(m, engine)}
+        return assignment.run(chapter, engine, missing=missing, run_limit=limit, compiled=compiled)
 
     pairs = []
     for chapter in assignment.chapters:
         results = partial(results_of, chapter)
         try:
-            if _is_empty(chapter, staged, box):
+            if _is_empty(chapter, staged):
                 pairs.append((results(once.of_nothing(assignment, chapter)),) * 2)
                 continue
             verdicts = run(chapter, engine)
@@ -137,14 +139,21 @@ def _all_results(
     return pairs
 
 
-def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
+def _is_empty(chapter: Chapter, staged: Staged) -> bool:
     """Return True if a student has handed in no file for this chapter, not even a rejected one.
 
     Every such student gets the same results, so the checks do not need to run again.
     """
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
-    taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
-    return not (refused or taken)
+    return not refused and not any(name.startswith(f"{chapter.name}/") for name in staged.taken)
+
+
+def _is_there(module: str, engine: list[Path]) -> bool:
+    """Return True if the engine has a module, although the student's own file was rejected.
+
+    This is the case if the reference's version of an earlier chapter replaces the student's.
+    """
+    return any((folder / file_of(module)).exists() for folder in engine)
 
 
 def _chart(

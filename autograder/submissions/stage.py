@@ -24,6 +24,7 @@ from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, refuse, refuse_all, search_folder
+from autograder.submissions.misplaced import misplaced, names_of_others
 from autograder.submissions.zips import search_zip, search_zips_in
 
 
@@ -33,6 +34,10 @@ class Staged:
 
     Attributes:
         missing: The rejected modules, such as ch02_vectors.vector, each with the reason.
+        misplaced: Those of them whose files were found in the wrong folder.
+        taken: The files that were copied, such as ch02_vectors/vector.py.
+        others: The names of some files and folders at the top of the submission from which nothing
+            was taken, such as report.pdf.
         notes: Notes for the instructor. They may quote the names of files and folders, but nothing
             else that the student wrote.
         digest: A hash of everything that was accepted or rejected. Submissions with the same digest
@@ -40,6 +45,9 @@ class Staged:
     """
 
     missing: dict[str, str]
+    misplaced: list[str]
+    taken: list[str]
+    others: list[str]
     notes: list[str]
     digest: str
 
@@ -57,6 +65,8 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     """
     found, notes = _search(submission, chapters)
     missing: dict[str, str] = {}
+    elsewhere: list[str] = []
+    taken: dict[str, Found] = {}
     digest = hashlib.sha256()
     for chapter in chapters:
         target = box / chapter.name
@@ -67,17 +77,31 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
         files, more_notes = _choose(chapter, found)
         notes += more_notes
         for name in chapter.handed_in:
-            if name not in files:
-                continue
-            content, reason = b"", ""
-            try:
-                content = check_text(files[name].read(LARGEST_FILE))
-                _write(target / name, content)
-            except NotTakenError as error:
-                reason = rejection(chapter.name, name, error)
-                missing[module_of(chapter.name, name)] = reason
-            digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
-    return Staged(missing, [printable(note) for note in notes], digest.hexdigest())
+            file, content, reason = files.get(name), b"", ""
+            module = module_of(chapter.name, name)
+            if file is None or _is_stub(file):
+                reason = misplaced(chapter, name, found, chapters)
+                elsewhere += [module] if reason else []
+            if file and not reason:
+                try:
+                    content = check_text(file.read(LARGEST_FILE))
+                    _write(target / name, content)
+                    taken[f"{chapter.name}/{name}"] = file
+                except NotTakenError as error:
+                    reason = rejection(chapter.name, name, error)
+            if reason:
+                missing[module] = reason
+            if file or reason:
+                sizes = f"{chapter.name}/{name}\0{reason}\0{len(content)}\0"
+                digest.update(sizes.encode() + content)
+    return Staged(
+        missing,
+        elsewhere,
+        [*taken],
+        names_of_others(found, taken.values()),
+        [printable(note) for note in notes],
+        digest.hexdigest(),
+    )
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
@@ -111,13 +135,10 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
     note tells the instructor which of several folders was chosen. A file that the student has
     renamed is rejected, and the reason gives its new name.
     """
-    all_of_it = [file for file in found if file.place[-1] == chapter.name]
+    all_of_it = [file for file in found if file.place[-1:] == (chapter.name,)]
     mine = [file for file in all_of_it if not file.other]
     places = sorted(
-        {
-            (file.doubtful, KEPT in file.place[:-1], len(file.place), file.place)
-            for file in mine or all_of_it
-        }
+        {(file.doubtful, _is_stub(file), len(file.place), file.place) for file in mine or all_of_it}
     )
     if not places:
         return {}, []
@@ -132,6 +153,11 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         if name not in there and (error := renamed(chapter, name, there)):
             chosen.append(Found(place, name, refuse(str(error))))
     return {file.file: file for file in chosen}, notes
+
+
+def _is_stub(file: Found) -> bool:
+    """Return True if a file is one of the original stubs that every handout keeps in stubs/."""
+    return KEPT in file.place[:-1]
 
 
 def _write(path: Path, content: bytes) -> None:

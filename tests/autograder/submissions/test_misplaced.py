@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.stage import stage
+from copies import copy_tree
 from staging import (
     CHAPTERS,
     CODE,
@@ -66,6 +68,18 @@ def test_a_file_in_the_folder_of_a_chapter_that_has_one_is_not_misplaced(hand_in
     """Both chapters have a file exercises.py, and arguments.py comes with chapter 2."""
     made = hand_in({EXERCISES: CODE, "ch02_vectors/arguments.py": CODE})
     assert boxed(made) == ({EXERCISES: CODE}, {}, [])
+
+
+def test_no_other_file_of_a_handout_is_taken_for_a_students_work(
+    hand_in: HandIn, tmp_path: Path
+) -> None:
+    """Students may hand in their whole handout, with its own code."""
+    for name in ("studies", "lab", "tests/shared"):
+        copy_tree(ROOT / name, tmp_path / "handout" / name)
+    files = [path for path in (tmp_path / "handout").rglob("*.py") if path.is_file()]
+    made = hand_in({str(path.relative_to(tmp_path)): b"" for path in files})
+    staged = stage(made, load_chapters(), tmp_path / "box")
+    assert (staged.taken, staged.missing) == ([], {})
 
 
 @pytest.mark.parametrize("place", ["work/ch2", ""])

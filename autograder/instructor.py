@@ -117,6 +117,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
     work = work_of(arguments)
     options = ClassOptions(
         given=work.given,
+        earlier=work.earlier,
         seed=arguments.seed or work.seed,
         student=arguments.student,
         why=arguments.note,

@@ -175,7 +175,7 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
     """Print a table of the class's results, with one row for each student.
 
     Each row shows the points, the number of passed checks, and the message of the most important
-    check that did not pass.
+    check that did not pass. That may be a check of an earlier assignment that blocks this one.
     """
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
@@ -183,10 +183,12 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
     table.add_column("status")
     table.add_column("first problem")
     for report in reports:
-        checks = [(e, check) for e in report.exercises for check in e.checks]
+        checks = [(e.id, check) for e in report.exercises for check in e.checks]
         passed = sum(check.status == "passed" for _, check in checks)
         order = ("error", "failed", "inherited", "blocked")
-        lost = [pair for pair in checks if pair[1].status in order]
+        cause = report.first_cause
+        causes = [(cause.name, check) for check in cause.checks] if cause else []
+        lost = [pair for pair in [*causes, *checks] if pair[1].status in order]
         lost.sort(key=lambda pair: (order.index(pair[1].status), pair[1].robust))
         table.add_row(
             report.student,
@@ -194,6 +196,6 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
             shown(report.score_on_given),
             f"{passed}/{len(checks)}",
             report.status,
-            f"{lost[0][0].id}: {lost[0][1].message.in_short[:200]}" if lost else "",
+            f"{lost[0][0]}: {lost[0][1].message.in_short[:200]}" if lost else "",
         )
     console.print(table)

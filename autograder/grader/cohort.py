@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
@@ -49,6 +49,8 @@ class ClassOptions:
     Attributes:
         given: Chapters that come from the reference solution, even if students hand in files for
             them.
+        earlier: The exercises of earlier assignments that the graded ones build on, with the names
+            of these assignments.
         seed: The seed for the random numbers in the checks. If it is None, a new run draws a seed,
             and an interrupted run keeps its own.
         hidden: A folder of hidden checks, with paths such as chNN_name/test_*.py.
@@ -64,6 +66,7 @@ class ClassOptions:
     """
 
     given: Sequence[Chapter] = ()
+    earlier: Mapping[str, str] = field(default_factory=dict)
     seed: str | None = None
     hidden: Path | None = None
     unsafe: bool = False
@@ -120,7 +123,14 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
         assignment = Assignment(
-            chapters, seed, level, options.given, hidden, options.root, options.time_limit
+            chapters,
+            seed,
+            level,
+            options.given,
+            hidden,
+            options.root,
+            options.time_limit,
+            options.earlier,
         )
         check_hidden(assignment)
         console = plain_console()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -15,9 +15,10 @@ from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.diagnosis.missing import file_of
 from autograder.grader.assignment import Assignment, OnceForAll
+from autograder.grader.causes import causes_of
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
-from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
+from autograder.reports.report import Cause, Chart, ExerciseReport, StudentReport, check_report
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
@@ -25,6 +26,21 @@ from autograder.submissions.stage import Staged, stage
 SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which usually needs about 2 s
 
 LEAST_TIME = 10.0  # seconds; a chapter gets at least this many, or its checks could not begin
+
+
+@dataclass(frozen=True)
+class _Graded:
+    """A student's results on one chapter.
+
+    Attributes:
+        own: The results with the student's own earlier chapters.
+        on_given: The results with our solutions to the earlier chapters.
+        causes: The exercises of earlier assignments that block graded ones.
+    """
+
+    own: list[Result]
+    on_given: list[Result]
+    causes: list[Cause] = field(default_factory=list)
 
 
 def grade_submission(
@@ -52,8 +68,8 @@ def grade_submission(
                 with_given(assignment.given, [box], assignment.root) as engine,
                 tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
             ):
-                pairs = _all_results(assignment, once, engine, staged, Path(compiled))
-        report = _report(assignment, once, submission.student, pairs, notes)
+                graded = _all_results(assignment, once, engine, staged, Path(compiled))
+        report = _report(assignment, once, submission.student, graded, notes)
         report = replace(report, submission=staged.digest)
     except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
@@ -66,8 +82,9 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     Each exercise is reported as a grader error with this ``reason``, and not as a zero. The
     submission can be graded again later.
     """
-    pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
-    return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
+    errors = [_errors(chapter, reason) for chapter in assignment.chapters]
+    graded = [_Graded(results, results) for results in errors]
+    return replace(_report(assignment, OnceForAll(), student, graded, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter]) -> list[str]:
@@ -102,7 +119,7 @@ def _all_results(
     engine: list[Path],
     staged: Staged,
     compiled: Path,
-) -> list[tuple[list[Result], list[Result]]]:
+) -> list[_Graded]:
     """Run each chapter's checks twice on a student's code, and return the results of both runs.
 
     The first run uses the student's own earlier chapters, and the second takes them from the
@@ -117,26 +134,34 @@ def _all_results(
         missing = {m: why for m, why in staged.missing.items() if not _is_there(m, engine)}
         return assignment.run(chapter, engine, missing=missing, run_limit=limit, compiled=compiled)
 
-    pairs = []
+    def causes(chapter: Chapter, own: list[Result], verdicts: list[Verdict]) -> list[Cause]:
+        return causes_of(assignment.whole(chapter), own, verdicts, assignment.earlier)
+
+    graded: list[_Graded] = []
     for chapter in assignment.chapters:
         results = partial(results_of, chapter)
         try:
             if _is_empty(chapter, staged):
-                pairs.append((results(once.of_nothing(assignment, chapter)),) * 2)
+                verdicts = once.of_nothing(assignment, chapter)
+                own = results(verdicts)
+                graded.append(_Graded(own, own, causes(chapter, own, verdicts)))
                 continue
             verdicts = run(chapter, engine)
         except GraderError as error:
-            pairs.append((_errors(chapter, str(error)),) * 2)
+            errors = _errors(chapter, str(error))
+            graded.append(_Graded(errors, errors))
             continue
         below = below_and_not_given(chapter, assignment.given, assignment.root)
         try:
             again = run_on_given(chapter, verdicts, engine, below, run, assignment.root)
         except GraderError as error:
-            pairs.append((results(verdicts), _errors(chapter, str(error))))
+            graded.append(_Graded(results(verdicts), _errors(chapter, str(error))))
             continue
-        own = results(mark_inherited(verdicts, again))
-        pairs.append((own, results(again) if again else own))
-    return pairs
+        verdicts = mark_inherited(verdicts, again)
+        own = results(verdicts)
+        on_given = results(again) if again else own
+        graded.append(_Graded(own, on_given, causes(chapter, own, verdicts)))
+    return graded
 
 
 def _is_empty(chapter: Chapter, staged: Staged) -> bool:
@@ -187,11 +212,11 @@ def _report(
     assignment: Assignment,
     once: OnceForAll,
     student: str,
-    pairs: list[tuple[list[Result], list[Result]]],
+    graded: list[_Graded],
     notes: list[str],
 ) -> StudentReport:
-    own = [result for results, _ in pairs for result in results]
-    given = [result for _, results in pairs for result in results]
+    own = [result for chapter in graded for result in chapter.own]
+    given = [result for chapter in graded for result in chapter.on_given]
     score, points = total(own)
     failed = any(result.status == "error" for result in [*own, *given])
     return StudentReport(
@@ -208,9 +233,10 @@ def _report(
         notes=notes,
         exercises=[
             _exercise(chapter, result, better, _chart(assignment, once, chapter, result))
-            for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
-            for result, better in zip(results, betters, strict=True)
+            for chapter, results in zip(assignment.chapters, graded, strict=True)
+            for result, better in zip(results.own, results.on_given, strict=True)
         ],
+        causes=[cause for chapter in graded for cause in chapter.causes],
     )
 
 
@@ -241,17 +267,7 @@ def _exercise(
         score_on_given=better.score,
         status=result.status,
         comment="",
-        checks=[
-            CheckReport(
-                check.name,
-                check.status,
-                check.message,
-                check.weight,
-                check.hidden,
-                check.robust,
-            )
-            for check in result.checks
-        ],
+        checks=[check_report(check) for check in result.checks],
         chart=chart,
         extra=exercise.extra,
     )

@@ -9,7 +9,7 @@ from autograder.checks.verdict import Status
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Message
 from autograder.records import from_json
-from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
+from autograder.reports.report import Cause, CheckReport, ExerciseReport, StudentReport
 from autograder.scores import ExerciseStatus
 
 SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
@@ -135,6 +135,21 @@ def failed_run(student: str = "eve") -> StudentReport:
     return with_exercise(report, 3, status="error", score=None, score_on_given=None, checks=lost)
 
 
+def cause_of(
+    text: str = "B2.0", status: ExerciseStatus = "failed", *more: CheckReport, of: str = "lab1"
+) -> Cause:
+    """Return an exercise of an earlier assignment on which the failed exercise 2.2 builds."""
+    checks = [check("test_zero", "passed"), check("test_one", "failed", f"{text} is wrong"), *more]
+    return Cause(2, text, f"Title of {text}", of, status, ["2.2"], checks)
+
+
+def blocked(student: str = "cy") -> StudentReport:
+    """Return a report in which an exercise of an earlier assignment blocks a graded one."""
+    report = report_of(student, causes=[cause_of("B2.00", "blocked"), cause_of()])
+    lost = [check("test_angle", "blocked", Message("wrong", blocked_by=("B2.0 (Title)",)))]
+    return with_exercise(report, 1, status="blocked", checks=lost)
+
+
 def nothing_done(student: str = "eli") -> StudentReport:
     """Return a report in which every check fails."""
     report = report_of(student, score=0.0, score_on_given=0.0)
@@ -151,4 +166,5 @@ def hostile(student: str = SHOUT + NASTY) -> StudentReport:
     """Return a report in which every untrusted text tries to inject something into the page."""
     text = SHOUT + NASTY + "x" * 20_000
     report = report_of(student, notes=[text], seed=text, isolation=text, by_hand=1.0, waiting=0)
+    report = replace(report, causes=[cause_of(text, of=text)])
     return with_exercise(with_words(report, text), 2, status="marked", score=1.0, comment=text)

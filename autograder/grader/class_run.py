@@ -22,7 +22,7 @@ from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.grading import digest_of, grade_submission
 from autograder.grader.run_key import run_key
 from autograder.reports.marks import Marks, apply_marks
-from autograder.reports.report import Late, StudentReport
+from autograder.reports.report import CheckReport, Late, StudentReport
 from autograder.reports.results import read_result, write_student
 from autograder.scores import shown
 from autograder.submissions.codes import without_names
@@ -196,6 +196,11 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
             shown(report.score_on_given),
             f"{passed}/{len(checks)}",
             report.status,
-            f"{lost[0][0]}: {lost[0][1].message.in_short[:200]}" if lost else "",
+            _problem(*lost[0]) if lost else "",
         )
     console.print(table)
+
+
+def _problem(exercise: str, check: CheckReport) -> str:
+    """Describe a failed check to the instructor, who may read the messages of hidden checks too."""
+    return f"{exercise}: {(check.secret or check).message.in_short[:200]}"

@@ -227,7 +227,7 @@ def check_hidden(assignment: Assignment) -> None:
     if not graded:
         names = ", ".join(chapter.name for chapter in assignment.chapters)
         raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden, for_instructor=True)
+    behind = Behind(vars(assignment.level), hidden=hidden)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
         for probes in (root / "tests" / chapter.name).glob("*probes.py"):
@@ -256,7 +256,8 @@ def check_hidden(assignment: Assignment) -> None:
             )
         for check in verdicts:
             if check.status != "passed":
-                raise ValueError(f"{check.name} fails on the reference itself: {check.message}")
+                told = check.secret or check
+                raise ValueError(f"{told.name} fails on the reference itself: {told.message}")
 
 
 def _cores() -> int:

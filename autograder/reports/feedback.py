@@ -23,6 +23,7 @@ from autograder.reports.report import (
     CheckReport,
     ExerciseReport,
     StudentReport,
+    for_students,
     tiers,
 )
 from autograder.reports.scatter import Scatter, scatter
@@ -110,7 +111,7 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     to fix first.
     """
     path = out / "feedback" / f"{file_name(report.student)}.html"
-    report = clean_all(report)
+    report = clean_all(for_students(report))
     exercises = [_shown(i, e) for i, e in enumerate(report.exercises, start=1)]
     causes = [_shown_cause(i, cause) for i, cause in enumerate(report.causes, start=1)]
     shown: list[ShownExercise | ShownCause] = [*exercises, *causes]
@@ -149,7 +150,7 @@ def write_index(
     """
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
-    clean = [clean_all(report) for report in reports]
+    clean = [clean_all(for_students(report)) for report in reports]
     rates = exercise_rates(chapters, clean)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     by_hand_points = possible(e for e in exercises if e.kind == "written")

@@ -9,7 +9,14 @@ from pathlib import Path
 from typing import Literal
 
 from autograder.records import to_json
-from autograder.reports.report import Cause, CheckReport, ExerciseReport, StudentReport, tiers
+from autograder.reports.report import (
+    Cause,
+    CheckReport,
+    ExerciseReport,
+    StudentReport,
+    for_students,
+    tiers,
+)
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
@@ -74,7 +81,7 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
     If the grader itself failed, the submission gets no score at all, because neither zero nor full
     marks would be fair.
     """
-    report = clean_all(report)
+    report = clean_all(for_students(report))
     failed = report.status != "graded" or report.score is None
     return _results(
         _summary(report, failed),

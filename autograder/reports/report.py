@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from autograder.checks.verdict import Point, Status, Verdict
+from autograder.checks.verdict import Point, Secret, Status, Verdict
 from autograder.message import Message
 from autograder.scores import ExerciseStatus
 
@@ -15,7 +15,11 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """The result of one check of a student's code, with a message that explains a failure."""
+    """The result of one check of a student's code, with a message that explains a failure.
+
+    If the check is hidden, ``secret`` contains its real name and full message. Nothing that a
+    student may see contains it: such pages and files are made from ``for_students(report)``.
+    """
 
     name: str
     status: Status
@@ -23,6 +27,7 @@ class CheckReport:
     weight: float
     hidden: bool
     robust: bool
+    secret: Secret | None = None
 
 
 @dataclass(frozen=True)
@@ -211,6 +216,20 @@ def check_report(verdict: Verdict) -> CheckReport:
         verdict.weight,
         verdict.hidden,
         verdict.robust,
+        verdict.secret,
+    )
+
+
+def for_students(report: StudentReport) -> StudentReport:
+    """Return a copy of the report without anything that students may not know of hidden checks."""
+
+    def public(checks: Sequence[CheckReport]) -> list[CheckReport]:
+        return [replace(check, secret=None) for check in checks]
+
+    return replace(
+        report,
+        exercises=[replace(one, checks=public(one.checks)) for one in report.exercises],
+        causes=[replace(one, checks=public(one.checks)) for one in report.causes],
     )
 
 

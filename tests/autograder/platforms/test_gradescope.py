@@ -98,6 +98,7 @@ def test_a_hidden_check_shows_its_rationale_and_not_its_name() -> None:
     assert "failed: a hidden check\nAngles turn once round." in by_number(results)["2.2"]["output"]
     assert "far away" not in json.dumps(results).replace("_", " ")
     assert "secret plan" not in json.dumps(results).replace("_", " ")
+    assert "secret message" not in json.dumps(results)
 
 
 def test_an_exercise_of_an_earlier_assignment_is_explained_and_earns_nothing() -> None:

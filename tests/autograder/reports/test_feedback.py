@@ -211,6 +211,7 @@ def test_a_hidden_check_is_labelled_and_keeps_its_name(tmp_path: Path) -> None:
     for page in (student_page(tmp_path, report_of()), index_page(tmp_path, report_of())):
         assert "far away" not in page.text
         assert "secret plan" not in page.text
+        assert "secret message" not in page.text
     right, wrong, hidden = report_of().exercises[1].checks
     checks = [right, replace(wrong, status="passed"), hidden]
     lost = with_exercise(report_of(), 1, checks=checks)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from autograder.checks.verdict import Status
+from autograder.checks.verdict import Secret, Status
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Message
 from autograder.records import from_json
@@ -53,7 +53,8 @@ def check(
     robust: bool = False,
 ) -> CheckReport:
     shown = Message(message) if isinstance(message, str) else message
-    return CheckReport(name, status, shown, 1.0, hidden, robust)
+    secret = Secret(f"test_secret of {name}", Message("secret message")) if hidden else None
+    return CheckReport(name, status, shown, 1.0, hidden, robust, secret)
 
 
 def message_of(check: dict[str, Any]) -> str:

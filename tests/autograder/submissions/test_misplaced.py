@@ -13,11 +13,13 @@ from staging import (
     CHAPTERS,
     CODE,
     EXERCISES,
+    NOTHING,
     VECTOR,
     HandIn,
     boxed,
     make_folder,
     make_zip,
+    posix,
     zip_of,
 )
 
@@ -120,3 +122,11 @@ def test_the_contents_of_a_zip_in_a_folder_are_listed(tmp_path: Path) -> None:
     staged = stage(ann, CHAPTERS, tmp_path / "box")
     assert staged.taken == [VECTOR]
     assert staged.others == ["broken.zip", "ch2.zip/c.txt", "work.zip/a/", "work.zip/report.pdf"]
+
+
+@posix
+def test_no_link_is_followed_to_find_a_misplaced_file(tmp_path: Path) -> None:
+    ann = make_folder(tmp_path, {})
+    (ann / "ch2").symlink_to(ROOT / "solutions/ch02_vectors")
+    (ann / "round").symlink_to(".")
+    assert boxed(ann) == NOTHING

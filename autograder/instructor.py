@@ -125,6 +125,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
     folder = class_folder(arguments.folder) if arguments.folder else _class_of(arguments)
     options = ClassOptions(
         given=work.given,
+        earlier=work.earlier,
         seed=arguments.seed or work.seed,
         student=arguments.student,
         why=arguments.note,

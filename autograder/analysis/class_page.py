@@ -15,7 +15,7 @@ from autograder.analysis.items import HIDDEN, STATES, items_of
 from autograder.analysis.mistakes import Mistake, mistakes_of
 from autograder.manifest import Chapter
 from autograder.reports.pages import render
-from autograder.reports.report import StudentReport
+from autograder.reports.report import StudentReport, for_students
 from autograder.reports.texts import check_title, clean_all, replace_file
 
 TEMPLATES = Path(__file__).parent / "templates"
@@ -36,7 +36,7 @@ class ShownMistake:
 def write_class_page(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
     """Write class.html, the overview of a class, into the folder ``out``, and return its path."""
     path = out / "class.html"
-    clean = [clean_all(report) for report in reports]
+    clean = [clean_all(for_students(report)) for report in reports]
     mistakes = mistakes_of(clean)
     page = render(
         "class.html",

@@ -24,8 +24,6 @@ class Behind:
         fresh: True if every check runs in a new Python interpreter.
         missing: The rejected modules of the submission, each with the reason.
         hidden: A folder of hidden checks, of which students see only a short rationale.
-        for_instructor: True if the results include the full messages of hidden checks. Set this
-            only if no student will see the results.
         compiled: A folder that stores the submission's compiled code between runs.
     """
 
@@ -33,7 +31,6 @@ class Behind:
     fresh: bool = False
     missing: dict[str, Message] = field(default_factory=dict)
     hidden: Path | None = None
-    for_instructor: bool = False
     compiled: Path | None = None
 
 
@@ -45,13 +42,12 @@ class Workers:
         probes: The folder of our probes. A probe is a part of a check that has to run in the same
             process as the student's code, which can therefore read it.
         hidden_probes: A folder that contains the probes of hidden checks as well. Only the workers
-            of hidden checks may use it, because their output is never shown.
+            of hidden checks may use it, because students never see their output.
         compiled: The folder that caches compiled code.
     """
 
     level: dict[str, bool]
     fresh: bool
-    for_instructor: bool
     probes: str
     hidden_probes: str
     compiled: str
@@ -191,9 +187,7 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
         hidden = _put_probes(folder / "hidden_probes", chapter, [root / "tests", behind.hidden])
     compiled = behind.compiled or folder / "compiled"
     compiled.mkdir(exist_ok=True)
-    return Workers(
-        behind.level, behind.fresh, behind.for_instructor, str(public), str(hidden), str(compiled)
-    )
+    return Workers(behind.level, behind.fresh, str(public), str(hidden), str(compiled))
 
 
 def _put_probes(folder: Path, chapter: Chapter, tests: list[Path]) -> Path:

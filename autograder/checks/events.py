@@ -15,7 +15,8 @@ class Check:
     """A check that the check process is going to run.
 
     ``rationale`` is None unless the check is hidden. It is the only part of a hidden check that
-    students see.
+    students see. The ``name`` of a hidden check says nothing about it, in contrast to
+    ``real_name``.
     """
 
     name: str
@@ -23,6 +24,7 @@ class Check:
     weight: float
     robust: bool
     rationale: str | None
+    real_name: str
 
 
 @dataclass(frozen=True)

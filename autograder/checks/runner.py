@@ -18,7 +18,7 @@ from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
 from autograder.checks.judge import Ending, is_stopped, judge
 from autograder.checks.presentable import presentable
-from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
+from autograder.checks.verdict import Secret, Verdict, mark_blocked, needs_of, with_needs
 from autograder.diagnosis.missing import while_imported
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind, Message
@@ -238,22 +238,23 @@ class Run:
             raise GraderError(
                 f"the check process sent a verdict on an unknown check, {decided.name[:200]!r}"
             )
-        message, status, behind = decided.message, decided.status, self.order.behind
-        if check.rationale is not None and behind is not None and not behind.for_instructor:
+        message, status = presentable(self._with_rejected_data(decided.message)), decided.status
+        secret = None
+        if check.rationale is not None:
+            secret = Secret(check.real_name, message)
             # Any other part of the message could reveal what is checked, and how.
             words = {"failed": check.rationale, "error": "the grader failed on this check"}
-            message = Message(words.get(status, ""))
-        else:
-            message = self._with_rejected_data(message)
+            message = presentable(Message(words.get(status, "")))
         self.verdicts[check.name] = Verdict(
             check.name,
             check.exercise,
             check.weight,
             status,
-            presentable(message),
+            message,
             check.rationale is not None,
             decided.on_chart,
             check.robust,
+            secret,
         )
         self.on_verdict(len(self.verdicts), len(self.checks))
 

@@ -13,10 +13,19 @@ Point = tuple[float, float]  # the cost (counted work) and the error, on an open
 
 
 @dataclass(frozen=True)
+class Secret:
+    """The name of a hidden check and its full message, which only the instructor may see."""
+
+    name: str
+    message: Message
+
+
+@dataclass(frozen=True)
 class Verdict:
     """The outcome of one check: whether it passed and, if not, the message for the student.
 
-    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics.
+    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics. Every hidden
+    check has a ``secret``. Its name and message are therefore safe to show to students.
     """
 
     name: str
@@ -27,6 +36,7 @@ class Verdict:
     hidden: bool = False
     on_chart: Point | None = None
     robust: bool = False
+    secret: Secret | None = None
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:

@@ -86,12 +86,11 @@ class Recorder:
                 raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
+        real_names = [item.name for item in items]
         hidden = [item for item in items if self._is_hidden(item)]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
-            worker = self.config.arranged.worker
-            if worker and not worker.for_instructor:  # the real name may reveal what is checked
-                item.name = f"hidden check {number}"
+            item.name = f"hidden check {number}"  # the real name may reveal what is checked
         checks = [
             Check(
                 item.name,
@@ -99,8 +98,9 @@ class Recorder:
                 _marker(item).kwargs.get("weight", 1),
                 _is_robust(item),
                 _properties(item).get("rationale"),
+                real_name,
             )
-            for item in items
+            for item, real_name in zip(items, real_names, strict=True)
         ]
         self.send(Checks(checks))
         left_out = [item for item in items if item.name in self.config.done]

@@ -21,12 +21,13 @@ class Chosen:
     Attributes:
         chapters: The chapters with only the assigned exercises.
         given: The chapters that students receive as finished code.
-        earlier: The exercises of earlier assignments that this one builds on.
+        earlier: The exercises of earlier assignments that this one builds on, with the names of
+            these assignments.
     """
 
     chapters: list[Chapter]
     given: list[Chapter]
-    earlier: list[str]
+    earlier: dict[str, str]
 
 
 def chapters_under(chapter: Chapter, chapters: list[Chapter]) -> list[Chapter]:
@@ -44,7 +45,8 @@ class Chooser:
     """Finds out which exercises belong to an assignment, by reading its table in the course file.
 
     Mistakes in the table are collected in ``mistakes``. ``before`` contains the exercises of all
-    earlier assignments, because this one may build on them.
+    earlier assignments, because this one may build on them. Each is mapped to the name of its
+    assignment.
     """
 
     def __init__(
@@ -52,7 +54,7 @@ class Chooser:
         table: Mapping[str, Any],
         path: Path,
         chapters: list[Chapter],
-        before: set[str],
+        before: Mapping[str, str],
         mistakes: Mistakes,
     ) -> None:
         self.table = table
@@ -127,7 +129,7 @@ class Chooser:
                 self._wrong(key, f"there is no chapter {number}. The chapters are {there}")
         return [chapter for number, chapter in known.items() if number in numbers]
 
-    def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
+    def _earlier(self, ids: set[str], given: list[Chapter]) -> dict[str, str]:
         """List the exercises from earlier assignments that this assignment builds on.
 
         If it builds on an exercise that was never assigned, record a mistake in the course file.
@@ -135,21 +137,21 @@ class Chooser:
         earlier: set[str] = set()
         for name in (name for name in self.home if name in ids):
             chapter = self.home[name]
-            missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before]
+            missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before.keys()]
             if missing and chapter not in given:
                 words = f"{name} needs {', '.join(missing)}, which is not in any assignment so far"
                 self._wrong(*self._where(name), word=name, words=words)
-            earlier |= (needs_of(chapter, name) - ids) & self.before
+            earlier |= (needs_of(chapter, name) - ids) & self.before.keys()
         for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
             for below in chapters_under(chapter, self.chapters):
-                if below in given or any(e.id in ids | self.before for e in below.exercises):
+                if below in given or any(e.id in ids | self.before.keys() for e in below.exercises):
                     continue
                 self.mistakes.add(
                     self.path,
                     f"chapter {chapter.number} builds on chapter {below.number}, which is neither "
                     f"given nor assigned so far. Add {below.number} to given",
                 )
-        return [name for name in self.home if name in earlier]
+        return {name: self.before[name] for name in self.home if name in earlier}
 
     def _where(self, name: str) -> tuple[str]:
         """Find the key in the course file that adds an exercise to the assignment.

@@ -61,7 +61,8 @@ class Work:
         chapters: The assigned chapters. Each contains only the assigned exercises, with their
             points in this assignment.
         given: The chapters that students receive as finished code.
-        earlier: The exercises of earlier assignments that this one builds on.
+        earlier: The exercises of earlier assignments that this one builds on. Each is mapped to the
+            name of the first assignment that contains it.
         hidden: The folder of hidden checks.
         roster: The path of the class list.
     """
@@ -70,7 +71,7 @@ class Work:
     chapters: list[Chapter]
     given: list[Chapter] = field(default_factory=list)
     title: str = ""
-    earlier: list[str] = field(default_factory=list)
+    earlier: Mapping[str, str] = field(default_factory=dict)
     deadline: Deadline | None = None
     hidden: Path | None = None
     seed: str | None = None

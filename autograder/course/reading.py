@@ -96,7 +96,7 @@ class Reader:
         self.folder = folder
         self.chapters = chapters
         self.mistakes = mistakes
-        self.before: set[str] = set()  # the exercises of all assignments that we have read so far
+        self.before: dict[str, str] = {}  # exercises read so far, with their first assignment
 
     def course(self) -> Course:
         """Read all assignments of the term.
@@ -153,7 +153,8 @@ class Reader:
         elif name is not None and name in others:
             mistakes.add((*path, "name"), f"another assignment is called {name} too")
         chosen = Chooser(table, path, self.chapters, self.before, mistakes).choose()
-        self.before |= {e.id for chapter in chosen.chapters for e in chapter.exercises}
+        for exercise in (e for chapter in chosen.chapters for e in chapter.exercises):
+            self.before.setdefault(exercise.id, name or "")
         seed = table.get("seed")
         if type(seed) not in (str, int, type(None)) or seed == "":
             mistakes.add(

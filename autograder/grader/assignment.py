@@ -8,8 +8,8 @@ from __future__ import annotations
 import contextlib
 import tempfile
 import threading
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from autograder.checks.arrange import Behind
@@ -34,6 +34,8 @@ class Assignment:
         given: Earlier chapters that come from the reference solution, even if a student has handed
             in files for them.
         hidden: A folder of hidden checks, which students do not receive, or None.
+        earlier: The exercises of earlier assignments that the graded ones build on, with the names
+            of these assignments.
     """
 
     chapters: list[Chapter]
@@ -43,6 +45,7 @@ class Assignment:
     hidden: Path | None = None
     root: Path = ROOT
     time_limit: float = Limits.check
+    earlier: Mapping[str, str] = field(default_factory=dict)
 
     def run(
         self,

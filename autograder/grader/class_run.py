@@ -203,7 +203,8 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
     """Print a table of the class's results, with one row for each student.
 
     Each row shows the points, the number of passed checks, and the message of the most important
-    check that did not pass. It has at most two lines, so a long message is cut on a narrow screen.
+    check that did not pass. That may be a check of an earlier assignment that blocks this one. Each
+    row has at most two lines, so a long message is cut on a narrow screen.
     """
     problems = [_first_problem(report) for report in reports]
     taken = console.measure(_class_table(reports, [""] * len(reports))).maximum
@@ -239,10 +240,16 @@ def _two_lines(words: str, width: int) -> str:
 
 
 def _first_problem(report: StudentReport) -> str:
-    """Return the message of the most important check that did not pass, with its exercise."""
+    """Return the message of the most important check that did not pass, with its exercise.
+
+    The instructor may read the messages of hidden checks too.
+    """
     order = ("error", "failed", "inherited", "blocked")
-    lost = [(e, check) for e in report.exercises for check in e.checks if check.status in order]
+    cause = report.first_cause
+    checks = [(cause.name, check) for check in cause.checks] if cause else []
+    checks += [(exercise.id, check) for exercise in report.exercises for check in exercise.checks]
+    lost = [pair for pair in checks if pair[1].status in order]
     if not lost:
         return ""
-    exercise, check = min(lost, key=lambda pair: (order.index(pair[1].status), pair[1].robust))
-    return f"{exercise.id}: {check.message.in_short[:200]}"
+    name, check = min(lost, key=lambda pair: (order.index(pair[1].status), pair[1].robust))
+    return f"{name}: {(check.secret or check).message.in_short[:200]}"

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
@@ -54,6 +54,8 @@ class ClassOptions:
     Attributes:
         given: Chapters that come from the reference solution, even if students hand in files for
             them.
+        earlier: The exercises of earlier assignments that the graded ones build on, with the names
+            of these assignments.
         seed: The seed for the random numbers in the checks. If it is None, a new run draws a seed,
             and an interrupted run keeps its own.
         hidden: A folder of hidden checks, with paths such as chNN_name/test_*.py.
@@ -70,6 +72,7 @@ class ClassOptions:
     """
 
     given: Sequence[Chapter] = ()
+    earlier: Mapping[str, str] = field(default_factory=dict)
     seed: str | None = None
     hidden: Path | None = None
     unsafe: bool = False
@@ -131,7 +134,14 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
         assignment = Assignment(
-            chapters, seed, level, options.given, hidden, options.root, options.time_limit
+            chapters,
+            seed,
+            level,
+            options.given,
+            hidden,
+            options.root,
+            options.time_limit,
+            options.earlier,
         )
         check_hidden(assignment)
         console = plain_console()
@@ -242,7 +252,7 @@ def check_hidden(assignment: Assignment) -> None:
     if not graded:
         names = ", ".join(chapter.name for chapter in assignment.chapters)
         raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden, for_instructor=True)
+    behind = Behind(vars(assignment.level), hidden=hidden)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
         for probes in (root / "tests" / chapter.name).glob("*probes.py"):
@@ -271,7 +281,8 @@ def check_hidden(assignment: Assignment) -> None:
             )
         for check in verdicts:
             if check.status != "passed":
-                raise ValueError(f"{check.name} fails on the reference itself: {check.message}")
+                told = check.secret or check
+                raise ValueError(f"{told.name} fails on the reference itself: {told.message}")
 
 
 def _cores() -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -13,10 +13,12 @@ from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
 from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.diagnosis.missing import file_of
 from autograder.grader.assignment import Assignment, OnceForAll
+from autograder.grader.causes import causes_of
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
-from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
+from autograder.reports.report import Cause, Chart, ExerciseReport, StudentReport, check_report
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission, printable
 from autograder.submissions.stage import Staged, stage
@@ -24,6 +26,21 @@ from autograder.submissions.stage import Staged, stage
 SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which usually needs about 2 s
 
 LEAST_TIME = 10.0  # seconds; a chapter gets at least this many, or its checks could not begin
+
+
+@dataclass(frozen=True)
+class _Graded:
+    """A student's results on one chapter.
+
+    Attributes:
+        own: The results with the student's own earlier chapters.
+        on_given: The results with our solutions to the earlier chapters.
+        causes: The exercises of earlier assignments that block graded ones.
+    """
+
+    own: list[Result]
+    on_given: list[Result]
+    causes: list[Cause] = field(default_factory=list)
 
 
 def grade_submission(
@@ -48,16 +65,16 @@ def grade_submission(
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
-            if staged.nothing:
-                why = f"'{submission.path.name}': {staged.nothing}"
+            if why := _why_nothing(staged, assignment.chapters):
+                why = f"'{submission.path.name}': {why}"
                 return _nothing(assignment, submission, why, staged.digest)
-            notes = [*submission.notes, *staged.notes]
+            notes = [*submission.notes, *_notes(staged, assignment.chapters)]
             with (
                 with_given(assignment.given, [box], assignment.root) as engine,
                 tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
             ):
-                pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
-        report = _report(assignment, once, submission.student, pairs, notes)
+                graded = _all_results(assignment, once, engine, staged, Path(compiled))
+        report = _report(assignment, once, submission.student, graded, notes)
         report = replace(report, submission=staged.digest)
     except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
@@ -70,7 +87,7 @@ def _nothing(
     """Build the report on a submission that contains nothing that can be graded."""
     places = [f"{c.name}/{c.edited_files[0]}" for c in assignment.chapters if c.edited_files]
     how = f"Hand in a folder or a zip file that contains folders of chapters: {', '.join(places)}"
-    none: list[tuple[list[Result], list[Result]]] = [([], []) for _ in assignment.chapters]
+    none = [_Graded([], []) for _ in assignment.chapters]
     report = _report(assignment, OnceForAll(), submission.student, none, [how, *submission.notes])
     return replace(
         report,
@@ -89,8 +106,29 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     Each exercise is reported as a grader error with this ``reason``, and not as a zero. The
     submission can be graded again later.
     """
-    pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
-    return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
+    errors = [_errors(chapter, reason) for chapter in assignment.chapters]
+    graded = [_Graded(results, results) for results in errors]
+    return replace(_report(assignment, OnceForAll(), student, graded, []), seconds=0.0)
+
+
+def _why_nothing(staged: Staged, graded: list[Chapter]) -> str:
+    """Say why nothing of a submission can be graded, or return "" if something can."""
+    if staged.refused or staged.taken or {*staged.missing} - {*staged.misplaced}:
+        return staged.refused
+    if staged.misplaced:
+        return "; ".join(_misplaced(staged, graded) or [*staged.missing.values()])
+    there = f". There is {', '.join(staged.others)}" if staged.others else ""
+    return f"no folder of a chapter was found, at most three levels down{there}"
+
+
+def _notes(staged: Staged, graded: list[Chapter]) -> list[str]:
+    """Return the instructor's notes on a student's submission, and on files in the wrong folder."""
+    return [*staged.notes, *_misplaced(staged, graded)]
+
+
+def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:
+    names = {chapter.name for chapter in graded}
+    return [staged.missing[m] for m in staged.misplaced if m.partition(".")[0] in names]
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
@@ -111,9 +149,8 @@ def _all_results(
     once: OnceForAll,
     engine: list[Path],
     staged: Staged,
-    box: Path,
     compiled: Path,
-) -> list[tuple[list[Result], list[Result]]]:
+) -> list[_Graded]:
     """Run each chapter's checks twice on a student's code, and return the results of both runs.
 
     The first run uses the student's own earlier chapters, and the second takes them from the
@@ -125,40 +162,54 @@ def _all_results(
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
         limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
-        return assignment.run(
-            chapter, engine, missing=staged.missing, run_limit=limit, compiled=compiled
-        )
+        missing = {m: why for m, why in staged.missing.items() if not _is_there(m, engine)}
+        return assignment.run(chapter, engine, missing=missing, run_limit=limit, compiled=compiled)
 
-    pairs = []
+    def causes(chapter: Chapter, own: list[Result], verdicts: list[Verdict]) -> list[Cause]:
+        return causes_of(assignment.whole(chapter), own, verdicts, assignment.earlier)
+
+    graded: list[_Graded] = []
     for chapter in assignment.chapters:
         results = partial(results_of, chapter)
         try:
-            if _is_empty(chapter, staged, box):
-                pairs.append((results(once.of_nothing(assignment, chapter)),) * 2)
+            if _is_empty(chapter, staged):
+                verdicts = once.of_nothing(assignment, chapter)
+                own = results(verdicts)
+                graded.append(_Graded(own, own, causes(chapter, own, verdicts)))
                 continue
             verdicts = run(chapter, engine)
         except GraderError as error:
-            pairs.append((_errors(chapter, str(error)),) * 2)
+            errors = _errors(chapter, str(error))
+            graded.append(_Graded(errors, errors))
             continue
         below = below_and_not_given(chapter, assignment.given, assignment.root)
         try:
             again = run_on_given(chapter, verdicts, engine, below, run, assignment.root)
         except GraderError as error:
-            pairs.append((results(verdicts), _errors(chapter, str(error))))
+            graded.append(_Graded(results(verdicts), _errors(chapter, str(error))))
             continue
-        own = results(mark_inherited(verdicts, again))
-        pairs.append((own, results(again) if again else own))
-    return pairs
+        verdicts = mark_inherited(verdicts, again)
+        own = results(verdicts)
+        on_given = results(again) if again else own
+        graded.append(_Graded(own, on_given, causes(chapter, own, verdicts)))
+    return graded
 
 
-def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
+def _is_empty(chapter: Chapter, staged: Staged) -> bool:
     """Return True if a student has handed in no file for this chapter, not even a rejected one.
 
     Every such student gets the same results, so the checks do not need to run again.
     """
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
-    taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
-    return not (refused or taken)
+    return not refused and not any(name.startswith(f"{chapter.name}/") for name in staged.taken)
+
+
+def _is_there(module: str, engine: list[Path]) -> bool:
+    """Return True if the engine has a module, although the student's own file was rejected.
+
+    This is the case if the reference's version of an earlier chapter replaces the student's.
+    """
+    return any((folder / file_of(module)).exists() for folder in engine)
 
 
 def _chart(
@@ -192,11 +243,11 @@ def _report(
     assignment: Assignment,
     once: OnceForAll,
     student: str,
-    pairs: list[tuple[list[Result], list[Result]]],
+    graded: list[_Graded],
     notes: list[str],
 ) -> StudentReport:
-    own = [result for results, _ in pairs for result in results]
-    given = [result for _, results in pairs for result in results]
+    own = [result for chapter in graded for result in chapter.own]
+    given = [result for chapter in graded for result in chapter.on_given]
     score, points = total(own)
     failed = any(result.status == "error" for result in [*own, *given])
     return StudentReport(
@@ -213,9 +264,10 @@ def _report(
         notes=notes,
         exercises=[
             _exercise(chapter, result, better, _chart(assignment, once, chapter, result))
-            for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
-            for result, better in zip(results, betters, strict=True)
+            for chapter, results in zip(assignment.chapters, graded, strict=True)
+            for result, better in zip(results.own, results.on_given, strict=True)
         ],
+        causes=[cause for chapter in graded for cause in chapter.causes],
     )
 
 
@@ -246,17 +298,7 @@ def _exercise(
         score_on_given=better.score,
         status=result.status,
         comment="",
-        checks=[
-            CheckReport(
-                check.name,
-                check.status,
-                check.message,
-                check.weight,
-                check.hidden,
-                check.robust,
-            )
-            for check in result.checks
-        ],
+        checks=[check_report(check) for check in result.checks],
         chart=chart,
         extra=exercise.extra,
     )

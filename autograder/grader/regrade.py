@@ -23,6 +23,7 @@ COLUMNS = ["time", "student", "points before", "points after", "changed exercise
 # These may have changed since the class was graded, for example because a check was wrong. If so,
 # the log contains a note.
 MAY_DIFFER = {
+    "earlier": "the names of earlier assignments",
     "checks": "the checks or the reference",
     "grader": "the grader",
     "python": "Python",

@@ -37,6 +37,7 @@ def run_key(assignment: Assignment) -> RunKey:
         points={e.id: e.points for chapter in assignment.chapters for e in chapter.exercises},
         extra=[e.id for chapter in assignment.chapters for e in chapter.exercises if e.extra],
         given=[chapter.number for chapter in assignment.given],
+        earlier=dict(assignment.earlier),
         checks=_digest(checks),
         grader=grader_digest(),
         python=platform.python_version(),

@@ -63,7 +63,8 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     graded, given = ([chapters[n] for n in settings[key]] for key in ("chapters", "given"))
     graded = [_assigned(chapter, settings["points"], settings["extra"]) for chapter in graded]
     hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
-    assignment = Assignment(graded, secrets.token_hex(4), level, given, hidden, root)
+    seed, earlier = secrets.token_hex(4), settings["earlier"]
+    assignment = Assignment(graded, seed, level, given, hidden, root, earlier=earlier)
     student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))

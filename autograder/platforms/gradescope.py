@@ -59,6 +59,7 @@ def make_gradescope(
         "given": [chapter.number for chapter in given],
         "points": {exercise.id: exercise.points for exercise in exercises},
         "extra": [exercise.id for exercise in exercises if exercise.extra],
+        "earlier": dict(work.earlier),
         "deadline": deadline_to_json(deadline) if deadline else None,
         "unsafe": unsafe,
     }

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from autograder.manifest import Chapter, Exercise
-from autograder.reports.report import ExerciseReport, StudentReport
+from autograder.reports.report import Cause, ExerciseReport, StudentReport
 from autograder.reports.texts import check_title
 
 MOST_MISSED = 5
@@ -86,6 +86,22 @@ def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
+
+
+def causes_in(reports: Sequence[StudentReport]) -> list[tuple[Cause, int]]:
+    """List the exercises of earlier assignments that students have to fix first.
+
+    Each is returned with the number of students whose graded exercises it blocks, most first.
+    """
+    found: dict[str, Cause] = {}
+    counts: Counter[str] = Counter()
+    for cause in (cause for report in reports for cause in report.causes):
+        if cause.status == "failed":
+            counts[cause.id] += 1
+            known = found.setdefault(cause.id, cause)
+            blocks = dict.fromkeys([*known.blocks, *cause.blocks])
+            found[cause.id] = replace(known, blocks=[*blocks])
+    return [(found[name], count) for name, count in counts.most_common()]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:

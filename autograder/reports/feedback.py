@@ -15,9 +15,17 @@ from urllib.parse import quote
 
 from autograder.checks.verdict import Status
 from autograder.manifest import Chapter
-from autograder.reports.class_stats import exercise_rates, histogram, most_missed
+from autograder.reports.class_stats import causes_in, exercise_rates, histogram, most_missed
 from autograder.reports.pages import render
-from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
+from autograder.reports.report import (
+    Cause,
+    Chart,
+    CheckReport,
+    ExerciseReport,
+    StudentReport,
+    for_students,
+    tiers,
+)
 from autograder.reports.scatter import Scatter, scatter
 from autograder.reports.texts import check_title, clean_all, replace_file
 from autograder.scores import PHYSICS_SHARE, extra_possible, place_on_chart, possible
@@ -68,6 +76,18 @@ class LostChecks:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ShownCause(Cause):
+    """An exercise of an earlier assignment that blocks graded ones, as shown on a student's page.
+
+    Attributes:
+        lost: The failed checks, which are explained on the page.
+    """
+
+    anchor: str
+    lost: list[LostChecks]
+
+
+@dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
     """A student's result on one exercise, prepared for the student's feedback page.
 
@@ -95,10 +115,12 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     to fix first.
     """
     path = out / "feedback" / f"{file_name(report.student)}.html"
-    report = clean_all(report)
+    report = clean_all(for_students(report))
     exercises = [_shown(i, e) for i, e in enumerate(report.exercises, start=1)]
-    states = {e.status for e in exercises} | {g.status for e in exercises for g in e.lost}
-    own, given = report.score, report.score_on_given
+    causes = [_shown_cause(i, cause) for i, cause in enumerate(report.causes, start=1)]
+    shown: list[ShownExercise | ShownCause] = [*exercises, *causes]
+    states = {e.status for e in shown} | {g.status for e in shown for g in e.lost}
+    own, given, first = report.score, report.score_on_given, report.first_cause
     page = render(
         "student.html",
         symbols=SYMBOLS,
@@ -109,6 +131,8 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
         by_hand_extra=sum(e.points for e in exercises if e.kind == "written" and e.extra),
         possible=_possible(exercises),
         waiting=[e.id for e in exercises if e.status == "waiting"],
+        causes=causes,
+        cause=next((cause for cause in causes if cause.id == first.id), None) if first else None,
         next=_first_to_fix(exercises),
         physics_percent=round(100 * PHYSICS_SHARE),
         meanings=[(state, text) for state, text in MEANINGS.items() if state in states],
@@ -126,7 +150,7 @@ def write_index(
     """Write index.html, the instructor's overview of a graded class, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
-    clean = [clean_all(report) for report in reports]
+    clean = [clean_all(for_students(report)) for report in reports]
     rates = exercise_rates(chapters, clean)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = [exercise for exercise in exercises if exercise.kind == "written"]
@@ -153,6 +177,7 @@ def write_index(
         isolations=_distinct(report.isolation for report in clean),
         bins=histogram(clean),
         missed=most_missed(rates),
+        causes=causes_in(clean),
         charts=_charts(clean),
         rates_of_chapters=[(c, [r for r in rates if r.exercise in c.exercises]) for c in chapters],
     )
@@ -178,6 +203,11 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
             if check.status == "passed"
         ],
     )
+
+
+def _shown_cause(number_on_page: int, cause: Cause) -> ShownCause:
+    lost = _groups([check for check in cause.checks if check.status != "passed"])
+    return ShownCause(**vars(cause), anchor=f"earlier-{number_on_page}", lost=lost)
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:

@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from autograder.records import to_json
-from autograder.reports.report import ExerciseReport, StudentReport, tiers
+from autograder.reports.report import (
+    Cause,
+    CheckReport,
+    ExerciseReport,
+    StudentReport,
+    for_students,
+    tiers,
+)
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import of_possible, place_on_chart
 from autograder.submissions.find import file_name
@@ -74,13 +82,16 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
     If the grader itself failed, the submission gets no score at all, because neither zero nor full
     marks would be fair.
     """
-    report = clean_all(report)
+    report = clean_all(for_students(report))
     if report.status == "nothing to grade":  # without a score, Gradescope would report an error
         return _results(_summary(report, failed=False), [], 0.0, report.seconds)
     failed = report.status != "graded" or report.score is None
     return _results(
         _summary(report, failed),
-        [_exercise_result(exercise) for exercise in report.exercises],
+        [
+            *(_exercise_result(exercise) for exercise in report.exercises),
+            *(_cause_result(cause) for cause in report.causes),
+        ],
         score=None if failed or report.total is None else round(report.total, 2),
         execution_time=report.seconds,
     )
@@ -120,6 +131,8 @@ def _summary(report: StudentReport, failed: bool) -> str:
         lines.append(f"nothing to grade: {report.nothing}")
     elif not failed:
         lines.append(f"checks: {of_possible(report.score, report.points, report.extra)}")
+    if cause := report.first_cause:
+        lines.append(f"{cause.name} {cause.advice}")
     if report.score_on_given is not None:
         lines.append(
             f"on given chapters: {number(report.score_on_given)} points, with the reference's "
@@ -154,6 +167,19 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
     )
 
 
+def _cause_result(cause: Cause) -> ExerciseResult:
+    """Convert an exercise of an earlier assignment that blocks graded ones, and earns no points."""
+    needed = f"This earns no points here, but is needed for {', '.join(cause.blocks)}."
+    return ExerciseResult(
+        number=clean_line(cause.id),
+        name=clean_line(f"{cause.title} ({cause.assignment or 'not graded'})"),
+        max_score=0,
+        output="\n\n".join([needed, *_lost(cause.checks)]),
+        visibility="visible",
+        status="failed",
+    )
+
+
 def _output(exercise: ExerciseReport) -> str:
     """Write the text that Gradescope shows below an exercise.
 
@@ -165,7 +191,6 @@ def _output(exercise: ExerciseReport) -> str:
     if status in BY_HAND:
         words = "marked by a person" + (", and changed since" if status == "changed" else "")
         return f"{words}\n{exercise.comment}".strip()
-    lost = [check for check in checks if check.status != "passed"]
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
     blocks.append(f"{status}: {passing} checks pass")
@@ -173,8 +198,13 @@ def _output(exercise: ExerciseReport) -> str:
         blocks.append("the mistake is in an earlier chapter: with given chapters this passes")
     if chart := exercise.chart:
         blocks.append(f"your work: {place_on_chart(chart.axes, chart.own)}")
-    for check in lost:
-        title = "a hidden check" if check.hidden else check_title(check.name)
-        tier = "robust, " if check.robust else ""
-        blocks.append(f"{tier}{check.status}: {title}\n{check.message}".strip())
-    return "\n\n".join(blocks)
+    return "\n\n".join([*blocks, *_lost(checks)])
+
+
+def _lost(checks: Sequence[CheckReport]) -> Iterator[str]:
+    """Explain each of the checks that did not pass."""
+    for check in checks:
+        if check.status != "passed":
+            title = "a hidden check" if check.hidden else check_title(check.name)
+            tier = "robust, " if check.robust else ""
+            yield f"{tier}{check.status}: {title}\n{check.message}".strip()

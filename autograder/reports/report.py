@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from autograder.checks.verdict import Point, Status
+from autograder.checks.verdict import Point, Secret, Status, Verdict
 from autograder.message import Message
 from autograder.scores import ExerciseStatus
 
@@ -16,7 +16,11 @@ ReportStatus = Literal["graded", "error, retry", "nothing to grade"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """The result of one check of a student's code, with a message that explains a failure."""
+    """The result of one check of a student's code, with a message that explains a failure.
+
+    If the check is hidden, ``secret`` contains its real name and full message. Nothing that a
+    student may see contains it: such pages and files are made from ``for_students(report)``.
+    """
 
     name: str
     status: Status
@@ -24,6 +28,7 @@ class CheckReport:
     weight: float
     hidden: bool
     robust: bool
+    secret: Secret | None = None
 
 
 @dataclass(frozen=True)
@@ -68,6 +73,38 @@ class ExerciseReport:
 
 
 @dataclass(frozen=True)
+class Cause:
+    """An exercise of an earlier assignment that fails and thereby blocks graded exercises.
+
+    It earns no points, and has no column in the gradebook.
+
+    Attributes:
+        assignment: The name of the earlier assignment, or "" if it is not known.
+        blocks: The graded exercises that build on this one and fail, such as ["B2.10"].
+        checks: The physics checks of the exercise.
+    """
+
+    chapter: int
+    id: str
+    title: str
+    assignment: str
+    status: ExerciseStatus
+    blocks: list[str]
+    checks: list[CheckReport]
+
+    @property
+    def name(self) -> str:
+        """The exercise with its assignment, such as "B2.9 of lab1"."""
+        return f"{self.id} of {self.assignment}" if self.assignment else self.id
+
+    @property
+    def advice(self) -> str:
+        """What the student should do, as the rest of a sentence that begins with the name."""
+        verb = "build" if self.blocks[1:] else "builds"
+        return f"fails. Fix it first, because {_listed(self.blocks)} {verb} on it."
+
+
+@dataclass(frozen=True)
 class Late:
     """How late a student handed in the work, and how many points that costs.
 
@@ -88,7 +125,8 @@ class RunKey:
 
     The report from an earlier run is reused if neither the settings nor the submission have
     changed. ``points`` maps each exercise to its points, and ``extra`` lists the exercises for
-    extra credit.
+    extra credit. ``earlier`` maps prerequisites to the names of the earlier assignments that
+    contain them.
     """
 
     seed: str
@@ -96,6 +134,7 @@ class RunKey:
     points: dict[str, float]
     extra: list[str]
     given: list[int]
+    earlier: dict[str, str]
     checks: str
     grader: str
     python: str
@@ -119,6 +158,7 @@ class StudentReport:
         seconds: How long grading took.
         late: How late the submission is. It is None if the work has no due date.
         nothing: Why nothing of the submission could be graded, or "" if something could.
+        causes: The exercises of earlier assignments that block graded ones.
     """
 
     student: str
@@ -139,10 +179,20 @@ class StudentReport:
     late: Late | None = None
     nothing: str = ""
 
+    causes: list[Cause] = field(default_factory=list)
+
     @property
     def extra(self) -> float:
         """The points that checks can give as extra credit. They are not part of ``points``."""
         return round(sum(e.points for e in self.exercises if e.extra and e.kind != "written"), 2)
+
+    @property
+    def first_cause(self) -> Cause | None:
+        """The exercise of an earlier assignment that the student should fix before anything else.
+
+        The result is None if no such exercise contains a mistake of its own.
+        """
+        return next((cause for cause in self.causes if cause.status == "failed"), None)
 
     @property
     def earned(self) -> float | None:
@@ -164,6 +214,37 @@ class StudentReport:
     def total(self) -> float | None:
         """The student's points after the late penalty, or None if grading failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)
+
+
+def check_report(verdict: Verdict) -> CheckReport:
+    """Convert the verdict on a check to the form in which reports store it."""
+    return CheckReport(
+        verdict.name,
+        verdict.status,
+        verdict.message,
+        verdict.weight,
+        verdict.hidden,
+        verdict.robust,
+        verdict.secret,
+    )
+
+
+def for_students(report: StudentReport) -> StudentReport:
+    """Return a copy of the report without anything that students may not know of hidden checks."""
+
+    def public(checks: Sequence[CheckReport]) -> list[CheckReport]:
+        return [replace(check, secret=None) for check in checks]
+
+    return replace(
+        report,
+        exercises=[replace(one, checks=public(one.checks)) for one in report.exercises],
+        causes=[replace(one, checks=public(one.checks)) for one in report.causes],
+    )
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Join names for a sentence, as in "B2.9, B2.10 and 2.5"."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:

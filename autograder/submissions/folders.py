@@ -16,7 +16,6 @@ from pathlib import Path
 from autograder.accepted_files import LINKED_FOLDER, NotTakenError, cause, read_file
 
 DEEPEST = 3  # a chapter's folder may be at most this many levels below the submission
-MOST_OTHERS = 200  # entries of a chapter's folder, where students have about twenty
 MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of one submission
 
 
@@ -31,8 +30,8 @@ class Found:
             accept. It raises NotTakenError if the file is rejected.
         doubtful: True if the file is rejected because of a problem with its folder, such as a
             symbolic link. The file is ignored if the submission has another folder for the chapter.
-        other: True if the grader expects no file of this name. The student may have renamed the
-            file.
+        other: True if the grader expects no file of this name in this folder. The student may have
+            renamed the file, or put it into the wrong folder.
     """
 
     place: tuple[str, ...]
@@ -47,7 +46,8 @@ def search_folder(
 ) -> tuple[list[Found], list[str]]:
     """Find the files to be graded in a student's submitted folder, with notes on any problems.
 
-    ``wanted`` lists the files to look for in the folder of each chapter.
+    ``wanted`` lists the files to look for in the folder of each chapter. The result also contains
+    all other files, because a file that is missing there may be in a different folder.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -56,24 +56,27 @@ def search_folder(
     notes: list[str] = []
     left = MOST_ENTRIES
     level: list[tuple[str, ...]] = [()]
-    for depth in range(1, DEEPEST + 1):
+    for depth in range(DEEPEST + 1):
         deeper: list[tuple[str, ...]] = []
         for place in level:
             folder = submission.joinpath(*place)
-            # By looking for a chapter's name, we find it among any number of other files.
-            for chapter, files in wanted.items():
-                found += _search_chapter(folder / chapter, (*place, chapter), files)
-            if depth == DEEPEST or left < 0:
+            if depth < DEEPEST:
+                # By looking for a chapter's name, we find it among any number of other files.
+                for chapter, files in wanted.items():
+                    found += _search_chapter(folder / chapter, (*place, chapter), files)
+            if left < 0:
                 continue
             try:
-                names, seen = _subfolders(folder, left + 1)
+                folders, names = _entries(folder, left + 1)
             except OSError as error:
                 if not place:
                     raise NotTakenError(f"the submission cannot be read: {cause(error)}") from error
                 notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
                 continue
-            left -= seen
-            deeper += [(*place, name) for name in names]
+            left -= len(folders) + len(names)
+            expected = wanted.get(place[-1], ()) if place else ()
+            found += [other_file(place, name) for name in names if name not in expected]
+            deeper += [(*place, name) for name in folders if not is_skipped(name)]
         level = deeper
     if left < 0:
         notes.append(f"the search stopped after {MOST_ENTRIES:,} files and folders")
@@ -106,9 +109,10 @@ def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> lis
 
 
 def other_file(place: tuple[str, ...], name: str) -> Found:
-    """Create a record of a submitted file whose name the grader does not expect.
+    """Create a record of a submitted file that the grader does not expect in its folder.
 
-    The grader uses such records to recognize files that the student has renamed.
+    The grader uses such records to recognize files that the student has renamed or put into the
+    wrong folder. It never reads these files.
     """
     return Found(place, name, refuse("it is not a file of this chapter"), other=True)
 
@@ -136,9 +140,6 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
             for file in files:
                 if _mode(folder / file):
                     found.append(Found(place, file, partial(read_file, folder / file)))
-            with os.scandir(folder) as entries:
-                names = [entry.name for entry in itertools.islice(entries, MOST_OTHERS)]
-            found += [other_file(place, name) for name in names if name not in files]
     except OSError as error:
         reason = f"a folder of the submission cannot be read: {cause(error)}"
         return refuse_all(place, files, reason)
@@ -153,12 +154,12 @@ def _mode(path: Path) -> int:
         return 0
 
 
-def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """List the folders inside a submitted folder, reading at most ``most`` entries.
+def _entries(folder: Path, most: int) -> tuple[list[str], list[str]]:
+    """List the folders and the files inside a submitted folder, reading at most ``most`` entries.
 
-    Return the names of the folders, and the number of entries read.
+    A link counts as a file, whatever it leads to.
     """
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
-        names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
-    return sorted(name for name in names if not is_skipped(name)), len(seen)
+        folders = {entry.name for entry in seen if entry.is_dir(follow_symlinks=False)}
+    return sorted(folders), sorted({entry.name for entry in seen} - folders)

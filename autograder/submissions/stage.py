@@ -24,6 +24,7 @@ from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, refuse, refuse_all, search_folder
+from autograder.submissions.misplaced import misplaced, names_of_others
 from autograder.submissions.zips import search_zip, search_zips_in
 
 
@@ -33,17 +34,24 @@ class Staged:
 
     Attributes:
         missing: The rejected modules, such as ch02_vectors.vector, each with the reason.
+        misplaced: Those of them whose files were found in the wrong folder.
+        taken: The files that were copied, such as ch02_vectors/vector.py.
+        others: The names of some files and folders at the top of the submission from which nothing
+            was taken, such as report.pdf.
         notes: Notes for the instructor. They may quote the names of files and folders, but nothing
             else that the student wrote.
-        nothing: Why nothing of the submission can be graded, or "" if something was found.
+        refused: Why nothing of the submission could be read, such as a damaged zip, or "".
         digest: A hash of everything that was accepted or rejected. Submissions with the same digest
             get the same grade.
     """
 
     missing: dict[str, str]
+    misplaced: list[str]
+    taken: list[str]
+    others: list[str]
     notes: list[str]
     digest: str
-    nothing: str = ""
+    refused: str = ""
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
@@ -57,9 +65,11 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     Raises:
         OSError: The folder cannot be written, or a file of the repository cannot be read.
     """
-    found, notes, nothing = _search(submission, chapters)
+    found, notes, refused = _search(submission, chapters)
     missing: dict[str, str] = {}
-    taken = False
+    elsewhere: list[str] = []
+    taken: dict[str, Found] = {}
+    readable = False
     digest = hashlib.sha256()
     for chapter in chapters:
         target = box / chapter.name
@@ -69,28 +79,42 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
             _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
         files, more_notes = _choose(chapter, found)
         notes += more_notes
+        readable = readable or not all(file.doubtful for file in files.values())
         for name in chapter.handed_in:
-            if name not in files:
-                continue
-            content, reason = b"", ""
-            try:
-                content = check_text(files[name].read(LARGEST_FILE))
-                _write(target / name, content)
-                taken = True
-            except NotTakenError as error:
-                reason = rejection(chapter.name, name, error)
-                missing[module_of(chapter.name, name)] = reason
-            digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
-    if not (taken or missing):
-        nothing = "no folder of a chapter with files to grade was found, at most three levels down"
-    shown = [printable(note) for note in notes]
-    return Staged(missing, shown, digest.hexdigest(), printable(nothing))
+            file, content, reason = files.get(name), b"", ""
+            module = module_of(chapter.name, name)
+            if file is None or _is_stub(file):
+                reason = misplaced(chapter, name, found, chapters)
+                elsewhere += [module] if reason else []
+            if file and not reason:
+                try:
+                    content = check_text(file.read(LARGEST_FILE))
+                    _write(target / name, content)
+                    taken[f"{chapter.name}/{name}"] = file
+                except NotTakenError as error:
+                    reason = rejection(chapter.name, name, error)
+            if reason:
+                missing[module] = reason
+            if file or reason:
+                sizes = f"{chapter.name}/{name}\0{reason}\0{len(content)}\0"
+                digest.update(sizes.encode() + content)
+    if missing and not (readable or elsewhere):
+        refused = refused or next(iter(missing.values()))
+    return Staged(
+        missing,
+        elsewhere,
+        [*taken],
+        names_of_others(found, taken.values()),
+        [printable(note) for note in notes],
+        digest.hexdigest(),
+        printable(refused),
+    )
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str], str]:
     """Find the files of all chapters in a student's submission, with notes on any problems.
 
-    The last result is the reason if nothing at all can be taken, or "". The submission may be a
+    The last result is the reason if nothing at all was read, or "". The submission may be a
     folder, a zip file, or a folder with zips in it.
     """
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
@@ -119,13 +143,10 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
     note tells the instructor which of several folders was chosen. A file that the student has
     renamed is rejected, and the reason gives its new name.
     """
-    all_of_it = [file for file in found if file.place[-1] == chapter.name]
+    all_of_it = [file for file in found if file.place[-1:] == (chapter.name,)]
     mine = [file for file in all_of_it if not file.other]
     places = sorted(
-        {
-            (file.doubtful, KEPT in file.place[:-1], len(file.place), file.place)
-            for file in mine or all_of_it
-        }
+        {(file.doubtful, _is_stub(file), len(file.place), file.place) for file in mine or all_of_it}
     )
     if not places:
         return {}, []
@@ -140,6 +161,11 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         if name not in there and (error := renamed(chapter, name, there)):
             chosen.append(Found(place, name, refuse(str(error))))
     return {file.file: file for file in chosen}, notes
+
+
+def _is_stub(file: Found) -> bool:
+    """Return True if a file is one of the original stubs that every handout keeps in stubs/."""
+    return KEPT in file.place[:-1]
 
 
 def _write(path: Path, content: bytes) -> None:

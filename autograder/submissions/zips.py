@@ -49,7 +49,8 @@ UNREADABLE = (
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
     """Find the files to be graded in a student's submitted zip, with notes on any problems.
 
-    ``wanted`` lists the files to look for in the folder of each chapter.
+    ``wanted`` lists the files to look for in the folder of each chapter. The result also contains
+    all other files, because a file that is missing there may be in a different folder.
 
     Raises:
         NotTakenError: The zip as a whole is rejected.
@@ -68,21 +69,21 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
     others: list[Found] = []
     for entry in file.infolist():
         name = path_in_zip(entry)
-        *above, last = name.rsplit("/", 2)
+        *folders, last = name.split("/")
+        place = tuple(folders)
+        chapter = place[-1] if place else ""
+        is_graded = last in wanted.get(chapter, ())
         if last in wanted and stat.S_ISLNK(entry.external_attr >> 16):
             doubtful += refuse_all((last,), wanted[last], LINKED_FOLDER)
-        if not above or above[-1] not in wanted:
-            continue
-        is_graded = last in wanted[above[-1]]
-        place = tuple(name.split("/")[:-1])
-        if is_unsafe(name) and is_graded:
-            doubtful += refuse_all(
-                (above[-1],), [last], "its path in the zip is absolute or has dots in it"
-            )
-        elif is_unsafe(name) or len(place) > DEEPEST or any(map(is_skipped, place)):
+        if is_unsafe(name):
+            if is_graded:
+                reason = "its path in the zip is absolute or has dots in it"
+                doubtful += refuse_all((chapter,), [last], reason)
+        elif len(place) > DEEPEST or any(map(is_skipped, place)):
             continue
         elif not is_graded:
-            others.append(other_file(place, last))
+            if not is_folder(entry):
+                others.append(other_file(place, last))
         else:
             key = (place, last)
             twice = key in found
@@ -130,6 +131,11 @@ def path_in_zip(entry: zipfile.ZipInfo) -> str:
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
+def is_folder(entry: zipfile.ZipInfo) -> bool:
+    """Return True if an entry of a submitted zip is a folder and not a file."""
+    return entry.orig_filename.endswith(("/", "\\")) or stat.S_ISDIR(entry.external_attr >> 16)
+
+
 def is_unsafe(name: str) -> bool:
     """Return True if a path in a submitted zip could lead to a file outside the zip.
 
@@ -148,7 +154,7 @@ def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> b
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):
         raise NotTakenError("it is a symbolic link")
-    if entry.orig_filename.endswith(("/", "\\")) or stat.S_ISDIR(mode):
+    if is_folder(entry):
         raise NotTakenError("it is a folder")
     if stat.S_IFMT(mode) not in (0, stat.S_IFREG):  # 0: written by a system without modes
         raise NotTakenError("it is not a regular file")

@@ -14,18 +14,20 @@ import signal
 import subprocess
 import sys
 import time
+import zipfile
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from autograder.grader import grading
+from autograder.grader import cohort, grading
 from autograder.grader.class_folder import only_run
+from autograder.grader.cohort import ClassOptions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
-from autograder.manifest import ROOT
+from autograder.manifest import ROOT, load_chapter
 from copies import copy_tree
-from small import RIGHT, WRITTEN, hand_in
+from small import MANIFEST, RIGHT, WRITTEN, hand_in
 from small_class import HALF, everything_in, grade, results, scores
 from typed import typed
 
@@ -187,6 +189,28 @@ def test_a_submission_without_a_chapter_is_nothing_to_grade(
     how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
     assert report["notes"] == [how]
     assert f"Handed in, nothing to grade: 1 (dee: {why})." in screen
+
+
+def test_a_zip_of_files_without_their_folder_is_explained_to_everybody(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with zipfile.ZipFile(submissions / "dee.zip", "w") as zipped:
+        zipped.writestr("small.py", RIGHT)
+    (root / "chapters/ch91_other").mkdir()  # it has a file of this name too, but is not graded
+    other = MANIFEST.replace("90.1", "91.1")
+    (root / "chapters/ch91_other/chapter.toml").write_text(other, encoding="utf-8")
+    out = tmp_path / "out"
+    graded = [load_chapter(root / "chapters/ch90_small")]
+    cohort.grade(submissions, out, graded, ClassOptions(seed="1", root=root, unsafe=True))
+    why = "small.py was found at the top of what was handed in, and not in a folder ch90_small. "
+    why += "Put it into a folder ch90_small and hand in again"
+    assert results(out)["dee"]["notes"] == [why]
+    assert scores(out)["dee"] == 0.0
+    page = (out / "feedback/dee.html").read_text(encoding="utf-8")
+    notes, _, exercises = page.partition("Your exercises")
+    for text in (notes, exercises, (out / "gradescope/dee/results.json").read_text("utf-8")):
+        assert why in text
+    assert f"dee: {why}" in " ".join(capsys.readouterr().out.split())
 
 
 @pytest.mark.parametrize(

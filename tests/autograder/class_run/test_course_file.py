@@ -200,8 +200,15 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
 def test_an_assignment_builds_on_earlier_ones(folder: Path) -> None:
     text = f'{LAB}exercises = ["B2.1", "B2.2", "B2.4"]\n[[assignment]]\nname = "b"\n'
     one, two = read_course(write(folder, f'{text}exercises = ["2.1"]')).assignments
-    assert one.earlier == []
-    assert two.earlier == ["B2.1", "B2.2", "B2.4"], "directly or indirectly"
+    assert one.earlier == {}
+    assert two.earlier == dict.fromkeys(["B2.1", "B2.2", "B2.4"], "lab1"), "directly or indirectly"
+
+
+def test_an_exercise_belongs_to_the_first_assignment_that_has_it(folder: Path) -> None:
+    text = f'{LAB}exercises = ["B2.1", "B2.2"]\n[[assignment]]\nname = "b"\n'
+    text += 'exercises = ["B2.2", "B2.4"]\n[[assignment]]\nname = "c"\n'
+    *_, last = read_course(write(folder, f'{text}exercises = ["2.1"]')).assignments
+    assert last.earlier == {"B2.1": "lab1", "B2.2": "lab1", "B2.4": "b"}
 
 
 @pytest.mark.parametrize("values", [[1, 1, 1], [2, 3, 3, 5, 3, 2, 4, 1], [0.1, 7, 12.5]])

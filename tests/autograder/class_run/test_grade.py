@@ -275,3 +275,20 @@ def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(tmp_path: Path
     copy_tree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
     given, graded = CHAPTERS
     assert states(grade_one(tmp_path / "max", [graded], [given])) == {"passed"}
+
+
+@pytest.mark.parametrize("unusable", ["vector.py", "ch02_vectors/vector.py"])
+def test_a_file_that_cannot_be_used_does_not_matter_where_the_reference_replaces_it(
+    tmp_path: Path, unusable: str
+) -> None:
+    """The first file is in the wrong folder, and the second one is not UTF-8."""
+    copy_tree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
+    (tmp_path / "max" / unusable).parent.mkdir(exist_ok=True)
+    (tmp_path / "max" / unusable).write_bytes(b"\xff")
+    given, graded = CHAPTERS
+    assert states(grade_one(tmp_path / "max", [graded], [given])) == {"passed"}
+    report = grade_one(tmp_path / "max", [graded])
+    assert "inherited" in states(report)
+    assert report["score_on_given"] == points_of(graded)
+    words = {"vector.py": "was found at the top of"}.get(unusable, "was rejected")
+    assert f"{unusable} {words}" in messages(report)

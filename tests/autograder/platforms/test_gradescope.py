@@ -14,7 +14,16 @@ from autograder.reports.gradescope import as_text, gradescope_results, write_gra
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
 from autograder.submissions.find import file_name
-from graded import SHOUT, check, failed_run, hostile, nothing_done, report_of, with_exercise
+from graded import (
+    SHOUT,
+    blocked,
+    check,
+    failed_run,
+    hostile,
+    nothing_done,
+    report_of,
+    with_exercise,
+)
 
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -38,9 +47,10 @@ def by_number(results: dict[str, Any]) -> dict[str, dict[str, Any]]:
         failed_run(),
         nothing_done(),
         hostile(),
+        blocked(),
         report_of(status="error, retry", score=None, score_on_given=None, exercises=[]),
     ],
-    ids=["graded", "marked", "error", "zero", "hostile", "nothing known"],
+    ids=["graded", "marked", "error", "zero", "hostile", "blocked", "nothing known"],
 )
 def test_every_report_is_of_the_documented_form(tmp_path: Path, report: StudentReport) -> None:
     path = write_gradescope(tmp_path, report)
@@ -88,6 +98,21 @@ def test_a_hidden_check_shows_its_rationale_and_not_its_name() -> None:
     assert "failed: a hidden check\nAngles turn once round." in by_number(results)["2.2"]["output"]
     assert "far away" not in json.dumps(results).replace("_", " ")
     assert "secret plan" not in json.dumps(results).replace("_", " ")
+    assert "secret message" not in json.dumps(results)
+
+
+def test_an_exercise_of_an_earlier_assignment_is_explained_and_earns_nothing() -> None:
+    results = results_of(blocked())
+    assert "\nB2.0 of lab1 fails. Fix it first, because 2.2 builds on it.\n" in results["output"]
+    cause = by_number(results)["B2.0"]
+    assert (cause["name"], cause["max_score"], cause["status"]) == (
+        "Title of B2.0 (lab1)",
+        0,
+        "failed",
+    )
+    assert "score" not in cause
+    assert cause["output"].startswith("This earns no points here, but is needed for 2.2.\n\nfailed")
+    assert "B2.0 is wrong" in cause["output"]
 
 
 def test_a_written_exercise_waits_without_a_score_until_a_person_marks_it() -> None:

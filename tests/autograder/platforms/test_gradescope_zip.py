@@ -156,11 +156,15 @@ def test_student_code_cannot_read_the_reference_beside_it(tree: Path) -> None:
 
 
 def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: Path) -> None:
-    hand_in(tree, {"vector.py": "", "notes/thoughts.txt": "?"})
+    hand_in(tree, {"notes/thoughts.txt": "?"})
     (tree / "submission_metadata.json").unlink()
     results, printed = run(tree)
     assert results["score"] == 0
     assert "no files such as ch02_vectors/vector.py, " in results["output"]
+    hand_in(tree, {"vector.py": ""})  # the file alone, without its folder
+    results, printed = run(tree)
+    assert results["score"] == 0
+    assert "vector.py was found at the top of what was handed in, and not" in results["output"]
     assert "grading submission, seed" in printed
 
 

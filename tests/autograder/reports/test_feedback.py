@@ -26,6 +26,8 @@ from graded import (
     CHAPTERS,
     NASTY,
     SHOUT,
+    blocked,
+    cause_of,
     check,
     class_of,
     failed_run,
@@ -38,7 +40,7 @@ from graded import (
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
 MARKED = apply_marks(report_of("cleo"), {("cleo", "2.3"): Mark(2.5, "Say why.")})
-CLASS = [report_of(), MARKED, nothing_done(), failed_run(), hostile()]
+CLASS = [report_of(), MARKED, nothing_done(), failed_run(), hostile(), blocked()]
 
 
 class Page(HTMLParser):
@@ -168,6 +170,31 @@ def test_a_student_sees_scores_and_what_they_mean(tmp_path: Path) -> None:
     assert "no mistake in an earlier chapter has cost you points" in equal
 
 
+def test_an_exercise_of_an_earlier_assignment_is_to_be_fixed_first(tmp_path: Path) -> None:
+    page = student_page(tmp_path, blocked())
+    assert "Your exercises B2.0 of lab1 fails. Fix it first, because 2.2 builds on it." in page.text
+    assert (
+        "Title of B2.0 ✗ failed from lab1 needed for 2.2 ✗ failed: one B2.0 is wrong" in page.text
+    )
+    assert "B2.00 Title of B2.00 ⊘ blocked" in page.text
+    anchors = {values["id"] for _, values in page.tags if "id" in values}
+    (link,) = [values["href"] for _, values in page.tags if values.get("href") == "#earlier-2"]
+    assert str(link).removeprefix("#") in anchors
+    index = index_page(tmp_path, blocked(), report_of())
+    assert ["B2.0 Title of B2.0", "lab1", "1 of 2", "2.2"] in index.rows
+    assert "B2.00" not in index.text, "it is blocked itself"
+    two = report_of(causes=[replace(cause_of(), assignment="", blocks=["2.1", "2.2", "2.3"])])
+    words = "B2.0 fails. Fix it first, because 2.1, 2.2 and 2.3 build on it."
+    assert words in student_page(tmp_path, two).text
+
+
+def test_a_mistake_in_an_earlier_chapter_comes_before_an_earlier_assignment(tmp_path: Path) -> None:
+    """The exercise of the earlier assignment is inherited: nothing is wrong in it."""
+    report = replace(blocked(), causes=[cause_of("B2.0", "inherited")])
+    page = student_page(tmp_path, report)
+    assert "Nothing is wrong in these exercises. Fix chapter 2" in page.text
+
+
 def test_a_student_sees_each_exercise_and_what_was_lost_in_it(tmp_path: Path) -> None:
     page = student_page(tmp_path, report_of())
     assert page.row("B2.1")[1:] == ["✓ passed", "physics 2 of 2", "2 of 2"]
@@ -185,6 +212,7 @@ def test_a_hidden_check_is_labelled_and_keeps_its_name(tmp_path: Path) -> None:
     for page in (student_page(tmp_path, report_of()), index_page(tmp_path, report_of())):
         assert "far away" not in page.text
         assert "secret plan" not in page.text
+        assert "secret message" not in page.text
     right, wrong, hidden = report_of().exercises[1].checks
     checks = [right, replace(wrong, status="passed"), hidden]
     lost = with_exercise(report_of(), 1, checks=checks)

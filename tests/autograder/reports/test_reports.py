@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +11,10 @@ import pytest
 
 from autograder.records import to_json
 from autograder.reports.marks import Mark, apply_marks
-from autograder.reports.report import StudentReport
+from autograder.reports.report import StudentReport, for_students
 from autograder.reports.results import read_result, write_class, write_result, write_student
 from autograder.reports.texts import replace_file
-from graded import CHAPTERS, class_of, failed_run, hostile, nothing_done, report_of
+from graded import CHAPTERS, cause_of, check, class_of, failed_run, hostile, nothing_done, report_of
 
 
 @pytest.mark.parametrize("report", [report_of(), failed_run(), nothing_done()])
@@ -98,3 +99,14 @@ def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> Non
     assert files == {
         path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")
     }
+
+
+def test_what_students_get_is_made_from_a_report_without_secrets() -> None:
+    hidden = check("test_hidden", "failed", "Only this.", hidden=True)
+    report = replace(report_of(), causes=[cause_of("B2.0", "failed", hidden)])
+    assert repr(report).count("secret message") == 3
+    public = for_students(report)
+    assert "secret message" not in repr(public)
+    assert "test_secret of" not in repr(public)
+    assert "Only this." in repr(public)
+    assert for_students(replace(report, exercises=[], causes=[])).exercises == []

@@ -1,17 +1,22 @@
-"""Hidden checks of an instructor: they count, and tell a rationale alone."""
+"""Hidden checks of an instructor: they count, and tell students a rationale alone."""
 
 from __future__ import annotations
 
+import json
 from html import unescape
 from pathlib import Path
 
 import pytest
 
 from autograder.grader import cohort
+from autograder.isolation.sandbox import Level
+from autograder.platforms.grade_one import grade_one, main
 from graded import message_of
 from small import RIGHT, hand_in
 from small_class import everything_in, grade, results, scores
+from walls import behind_walls
 
+WALLS = Level(**behind_walls().level).is_sandbox
 HIDDEN = '''
 import pytest
 from ch90_small import small
@@ -39,7 +44,16 @@ def double_twice(x):
 """
 
 
-def test_hidden_checks_count_and_tell_a_rationale_alone(
+def for_students(out: Path) -> str:
+    """Return everything that was written except results/, which is the instructor's."""
+    return "\n".join(
+        path.read_text(encoding="utf-8")
+        for path in sorted(out.rglob("*"))
+        if path.is_file() and path.parent != out / "results"
+    )
+
+
+def test_hidden_checks_count_and_tell_students_a_rationale_alone(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     hidden = tmp_path / "hidden/ch90_small"
@@ -57,8 +71,57 @@ def test_hidden_checks_count_and_tell_a_rationale_alone(
         "hidden check 2": "Quadruple must hold for large numbers.",
         "hidden check 3": "Quadruple must hold for large numbers.",
     }
-    assert "secret" not in everything_in(out) + capsys.readouterr().out
+    assert "secret" not in for_students(out)
     assert "1234" not in everything_in(out / "feedback") + everything_in(out / "gradescope")
+    assert "secret" not in capsys.readouterr().out, "the public checks that fail come first"
+
+
+def test_the_instructor_sees_why_a_hidden_check_fails(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    hand_in(submissions, "eve", RIGHT.replace("return 4 * x", "return 4 * x if x < 2000 else 0"))
+    out = tmp_path / "out"
+    grade(submissions, out, root, hidden=tmp_path / "hidden")
+    report = results(out)["eve"]
+    (failed,) = (c for e in report["exercises"] for c in e["checks"] if c["status"] == "failed")
+    assert message_of(failed) == "Quadruple must hold for large numbers."
+    assert failed["secret"]["name"] == "test_secret_plan[5678]"
+    assert message_of(failed["secret"]).startswith("secret expectation")
+    assert "90.1: secret expectation" in " ".join(capsys.readouterr().out.split())
+    pages = for_students(out)
+    assert "secret" not in pages
+    assert "5678" not in pages
+    assert "Quadruple must hold for large numbers." in pages
+    # A report that is read again, as make grade does for a class, keeps the secret.
+    grade(submissions, out, root, hidden=tmp_path / "hidden")
+    assert results(out)["eve"] == report
+    assert "secret" not in for_students(out)
+
+
+def test_gradescope_gets_nothing_of_a_hidden_check_but_its_rationale(
+    root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its results are made on its own machine, from a report that contains the secret."""
+    hidden = root / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    hand_in(tmp_path, "submission", RIGHT.replace("return 4 * x", "return 5 * x"))
+    settings = {"chapters": [90], "given": [], "points": {"B90.1": 4, "90.1": 2}, "extra": []}
+    settings |= {"earlier": {}, "seed": "1", "deadline": None, "unsafe": not WALLS}
+    (root / "assignment.json").write_text(json.dumps(settings), encoding="utf-8")
+    report = grade_one(tmp_path, root)
+    secrets = [c.secret for e in report.exercises for c in e.checks if c.status == "failed"]
+    assert any(secret and "secret expectation" in str(secret.message) for secret in secrets)
+    main(tmp_path, root)
+    said = capsys.readouterr()
+    assert "Quadruple must hold for large numbers." in said.out
+    assert "secret" not in said.out + said.err
+    assert "1234" not in said.out + said.err
 
 
 @pytest.mark.parametrize(
@@ -113,7 +176,8 @@ def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
     assert grade(submissions, out, root, hidden=tmp_path / "hidden") == 1
     assert scores(out) == {"ann": None, "bob": None, "cem": None}
     assert "the grader failed on this check" in everything_in(out / "feedback")
-    assert "secret" not in everything_in(out)
+    assert "secret" not in for_students(out)
+    assert "secret fault" in everything_in(out / "results")
 
 
 SPY = """
@@ -157,7 +221,7 @@ def test_hidden_probes_are_not_where_public_checks_run(
     out = tmp_path / "out"
     grade(submissions, out, root, hidden=tmp_path / "hidden")
     assert scores(out)["ann"] == 6.0  # her hidden checks can use their probes
-    pages = unescape(everything_in(out))
+    pages = unescape(for_students(out))
     assert "secret" not in pages
     if when == "in a function":
         assert "found nothing, []" in pages

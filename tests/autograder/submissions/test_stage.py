@@ -118,7 +118,7 @@ def test_a_chapter_may_stand_three_levels_down(hand_in: HandIn, place: str) -> N
 
 
 @pytest.mark.parametrize(
-    "place", ["a/b/c/*", ".hidden/*", "a/.git/*", "__MACOSX/*", "my_*", "* (1)", "*/src", "."]
+    "place", ["a/b/c/*", ".hidden/*", "a/.git/*", "__MACOSX/*", "a/b/c/d", ".hidden"]
 )
 def test_elsewhere_nothing_is_searched(hand_in: HandIn, place: str) -> None:
     assert boxed(hand_in({place.replace("*", "ch02_vectors") + "/vector.py": CODE})) == NOTHING

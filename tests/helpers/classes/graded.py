@@ -6,11 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from autograder.checks.verdict import Status
+from autograder.checks.verdict import Secret, Status
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Message
 from autograder.records import from_json
-from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
+from autograder.reports.report import Cause, CheckReport, ExerciseReport, StudentReport
 from autograder.scores import ExerciseStatus
 from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.find import Submission
@@ -61,7 +61,8 @@ def check(
     robust: bool = False,
 ) -> CheckReport:
     shown = Message(message) if isinstance(message, str) else message
-    return CheckReport(name, status, shown, 1.0, hidden, robust)
+    secret = Secret(f"test_secret of {name}", Message("secret message")) if hidden else None
+    return CheckReport(name, status, shown, 1.0, hidden, robust, secret)
 
 
 def message_of(check: dict[str, Any]) -> str:
@@ -143,6 +144,21 @@ def failed_run(student: str = "eve") -> StudentReport:
     return with_exercise(report, 3, status="error", score=None, score_on_given=None, checks=lost)
 
 
+def cause_of(
+    text: str = "B2.0", status: ExerciseStatus = "failed", *more: CheckReport, of: str = "lab1"
+) -> Cause:
+    """Return an exercise of an earlier assignment on which the failed exercise 2.2 builds."""
+    checks = [check("test_zero", "passed"), check("test_one", "failed", f"{text} is wrong"), *more]
+    return Cause(2, text, f"Title of {text}", of, status, ["2.2"], checks)
+
+
+def blocked(student: str = "cy") -> StudentReport:
+    """Return a report in which an exercise of an earlier assignment blocks a graded one."""
+    report = report_of(student, causes=[cause_of("B2.00", "blocked"), cause_of()])
+    lost = [check("test_angle", "blocked", Message("wrong", blocked_by=("B2.0 (Title)",)))]
+    return with_exercise(report, 1, status="blocked", checks=lost)
+
+
 def nothing_done(student: str = "eli") -> StudentReport:
     """Return a report in which every check fails."""
     report = report_of(student, score=0.0, score_on_given=0.0)
@@ -159,4 +175,5 @@ def hostile(student: str = SHOUT + NASTY) -> StudentReport:
     """Return a report in which every untrusted text tries to inject something into the page."""
     text = SHOUT + NASTY + "x" * 20_000
     report = report_of(student, notes=[text], seed=text, isolation=text, by_hand=1.0, waiting=0)
+    report = replace(report, causes=[cause_of(text, of=text)])
     return with_exercise(with_words(report, text), 2, status="marked", score=1.0, comment=text)

@@ -1,0 +1,49 @@
+"""Find exercises of earlier assignments that fail, although the graded exercises build on them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from autograder.checks.verdict import Verdict, needs_of
+from autograder.manifest import Chapter
+from autograder.reports.report import Cause, check_report
+from autograder.scores import Result, results_of
+
+
+def causes_of(
+    whole: Chapter,
+    graded: Sequence[Result],
+    verdicts: Sequence[Verdict],
+    assignments: Mapping[str, str],
+) -> list[Cause]:
+    """List the exercises that are not graded, but block graded ones because they fail.
+
+    ``verdicts`` also contains the verdicts on prerequisites that belong to earlier assignments.
+
+    Args:
+        whole: The chapter with all of its exercises.
+        graded: The student's results on the graded exercises of the chapter.
+        verdicts: The verdicts on all checks that were run.
+        assignments: The name of the earlier assignment that each exercise belongs to.
+    """
+    ids = {result.exercise.id for result in graded}
+    others = replace(whole, exercises=[e for e in whole.exercises if e.id not in ids])
+    blocked = [result.exercise.id for result in graded if result.status == "blocked"]
+    causes = []
+    for result in results_of(others, verdicts):
+        exercise = result.exercise
+        blocks = [name for name in blocked if exercise.id in needs_of(whole, name)]
+        if blocks and not result.works and result.status in ("failed", "blocked", "inherited"):
+            causes.append(
+                Cause(
+                    chapter=whole.number,
+                    id=exercise.id,
+                    title=exercise.title,
+                    assignment=assignments.get(exercise.id, ""),
+                    status=result.status,
+                    blocks=blocks,
+                    checks=[check_report(check) for check in result.physics],
+                )
+            )
+    return causes

@@ -1,0 +1,132 @@
+"""What is said of files outside their chapter's folder, and of files that no chapter has."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from autograder.submissions.stage import stage
+from copies import copy_tree
+from staging import (
+    CHAPTERS,
+    CODE,
+    EXERCISES,
+    NOTHING,
+    VECTOR,
+    HandIn,
+    boxed,
+    make_folder,
+    make_zip,
+    posix,
+    zip_of,
+)
+
+
+@pytest.fixture(params=[make_folder, make_zip])
+def hand_in(request: pytest.FixtureRequest, tmp_path: Path) -> HandIn:
+    """Make a submission of files by path, once as a folder and once as a zip."""
+    return lambda files: request.param(tmp_path, files)
+
+
+@pytest.mark.parametrize(
+    ("place", "where"),
+    [
+        (".", "at the top of what was handed in"),
+        ("ch2", "in 'ch2'"),
+        ("my work/Chapter 2", "in 'my work/Chapter 2'"),
+        ("ch02_vectors/src", "in 'ch02_vectors/src'"),
+        ("a/b/c", "in 'a/b/c'"),
+        ("ch03_laws_of_motion", "in 'ch03_laws_of_motion'"),
+        ("$(b)\x1b", "in another folder"),
+    ],
+)
+@pytest.mark.parametrize("beside", [{}, {EXERCISES: CODE}])
+def test_a_file_outside_its_chapters_folder_is_named_and_not_taken(
+    hand_in: HandIn, place: str, where: str, beside: dict[str, bytes]
+) -> None:
+    why = (
+        f"vector.py was found {where}, and not in a folder ch02_vectors. "
+        "Put it into a folder ch02_vectors and hand in again"
+    )
+    made = hand_in({f"{place}/vector.py".removeprefix("./"): CODE, **beside})
+    assert boxed(made) == (beside, {VECTOR: why}, [])
+
+
+def test_files_of_one_name_are_named_for_each_chapter_that_lacks_one(hand_in: HandIn) -> None:
+    made = hand_in({f"ch{n}/exercises.py": CODE for n in "2345"} | {VECTOR: CODE})
+    start = "exercises.py was found in 'ch2' and in 'ch3' and in 'ch4' and elsewhere, and not in a"
+    files, missing, _ = boxed(made)
+    assert files == {VECTOR: CODE}
+    assert missing == {
+        f"{name}/exercises.py": f"{start} folder {name}. "
+        f"Put the one for chapter {number} into a folder {name} and hand in again"
+        for number, name in ((2, "ch02_vectors"), (3, "ch03_laws_of_motion"))
+    }
+
+
+def test_a_file_in_the_folder_of_a_chapter_that_has_one_is_not_misplaced(hand_in: HandIn) -> None:
+    """Both chapters have a file exercises.py, and arguments.py comes with chapter 2."""
+    made = hand_in({EXERCISES: CODE, "ch02_vectors/arguments.py": CODE})
+    assert boxed(made) == ({EXERCISES: CODE}, {}, [])
+
+
+def test_no_other_file_of_a_handout_is_taken_for_a_students_work(
+    hand_in: HandIn, tmp_path: Path
+) -> None:
+    """Students may hand in their whole handout, with its own code."""
+    for name in ("studies", "lab", "tests/shared"):
+        copy_tree(ROOT / name, tmp_path / "handout" / name)
+    files = [path for path in (tmp_path / "handout").rglob("*.py") if path.is_file()]
+    made = hand_in({str(path.relative_to(tmp_path)): b"" for path in files})
+    staged = stage(made, load_chapters(), tmp_path / "box")
+    assert (staged.taken, staged.missing) == ([], {})
+
+
+@pytest.mark.parametrize("place", ["work/ch2", ""])
+def test_a_stub_of_the_handout_does_not_stand_for_a_misplaced_file(
+    hand_in: HandIn, place: str
+) -> None:
+    stub = {f"work/stubs/{VECTOR}": b"stub"}
+    files, missing, _ = boxed(hand_in(stub | ({f"{place}/vector.py": CODE} if place else {})))
+    assert files == ({} if place else {VECTOR: b"stub"})
+    assert [why.split(", and not")[0] for why in missing.values()] == (
+        ["vector.py was found in 'work/ch2'"] if place else []
+    )
+
+
+@pytest.mark.parametrize(
+    ("files", "taken", "others"),
+    [
+        ({}, [], []),
+        ({"report.pdf": CODE, ".DS_Store": CODE, "a/b.txt": CODE}, [], ["a/", "report.pdf"]),
+        ({VECTOR: CODE, "report.pdf": CODE}, [VECTOR], ["report.pdf"]),
+        ({f"work/{VECTOR}": CODE, "work/notes.txt": CODE}, [VECTOR], []),
+        ({VECTOR: b"\0"}, [], []),  # the page says why it was rejected
+        ({f"{n}.txt": CODE for n in range(20)}, [], [f"{n}.txt" for n in (0, 1, *range(10, 18))]),
+        ({"a\x1b.txt": CODE}, [], [r"a\x1b.txt"]),
+    ],
+)
+def test_what_was_taken_and_what_else_is_at_the_top(
+    hand_in: HandIn, files: dict[str, bytes], taken: list[str], others: list[str]
+) -> None:
+    submission = hand_in(files)
+    staged = stage(submission, CHAPTERS, submission.parent / "box")
+    assert (staged.taken, staged.others) == (taken, others)
+
+
+def test_the_contents_of_a_zip_in_a_folder_are_listed(tmp_path: Path) -> None:
+    ann = make_folder(tmp_path, {"work.zip": zip_of({"a/b.txt": CODE, "report.pdf": CODE})})
+    make_folder(tmp_path, {"broken.zip": b"", "ch2.zip": zip_of({VECTOR: CODE, "c.txt": CODE})})
+    staged = stage(ann, CHAPTERS, tmp_path / "box")
+    assert staged.taken == [VECTOR]
+    assert staged.others == ["broken.zip", "ch2.zip/c.txt", "work.zip/a/", "work.zip/report.pdf"]
+
+
+@posix
+def test_no_link_is_followed_to_find_a_misplaced_file(tmp_path: Path) -> None:
+    ann = make_folder(tmp_path, {})
+    (ann / "ch2").symlink_to(ROOT / "solutions/ch02_vectors")
+    (ann / "round").symlink_to(".")
+    assert boxed(ann) == NOTHING

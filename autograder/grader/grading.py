@@ -16,6 +16,7 @@ from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_
 from autograder.diagnosis.missing import file_of
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.causes import causes_of
+from autograder.grader.handed_in import notes_on, why_nothing
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
 from autograder.reports.report import Cause, Chart, ExerciseReport, StudentReport, check_report
@@ -65,10 +66,10 @@ def grade_submission(
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
-            if why := _why_nothing(staged, assignment.chapters):
+            if why := why_nothing(staged, assignment.chapters):
                 why = f"'{submission.path.name}': {why}"
                 return _nothing(assignment, submission, why, staged.digest)
-            notes = [*submission.notes, *_notes(staged, assignment.chapters)]
+            notes = [*submission.notes, *notes_on(staged, assignment.chapters)]
             with (
                 with_given(assignment.given, [box], assignment.root) as engine,
                 tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
@@ -109,26 +110,6 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     errors = [_errors(chapter, reason) for chapter in assignment.chapters]
     graded = [_Graded(results, results) for results in errors]
     return replace(_report(assignment, OnceForAll(), student, graded, []), seconds=0.0)
-
-
-def _why_nothing(staged: Staged, graded: list[Chapter]) -> str:
-    """Say why nothing of a submission can be graded, or return "" if something can."""
-    if staged.refused or staged.taken or {*staged.missing} - {*staged.misplaced}:
-        return staged.refused
-    if staged.misplaced:
-        return "; ".join(_misplaced(staged, graded) or [*staged.missing.values()])
-    there = f". There is {', '.join(staged.others)}" if staged.others else ""
-    return f"no folder of a chapter was found, at most three levels down{there}"
-
-
-def _notes(staged: Staged, graded: list[Chapter]) -> list[str]:
-    """Return the instructor's notes on a student's submission, and on files in the wrong folder."""
-    return [*staged.notes, *_misplaced(staged, graded)]
-
-
-def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:
-    names = {chapter.name for chapter in graded}
-    return [staged.missing[m] for m in staged.misplaced if m.partition(".")[0] in names]
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:

@@ -1,0 +1,26 @@
+"""Say what is wrong with the files that a student has handed in."""
+
+from __future__ import annotations
+
+from autograder.manifest import Chapter
+from autograder.submissions.stage import Staged
+
+
+def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
+    """Say why nothing of a submission can be graded, or return "" if something can."""
+    if staged.refused or staged.taken or {*staged.missing} - {*staged.misplaced}:
+        return staged.refused
+    if staged.misplaced:
+        return "; ".join(_misplaced(staged, graded) or [*staged.missing.values()])
+    there = f". There is {', '.join(staged.others)}" if staged.others else ""
+    return f"no folder of a chapter was found, at most three levels down{there}"
+
+
+def notes_on(staged: Staged, graded: list[Chapter]) -> list[str]:
+    """Return the instructor's notes on a student's submission, and on files in the wrong folder."""
+    return [*staged.notes, *_misplaced(staged, graded)]
+
+
+def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:
+    names = {chapter.name for chapter in graded}
+    return [staged.missing[m] for m in staged.misplaced if m.partition(".")[0] in names]

@@ -39,11 +39,12 @@ class Student:
 
     @property
     def canvas_names(self) -> set[str]:
-        """What Canvas makes of the name: doejane for Jane Doe, or janedoe if it knows no parts."""
-        last, comma, first = self.name.partition(",")
-        *given, family = self.name.split()
-        swapped = first + last if comma else family + "".join(given)
-        return {letters(self.name), letters(swapped)} - {""}
+        """What Canvas may make of the name: doejane for Jane Doe.
+
+        It writes the family name first, which may have several words, as in vanderbergjan.
+        """
+        words = self.name.replace(",", " ").split()
+        return {letters("".join(words[i:] + words[:i])) for i in range(len(words))} - {""}
 
 
 def read_roster(path: Path) -> list[Student]:

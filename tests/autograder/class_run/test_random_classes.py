@@ -1,0 +1,157 @@
+"""Random classes never lose, double or mix up a student, on the way from roster to import file.
+
+Each class comes with an account of what went in, which no code under test has made. To draw other
+classes too, set CLASSES=2000.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import random
+from collections import Counter
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from autograder.course.times import times_of
+from autograder.platforms.uploads import Column, write_uploads
+from autograder.reports.gradebook import write_gradebook
+from autograder.reports.report import StudentReport
+from autograder.submissions.class_list import ClassList, Member, read_class
+from graded import CHAPTERS, report_of
+from random_class import Person, RandomClass, a_name_of, random_class
+
+CLASSES = int(os.environ.get("CLASSES", "200"))
+SEEDS = range(CLASSES)
+
+
+@pytest.fixture(params=SEEDS)
+def made(request: pytest.FixtureRequest, tmp_path: Path) -> RandomClass:
+    return random_class(request.param, tmp_path)
+
+
+def read(made: RandomClass) -> ClassList | None:
+    """Return the class, or None if it cannot be read and this is said."""
+    words = ""
+    if made.is_unclear:
+        words = "both match the submission|must hand in only once"
+    elif not any(person.path for person in made.people) and not made.strangers:
+        words = "has no submissions"
+    if not words:
+        return read_class(made.folder, made.roster)
+    with pytest.raises(ValueError, match=words):
+        read_class(made.folder, made.roster)
+    return None
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return [*csv.DictReader(file)]
+
+
+def member_of(people: ClassList, person: Person) -> Member:
+    (member,) = [m for m in people.members if m.student and m.student.id == person.id]
+    return member
+
+
+def test_every_student_is_in_one_state_and_has_the_own_submission(made: RandomClass) -> None:
+    people = read(made)
+    if people is None:
+        return
+    for person in made.people:
+        submission = member_of(people, person).submission
+        assert (submission.path.name if submission else "") == person.path
+        if submission:
+            assert (submission.nothing == "") is person.is_gradable
+    assert len(people.members) == len(made.people) + len(made.strangers)
+    assert len({member.shown for member in people.members}) == len(people.members)
+    assert sorted(people.unmatched) == sorted(made.strangers)
+    handed_in = Counter(one.path.name for one in people.submissions)
+    expected = {person.path for person in made.people if person.path} | {*made.strangers}
+    assert handed_in == Counter(expected), "each once"
+
+
+def test_every_row_of_a_table_is_used_or_reported(made: RandomClass) -> None:
+    people = read(made)
+    if people is None:
+        return
+    rng = random.Random(f"times {made.folder}")
+    start = datetime(2026, 10, 23, tzinfo=UTC)
+    rows, wanted, absent = [], {}, []
+    for minutes, person in enumerate(rng.sample(made.people, rng.randint(1, len(made.people)))):
+        name = a_name_of(rng, made, person)
+        at = start + timedelta(minutes=minutes)
+        rows.append([name, at.isoformat()])
+        report = member_of(people, person).report
+        if report in wanted:  # of the same group, which has one time
+            rows.pop()
+        elif person.path:
+            wanted[report] = at
+        else:
+            absent.append(name.strip())
+    path = made.folder / "times.csv"
+
+    def write(rows: list[list[str]]) -> None:
+        with path.open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows([["student", "submitted"], *rows])
+
+    write(rows)
+    found, notes = times_of(made.folder, people, UTC)
+    assert {name: one.at for name, one in found.items() if one.source == "times.csv"} == wanted
+    assert notes == (
+        [f"{path}: {', '.join(absent)} handed in nothing, so the time is not used."]
+        if absent
+        else []
+    )
+    second = rows[:1] if rows[0][0].strip() not in absent else []
+    bad = [["Nobody Atall", start.isoformat()], *second]
+    write([*rows, *bad])
+    with pytest.raises(ValueError, match="Nobody Atall") as caught:
+        times_of(made.folder, people, UTC)
+    lines = [line.split(":")[0].rpartition("line ")[2] for line in str(caught.value).splitlines()]
+    assert lines == [str(len(rows) + 2 + i) for i in range(len(bad))]
+
+
+def test_every_grade_reaches_its_student_in_every_file(made: RandomClass) -> None:
+    people = read(made)
+    if people is None:
+        return
+    reports: list[StudentReport] = []
+    points: dict[str, float] = {}
+    for number, submission in enumerate(people.submissions, start=1):
+        reports.append(report_of(submission.student, score=number / 8, waiting=0))
+        points[submission.path.name] = round(number / 8, 2)
+    out = made.folder.parent
+    write_gradebook(out, CHAPTERS, reports, people)
+    write_uploads(out, CHAPTERS, people, reports, Column("Lab", 14))
+    book = rows_of(out / "gradebook.csv")[1:]
+    assert len(book) == len(people.members)
+    totals = {row["student"]: row["total"] for row in book}
+    in_canvas = {row["SIS User ID"]: row["Lab"] for row in rows_of(out / "canvas.csv")[1:]}
+    in_moodle = {row["ID number"]: row["Lab"] for row in rows_of(out / "moodle.csv")}
+    ids = sorted(person.id for person in made.people)
+    assert sorted(in_canvas) == sorted(in_moodle) == ids
+    for person in made.people:
+        wanted = points.get(person.path)
+        shown = totals[member_of(people, person).shown]
+        assert (float(shown) if shown else None) == wanted
+        assert (float(in_canvas[person.id]) if in_canvas[person.id] else None) == wanted
+        grade = in_moodle[person.id]
+        assert (None if grade == "-" else float(grade)) == wanted
+
+
+def test_the_classes_differ_and_most_are_clear(tmp_path: Path) -> None:
+    """Otherwise the tests above would test little."""
+    seen = Counter[str]()
+    for seed in SEEDS:
+        place = tmp_path / str(seed)
+        place.mkdir()
+        made = random_class(seed, place)
+        seen["unclear" if made.is_unclear else made.how] += 1
+        seen["namesakes"] += len({p.name() for p in made.people}) < len(made.people)
+        seen["nothing"] += any(p.path and not p.is_gradable for p in made.people)
+    if CLASSES >= 200:
+        assert min(seen.values()) >= 10, seen
+        assert seen["unclear"] <= CLASSES / 3

@@ -1,7 +1,7 @@
 """The measured figures of each chapter, in one committed file from which the table is made.
 
-Each figure is kept with a fingerprint of what it was measured on. Once that has changed, a count of
-mutants is old, and counts as not measured.
+Each figure is kept with a fingerprint of what it was measured on. Once that has changed, the figure
+is old, and counts as not measured.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def kept(name: str, chapter: Chapter) -> dict[str, Any]:
     """Return the figures of this name, or an empty dict if none of them is valid."""
     figures = dict(_read().get(name, {}).get(chapter.name, {}))
     is_old = figures.pop("measured on", "") != _now(name, chapter)
-    return {} if is_old and name == "mutants" else figures
+    return {} if is_old else figures
 
 
 def keep(name: str, chapter: Chapter, **figures: Any) -> None:

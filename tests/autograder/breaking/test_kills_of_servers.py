@@ -93,7 +93,8 @@ def test_no_saved_mark_is_lost_when_the_page_is_killed(tmp_path: Path) -> None:
             saved, asked = known, None
             while True:
                 code = rng.choice(codes)
-                mark = {"points": rng.choice([0.0, 0.5, 1.0]), "comment": "x" * rng.randrange(3000)}
+                points, comment = rng.choice([0.0, 0.5, 1.0]), "x" * rng.randrange(3000)
+                mark = {"points": points, "comment": comment, "changed": False}
                 asked = (code, mark)
                 sent = {"exercise": "2.2b", "code": code, "mark": mark, "seen": saved.get(code)}
                 saved = ask(address, "marks.json", sent)["marks"]["2.2b"]

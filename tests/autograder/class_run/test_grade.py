@@ -100,7 +100,7 @@ def test_an_empty_folder_is_handed_in_but_nothing_to_grade(graded: tuple[Path, s
         None,
         [],
     )
-    why = "'eli': no folder of a chapter with files to grade was found, at most three levels down"
+    why = "'eli': no folder of a chapter was found, at most three levels down"
     assert report["nothing"] == why
     assert f"Handed in, nothing to grade: 1 (eli: {why})." in graded[1]
     page = (graded[0] / "feedback/eli.html").read_text(encoding="utf-8")

@@ -19,7 +19,7 @@ from autograder.reports.report import ExerciseReport, StudentReport
 from autograder.scores import Result
 from autograder.student.points import BAR, points_line
 from autograder.text.wrapping import plain_console
-from graded import CHAPTERS, check, report_of, with_exercise
+from graded import CHAPTERS, check, class_of, report_of, with_exercise
 
 HALF = f"[{'#' * (BAR // 2)}{'.' * (BAR // 2)}]"
 
@@ -76,11 +76,14 @@ def test_the_page_of_a_student_names_extra_credit(tmp_path: Path) -> None:
 
 
 def test_the_page_of_the_class_names_extra_credit(tmp_path: Path) -> None:
-    page = write_index(tmp_path, CHAPTERS_OF_CHECKS, [CHECKS]).read_text(encoding="utf-8")
+    page = write_index(tmp_path, CHAPTERS_OF_CHECKS, [CHECKS], class_of()).read_text(
+        encoding="utf-8"
+    )
     assert "of 11 as extra credit by checks and 3 by hand" in page
     assert '<dd>3 <span class="quiet">of 11 as extra credit</span></dd>' in page
     assert [bar.low for bar in histogram([CHECKS]) if bar.count] == [20], "3 of 11 points"
-    page = write_index(tmp_path, CHAPTERS_OF_ANSWERS, [ANSWERS]).read_text(encoding="utf-8")
+    index = write_index(tmp_path, CHAPTERS_OF_ANSWERS, [ANSWERS], class_of())
+    page = index.read_text(encoding="utf-8")
     assert "of 11 by checks and 3 as extra credit by hand" in page
 
 

@@ -139,7 +139,9 @@ class RejectedError(Exception):
     """Moodle imports nothing from this worksheet."""
 
 
-def upload(content: bytes, sheet: Sheet) -> tuple[dict[int, float], list[int]]:
+def upload(
+    content: bytes, sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE
+) -> tuple[dict[int, float], list[int]]:
     """Import a worksheet by the rules of Moodle.
 
     These are init() and next() in mod/assign/feedback/offline/importgradeslib.php, and
@@ -153,7 +155,7 @@ def upload(content: bytes, sheet: Sheet) -> tuple[dict[int, float], list[int]]:
     header, *rows = csv.reader(io.StringIO(text, newline=""))
     if not {say.gradenoun, say.recordid, say.lastmodifiedgrade} <= {*header}:
         raise RejectedError(header)
-    old = [*csv.DictReader(io.StringIO(download(sheet), newline=""))]
+    old = [*csv.DictReader(io.StringIO(download(sheet, people), newline=""))]
     grades, changed = {}, []
     for cells, before in zip(rows, old, strict=True):
         if len(cells) != len(header):

@@ -1,0 +1,102 @@
+"""Students who hand in together have one report, and each of them has its grade everywhere."""
+
+from __future__ import annotations
+
+import csv
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from autograder.course.model import Deadline, LatePolicy
+from autograder.platforms.uploads import Column
+from small import RIGHT, hand_in, make_root
+from small_class import HALF, grade, results
+
+ROSTER = """id,name,email,login,group
+1,Ann Lee,ann@x.org,al,team 1
+2,Bo Ek,bo@x.org,be,team 1
+3,Cy Oz,cy@x.org,co,team 2
+4,Di Ahn,di@x.org,da,team 2
+5,Eve Moss,eve@x.org,em,
+6,Fay Ng,fay@x.org,fn,team 3
+"""
+DUE = datetime(2026, 10, 23, tzinfo=UTC)
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return make_root(tmp_path / "root")
+
+
+@pytest.fixture
+def roster(tmp_path: Path) -> Path:
+    (tmp_path / "roster.csv").write_text(ROSTER, encoding="utf-8")
+    return tmp_path / "roster.csv"
+
+
+@pytest.fixture
+def submissions(tmp_path: Path) -> Path:
+    hand_in(tmp_path / "class", "Bo Ek", RIGHT)  # for Ann as well
+    hand_in(tmp_path / "class", "Team 2", HALF)
+    hand_in(tmp_path / "class", "eve@x.org", RIGHT)
+    times = "student,submitted\nann@x.org,2026-10-24T12:00Z\nteam 2,2026-10-24T12:00Z\n"
+    (tmp_path / "class/times.csv").write_text(times, encoding="utf-8")
+    return tmp_path / "class"
+
+
+def table(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_each_member_has_the_grade_of_the_group(
+    root: Path, roster: Path, submissions: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    extended = {"Di Ahn": DUE.replace(day=26)}  # who is in team 2
+    deadline = Deadline(DUE, LatePolicy(1, "points"), extended)
+    options = {"roster": roster, "deadline": deadline, "column": Column("Lab 1", 6)}
+    assert grade(submissions, out, root, **options) == 0
+    groups = ["Eve Moss", "team 1 (Ann Lee, Bo Ek)", "team 2 (Cy Oz, Di Ahn)"]
+    assert sorted(results(out)) == groups
+    assert len([*(out / "feedback").iterdir()]) == 3
+    wanted = {"1": 4.0, "2": 4.0, "3": 5.0, "4": 5.0, "5": 6.0, "6": None}  # team 1 is late
+    canvas = {row["SIS User ID"]: row["Lab 1"] for row in table(out / "canvas.csv")[1:]}
+    assert {i: float(g) if g else None for i, g in canvas.items()} == wanted
+    moodle = {row["ID number"]: row["Lab 1"] for row in table(out / "moodle.csv")}
+    assert {i: None if g == "-" else float(g) for i, g in moodle.items()} == wanted
+    book = {row["student"]: (row["status"], row["total"]) for row in table(out / "gradebook.csv")}
+    assert book.pop("points possible")
+    assert book == {
+        "Ann Lee": ("graded", "4"),
+        "Bo Ek": ("graded", "4"),
+        "Cy Oz": ("graded", "5"),
+        "Di Ahn": ("graded", "5"),
+        "Eve Moss": ("graded", "6"),
+        "Fay Ng": ("nothing handed in", ""),
+    }
+    page = (out / "feedback/team 1 (Ann Lee, Bo Ek).html").read_text(encoding="utf-8")
+    assert "Feedback for <bdi>team 1 (Ann Lee, Bo Ek)</bdi>" in page
+    mail = {row["name"]: Path(row["file"]).stem for row in table(out / "mail.csv")}
+    assert mail == {
+        **dict.fromkeys(["Ann Lee", "Bo Ek"], groups[1]),
+        **dict.fromkeys(["Cy Oz", "Di Ahn"], groups[2]),
+        "Eve Moss": "Eve Moss",
+    }
+    capsys.readouterr()
+    assert grade(submissions, out, root, student="Ann Lee", why="asked", seed=None, **options) == 0
+    assert "1/1 team 1 (Ann Lee, Bo Ek)" in capsys.readouterr().out
+    assert len(table(out / "gradebook.csv")) == 7
+
+
+def test_a_group_has_one_code_and_its_members_have_their_own(
+    root: Path, roster: Path, submissions: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    assert grade(submissions, out, root, roster=roster, anonymous=True) == 0
+    key = {row["name"]: row["code"] for row in table(tmp_path / "roster-key.csv")}
+    assert key["team 1 (Ann Lee, Bo Ek)"] in results(out)
+    book = {row["student"]: row["score"] for row in table(out / "gradebook.csv")}
+    assert book[key["Ann Lee"]] == book[key["Bo Ek"]] == "6"
+    assert len({*key.values()}) == len(key)

@@ -182,7 +182,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
             markup=False,
         )
     for report in graded:
-        for note in report.notes:
+        for note in [] if report.nothing else report.notes:
             console.print(f"{report.student}: {note}", markup=False)
     if moved:
         console.print(

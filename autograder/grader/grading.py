@@ -67,7 +67,8 @@ def grade_submission(
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
             if why := why_nothing(staged, assignment.chapters):
-                why = f"'{submission.path.name}': {why}"
+                if submission.path.suffix.lower() == ".zip":  # a folder has the name of the student
+                    why = f"'{submission.path.name}': {why}"
                 return _nothing(assignment, submission, why, staged.digest)
             notes = [*submission.notes, *notes_on(staged, assignment.chapters)]
             with (

@@ -58,12 +58,13 @@ def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
             ("Nothing handed in", people.missing),
-            ("Handed in, nothing to grade", nothing),
             ("Not on the roster", people.unmatched),
             ("Answers that have changed since they were marked", changed),
         )
         if names
     ]
+    if nothing:
+        lines += [f"Handed in, nothing to grade: {len(nothing)}.", *(f"  {one}" for one in nothing)]
     # We compare only names, because two codes may be similar by chance.
     absent = {
         m.shown.lower(): m

@@ -99,7 +99,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 sizes = f"{chapter.name}/{name}\0{reason}\0{len(content)}\0"
                 digest.update(sizes.encode() + content)
     if missing and not (readable or elsewhere):
-        refused = refused or next(iter(missing.values()))
+        refused = refused or "; ".join(notes) or next(iter(missing.values()))
     return Staged(
         missing,
         elsewhere,

@@ -173,7 +173,7 @@ def test_every_student_gets_the_grade_of_the_own_work(
 
     printed = " ".join(capsys.readouterr().out.split())
     assert f"Nothing handed in: {counts['nothing']} (" in printed
-    assert f"Handed in, nothing to grade: {nothing} (" in printed
+    assert f"Handed in, nothing to grade: {nothing}. " in printed
     assert "Not on the roster" not in printed
     assert "Late: 2. With a penalty: 2." in printed
     assert "unknown" not in printed

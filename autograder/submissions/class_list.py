@@ -148,11 +148,12 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
     """Choose what is graded of everything that a student or a group has handed in.
 
     Raises:
-        ValueError: There are several submissions, and a platform does not say which is the last.
+        ValueError: There are several submissions, and they are not uploads of one student, of which
+            the last one counts.
     """
     usable = [entry for entry in entries if not entry.problem]
-    platforms = {entry.export.platform if entry.export else "" for entry in usable}
-    if len(usable) > 1 and (len(platforms) > 1 or "" in platforms):
+    uploaders = {entry.export and entry.export.student for entry in usable}
+    if len(usable) > 1 and (len(uploaders) > 1 or None in uploaders):
         names = " and ".join(repr(entry.path.name) for entry in usable)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
     last = max(usable or entries, key=lambda e: e.export.order if e.export else (0, 0))

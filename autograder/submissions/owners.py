@@ -57,9 +57,9 @@ class Owners:
             known = [student for student in people if student]
             if known and None in people:
                 stranger = upload.people[people.index(None)][-1]
-                raise ValueError(
-                    f"{printable(entry.path.name)}: {upload.source} names {stranger!r}, who is not "
-                    "on the roster, beside students who are"
+                self.notes.append(
+                    f"{printable(entry.path.name)}: {upload.source} also names "
+                    f"{printable(stranger)}, who is not on the roster"
                 )
             if known:
                 return self._whole_group(known)

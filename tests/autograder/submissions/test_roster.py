@@ -289,7 +289,7 @@ def test_github_says_who_a_repository_belongs_to(tmp_path: Path) -> None:
 
 def test_submitters_who_contradict_the_roster_are_an_error(tmp_path: Path) -> None:
     text = "submission_1:\n  :submitters: [{':name': Bo, ':sid': '1042'}]\n"
-    with pytest.raises(ValueError, match="lines 2 and 3: both match the submission 'submission_1'"):
+    with pytest.raises(ValueError, match="lines 2 and 3: both match the submission"):
         with_file(tmp_path, "submission_metadata.yml", text, "submission_1")
 
 
@@ -302,7 +302,7 @@ def test_a_submitter_who_is_not_on_the_roster_is_noted(tmp_path: Path) -> None:
 
 def test_two_members_of_a_group_who_upload_must_be_told_apart(tmp_path: Path) -> None:
     roster = [Student("1", "Ann", "", "", 2, "team 1"), Student("2", "Bo", "", "", 3, "team 1")]
-    with pytest.raises(ValueError, match="must hand in only once, got 'ann_1_7_w.zip' and 'bo_2_8"):
+    with pytest.raises(ValueError, match="must hand in only once, got"):
         people(tmp_path, "ann_1_7_w.zip|bo_2_8_w.zip", roster)
 
 

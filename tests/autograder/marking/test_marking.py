@@ -167,6 +167,33 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
     assert re.search("line 3: .* 'nine'", why)
 
 
+def test_a_changed_answer_is_to_be_marked_again_under_the_name_of_the_roster(
+    folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    roster = tmp_path_factory.mktemp("roster") / "roster.csv"
+    roster.write_text("id,name,email,login\nann,Ann Lee,,\n", encoding="utf-8")
+    file = folder / "ann/ch02_vectors/answers.md"
+    mark = {"points": 0.5, "comment": ""}
+
+    def known(address: str) -> dict[str, Any]:
+        found = json.loads(ask(address, "marks.json").body)["marks"]["2.2b"]
+        return next(iter(found.values()), {})
+
+    with marking(folder, "2", "--roster", str(roster)) as address:
+        answers = json.loads(ask(address, "questions.json").body)["questions"][0]["answers"]
+        (code,) = [one["code"] for one in answers if one["text"].startswith("The lengths")]
+        sent = {"exercise": "2.2b", "code": code, "mark": mark, "seen": None}
+        assert ask(address, "marks.json", sent).code == 200
+        assert known(address) == {**mark, "changed": False}
+    assert "\nAnn Lee,2.2b,0.5,\n" in (folder / "marks.csv").read_text(encoding="utf-8")
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace("The lengths", "Both lengths"), encoding="utf-8")
+    with marking(folder, "2", "--roster", str(roster)) as address:
+        assert known(address) == {**mark, "changed": True}
+        assert ask(address, "marks.json", {**sent, "seen": known(address)}).code == 200
+        assert known(address) == {**mark, "changed": False}
+
+
 @pytest.mark.parametrize(
     ("chapters", "words"),
     [("3", "there are no written exercises to mark"), ("2", "line 2: there is no student 'zoe'")],

@@ -20,9 +20,9 @@ def served(*options: str, engine: str = "solutions") -> Iterator[str]:
 
 
 @contextlib.contextmanager
-def marking(submissions: Path, chapters: str) -> Iterator[str]:
+def marking(submissions: Path, chapters: str, *more: str) -> Iterator[str]:
     """Serve the marking page of a class, and yield its address, which ends with a slash."""
-    options = ("--chapters", chapters, "--no-browser")
+    options = ("--chapters", chapters, "--no-browser", *more)
     with started("autograder", "mark", str(submissions), *options) as address:
         yield address
 

@@ -11,6 +11,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from autograder.alone import alone
 from autograder.reports.marks import Mark
 from autograder.reports.texts import replace_file
 
@@ -31,31 +32,42 @@ class MarkedAnswers:
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / NAME
-        self._marked: dict[str, Any] = {}
-        if self.path.exists():
-            try:
-                self._marked = dict(json.loads(self.path.read_text(encoding="utf-8")))
-            except (ValueError, TypeError) as error:
-                raise ValueError(
-                    f"{self.path} is damaged. Delete it; answers that have changed since they were "
-                    "marked are then not recognized"
-                ) from error
+        self._kept = self._read()
+        self._new: dict[str, list[Any]] = {}
 
     def is_changed(self, owner: str, exercise: str, mark: Mark, answer: str) -> bool:
-        """Return True if this mark was given for another answer. ``answer`` is a hash."""
-        key = f"{exercise} {owner}"
-        new = [mark.points, mark.comment, answer]
-        before = self._marked.get(key)
-        if not isinstance(before, list) or before[:2] != new[:2]:
-            self._marked[key] = before = new
-        return bool(before[2:] != [answer])
+        """Return True if this mark was given for another answer. ``answer`` is a hash.
 
-    def marked_now(self, owner: str, exercise: str, mark: Mark, answer: str) -> None:
+        A mark that is not in the record yet is taken to be for this answer.
+        """
+        key, now = f"{exercise} {owner}", [mark.points, mark.comment, answer]
+        before = self._new.get(key) or self._kept.get(key)
+        if before is None or before[:2] != now[:2]:
+            self._new[key] = before = now
+        return before != now
+
+    def mark_now(self, owner: str, exercise: str, mark: Mark, answer: str) -> None:
         """Record that a person gave this mark after reading this answer."""
-        self._marked[f"{exercise} {owner}"] = [mark.points, mark.comment, answer]
+        self._new[f"{exercise} {owner}"] = [mark.points, mark.comment, answer]
         self.save()
 
     def save(self) -> None:
-        """Write the record, if there is anything in it."""
-        if self._marked:
-            replace_file(self.path, json.dumps(self._marked, indent=1, sort_keys=True) + "\n")
+        """Write what is new, and keep what others have written in the meantime."""
+        if not self._new:
+            return
+        with alone(self.path.with_name(f"{NAME}.lock")):
+            self._kept = self._read() | self._new
+            text = json.dumps(self._kept, indent=1, sort_keys=True, ensure_ascii=False)
+            replace_file(self.path, text + "\n")
+        self._new = {}
+
+    def _read(self) -> dict[str, list[Any]]:
+        if not self.path.exists():
+            return {}
+        try:
+            return dict(json.loads(self.path.read_text(encoding="utf-8")))
+        except (ValueError, TypeError) as error:
+            raise ValueError(
+                f"{self.path} is damaged. Delete it; answers that have changed since they were "
+                "marked are then not recognized"
+            ) from error

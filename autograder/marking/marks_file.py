@@ -6,12 +6,10 @@ The file holds the points and comments that instructors enter for students' writ
 from __future__ import annotations
 
 import csv
-import fcntl
 import io
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
+from autograder.alone import alone
 from autograder.manifest import Chapter
 from autograder.reports.marks import HEADER, Mark, Marks, read_marks, read_rows, row_of
 from autograder.reports.texts import replace_file
@@ -52,7 +50,7 @@ class MarksFile:
             ChangedError: The old mark in the file differs from ``seen``.
             ValueError: A line in the file is invalid. The file is left unchanged.
         """
-        with self._alone():
+        with alone(self.path.parent / ".marks.lock"):
             separator, rows = read_rows(self.path, self.chapters, self.people)
             old = next((r for r in rows if (r.report, r.exercise) == (student, exercise)), None)
             if (old.mark if old else None) != seen:
@@ -89,10 +87,3 @@ class MarksFile:
         text = io.StringIO(newline="")
         csv.writer(text, delimiter=separator, lineterminator=newline).writerow(cells)
         return text.getvalue()
-
-    @contextmanager
-    def _alone(self) -> Iterator[None]:
-        """Lock marks.csv, so that two marking pages cannot change it at the same time."""
-        with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            yield

@@ -29,9 +29,9 @@ class Marking(Site):
     All request handlers of the server share this object.
     """
 
-    def __init__(self, tasks: list[Task], marks: MarksFile, marked: MarkedAnswers) -> None:
+    def __init__(self, tasks: list[Task], marks: MarksFile, folder: Path) -> None:
         super().__init__()
-        self.marked = marked
+        self.folder = folder
         self.tasks = {task.exercise.id: task for task in tasks}
         self.marks = marks
         self.answers = {
@@ -56,14 +56,19 @@ class Marking(Site):
         For example, ``known()["2.2b"]`` is a dict of all marks for exercise 2.2b. Its keys are the
         codes that the marking page shows instead of students' names.
         """
-        marks = self.marks.read()
+        marks, marked = self.marks.read(), self.marked()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), answer in self.answers.items():
             if mark := marks.get((answer.submission.student, exercise)):
                 owner = answer.submission.owner
-                changed = self.marked.is_changed(owner, exercise, mark, answer.hash)
+                changed = marked.is_changed(owner, exercise, mark, answer.hash)
                 found[exercise][code] = {**vars(mark), "changed": changed}
+        marked.save()
         return found
+
+    def marked(self) -> MarkedAnswers:
+        """Read which answers the marks are for. Others may be marking at the same time."""
+        return MarkedAnswers(self.folder)
 
 
 class Questions(Handler):
@@ -128,7 +133,7 @@ class Marks(Handler):
         try:
             self.site.marks.change(answer.submission.student, exercise, mark, seen)
             if mark:
-                self.site.marked.marked_now(answer.submission.owner, exercise, mark, answer.hash)
+                self.site.marked().mark_now(answer.submission.owner, exercise, mark, answer.hash)
         except ChangedError:
             self.answer(409, why="This mark has been changed on another page in the meantime.")
             return
@@ -202,7 +207,7 @@ def mark(
         raise ValueError("there are no written exercises to mark")
     marks = MarksFile(folder / "marks.csv", load_chapters(root), people)
     _, unused = read_marks(marks.path, marks.chapters, people)
-    site = Marking(tasks, marks, MarkedAnswers(folder))
+    site = Marking(tasks, marks, folder)
     for note in [*people.notes, *unused]:
         print(note)
 

@@ -7,18 +7,16 @@ from __future__ import annotations
 
 import base64
 import csv
-import fcntl
 import hashlib
 import hmac
 import io
 import os
 import re
 import secrets
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
+from autograder.alone import alone
 from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.csv_rows import Mistakes, as_cell, read_csv
 
@@ -42,7 +40,8 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
         ValueError: The key file is damaged.
         OSError: The key file cannot be read or written.
     """
-    with _alone(path):
+    # Two runs that begin together use the same secret.
+    with alone(path.with_name(f".{path.name}.lock")):
         secret = _secret_in(path) if path.exists() else "s" + secrets.token_hex(20)
         rows = {}
         coded = []
@@ -121,14 +120,6 @@ def _secret_in(path: Path) -> str:
             "codes"
         )
     return cells[1]
-
-
-@contextmanager
-def _alone(path: Path) -> Iterator[None]:
-    """Lock the key file, so that two runs that begin together use the same secret."""
-    with path.with_name(f".{path.name}.lock").open("w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
 
 
 def _write_private(path: Path, text: str) -> None:

@@ -76,7 +76,7 @@ function showMark() {
 function choice(value) {
   const label = document.createElement("label");
   const input = Object.assign(document.createElement("input"), {type: "radio", name: "points", value});
-  input.onchange = () => change({points: value});
+  input.onclick = () => change({points: value}); // also if it is checked, for an answer that has changed
   label.append(input, String(value));
   return label;
 }

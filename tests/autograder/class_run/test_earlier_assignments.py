@@ -84,7 +84,9 @@ def test_the_exercise_that_blocks_others_is_named_first_and_earns_nothing(
     screen = " ".join(capsys.readouterr().out.split())
     assert "B90.1 of lab1: double must double" in screen
     assert "B90.1" not in (out / "gradebook.csv").read_text(encoding="utf-8")
-    assert '<span class="id">B90.1</span> Double' in (out / "index.html").read_text("utf-8")
+    assert '<span class="id">B90.1</span> Double' in (out / "index.html").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_whole_chapters_have_no_earlier_assignments(

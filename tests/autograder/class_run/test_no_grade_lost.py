@@ -154,8 +154,12 @@ def test_an_answer_that_changes_after_it_was_marked_is_reported(
     assert "Answers that have changed since they were marked: 1 (bob 90.2)." in (
         capsys.readouterr().out
     )
-    assert "bob,graded; changed since marked: 90.2," in (out / "gradebook.csv").read_text("utf-8")
-    assert "has changed since a person marked it" in (out / "feedback/bob.html").read_text("utf-8")
+    assert "bob,graded; changed since marked: 90.2," in (out / "gradebook.csv").read_text(
+        encoding="utf-8"
+    )
+    assert "has changed since a person marked it" in (out / "feedback/bob.html").read_text(
+        encoding="utf-8"
+    )
     marks.write_text(text.replace("bob,90.2,1,Why?", "bob,90.2,3,"), encoding="utf-8")
     assert states()["bob"] == ("marked", 3.0), "a new mark is for the new answer"
 

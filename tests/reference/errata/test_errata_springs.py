@@ -78,12 +78,14 @@ def test_e22_more_damping_lets_it_die_out() -> None:
 def test_e22_undamped_it_grows_in_bands() -> None:
     """With T = x cos a + v h sin(a) / a, both determinants are known, and so are the edges."""
     # Explicit Euler: the determinant 1 + sin(a) / a - cos(a) is above 1 where tan(a) passes a.
-    bands = [(0.01, 4.493409), (7.725252, 10.904122)]
-    assert [brentq(lambda a: math.tan(a) - a, *near) for near in ((4.4, 4.6), (7.6, 7.8))] == (
-        pytest.approx([4.493409, 7.725252], abs=1e-6)
+    first, second, third = (
+        brentq(lambda a: math.sin(a) - a * math.cos(a), *near)
+        for near in ((4.4, 4.6), (7.6, 7.8), (10.8, 11.0))
     )
-    assert_grows(explicit_euler, bands)
-    assert (4.493409 / FRAME) ** 2 == pytest.approx(72_700.0, rel=1e-3)
+    assert [first, second, third] == pytest.approx([4.49, 7.73, 10.90], abs=5e-3)
+    assert_grows(explicit_euler, [(0.0, first), (second, third)])
+    limit = (first / FRAME) ** 2
+    assert limit == pytest.approx(72_700.0, rel=1e-3)
     # Semi-implicit Euler: it grows where cos(a/2) (cos(a/2) + 2 sin(a/2) / a) is negative.
     ends = [
         2.0 * brentq(lambda u: math.sin(u) + u * math.cos(u), *near)

@@ -31,7 +31,7 @@ def place(contact: Contact) -> float:
 
 
 class SourceResolver:
-    """The resolver of the author's source code, in one phase. ``wrong`` is the largest error of a depth in m."""
+    """The author's resolver, in one phase. ``wrong`` is the largest error of a depth in m."""
 
     def __init__(self, clears: bool) -> None:
         self.clears, self.wrong = clears, 0.0

@@ -168,7 +168,7 @@ class TwoSidedRod(Rod):
         contact stops ends that move apart, and the second stops ends that approach each other. If
         both ends are at the same position, use +Y as the direction from ``a`` to ``b``.
         """
-        raise NotImplementedError("Exercise G7.1: Two-sided rods, as the book's text asks")
+        raise NotImplementedError("Exercise G7.1: Two-sided rods, as in the text of the book")
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:

@@ -171,6 +171,21 @@ def test_the_errata_are_all_there_and_each_part_is_in_the_order_of_its_numbers()
     assert parts["Check your own copy"] == DOUBTFUL
 
 
+def test_every_erratum_that_is_named_exists() -> None:
+    """For example, nothing refers to E-18, which was withdrawn."""
+    known = {f"E-{number}" for number in NUMBERS}
+    globs = ("glossary.md", "chapters/*/*", "solutions/*/*", "lab/plots/*/*", "tests/ch*/*")
+    files = [file for glob in globs for file in ROOT.glob(glob)]
+    texts = {
+        file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8")
+        for file in files
+        if file.suffix in (".md", ".py", ".toml")
+    }
+    named = {file: {*re.findall(r"\bE-\d+\b", text)} for file, text in texts.items()}
+    assert len(set().union(*named.values())) > 30
+    assert {file: numbers - known for file, numbers in named.items() if numbers - known} == {}
+
+
 def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests() -> None:
     faults = {}
     for entry, part in errata():

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
+from autograder.submissions.exports import without_suffix
 from autograder.submissions.find import Entry, Submission, find_entries, printable
 from autograder.submissions.names import Names, letters
 from autograder.submissions.owners import Owners, Who
@@ -155,7 +156,13 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
     if len(usable) > 1 and (len(platforms) > 1 or "" in platforms):
         names = " and ".join(repr(entry.path.name) for entry in usable)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
-    last = max(usable or entries, key=lambda e: e.export.order if e.export else (0, 0))
+    last = max(usable or entries, key=_order)
+    if len(same := [entry for entry in usable if _order(entry) == _order(last)]) > 1:
+        names = " and ".join(repr(entry.path.name) for entry in same)
+        raise ValueError(
+            f"must hand in only once, got {names}, and their names do not say which is the last. "
+            "Keep one of them"
+        )
     notes = []
     for entry in entries:
         if entry is not last and usable:
@@ -167,6 +174,10 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         for entry in ([] if usable else entries)
     )
     return Submission("", last.path, "", last.export, tuple(notes), nothing)
+
+
+def _order(entry: Entry) -> tuple[int, int]:
+    return entry.export.order if entry.export else (0, 0)
 
 
 def _members(
@@ -181,10 +192,16 @@ def _members(
         return printable(f"{who.name} ({who.id})" if alike[letters(who.name)] > 1 else who.name)
 
     members: list[Member] = []
-    for who in {**submissions, **dict.fromkeys(owners.absent(submissions))}:
+    reports: dict[str, Who] = {}
+    for who in {**dict.fromkeys(owners.absent(submissions)), **submissions}:
         submission = submissions.get(who)
         names = [shown(one) for one in who]
         report = owners.group_of(who, names)
+        if (other := reports.setdefault(report, who)) != who:
+            raise ValueError(
+                f"the reports on {owners.label(other)} and on {owners.label(who)} would both be "
+                f"called {report!r}. Rename the submission to its student's id"
+            )
         for one, name in zip(who, names, strict=True):
             student = one if isinstance(one, Student) else None
             known = _known_as(student, submission, uploads)
@@ -199,7 +216,7 @@ def _known_as(
     names = [*student.names, student.group] if student else []
     if submission:
         path = submission.path
-        names += [path.name, path.stem]
+        names += [path.name, without_suffix(path)]
         if export := submission.export:
             names += [export.student, export.name]
             names += [export.number] if export.platform == "canvas" else []

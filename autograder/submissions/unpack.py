@@ -9,6 +9,7 @@ import errno
 import hashlib
 import json
 import shutil
+import unicodedata
 import zipfile
 from collections import Counter
 from collections.abc import Iterable
@@ -22,7 +23,7 @@ from autograder.accepted_files import NotTakenError
 from autograder.files import is_new
 from autograder.records import from_json, to_json
 from autograder.reports.texts import replace_file
-from autograder.submissions.find import SILENT, printable
+from autograder.submissions.find import SILENT, is_skipped, printable
 from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
 from autograder.text.wrapping import plain_console
 
@@ -58,10 +59,11 @@ class _File:
     """A file in a zip that contains the submissions of all students.
 
     ``parts`` contains the parts of the file's path. The first part is the name of the submission.
+    Without an ``entry``, it is only known that there is a submission of this name.
     """
 
     parts: list[str]
-    entry: zipfile.ZipInfo
+    entry: zipfile.ZipInfo | None
 
 
 def class_folder(path: Path) -> Path:
@@ -132,13 +134,22 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
     for entry in file.infolist():
         name = path_in_zip(entry)
         parts = name.split("/")
-        if is_unsafe(name) or not name.isprintable():
+        if is_unsafe(name) or not _is_text(name):
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
-        elif any(part.startswith(".") or part in SILENT for part in parts):
+            if parts[1:] and not is_unsafe(parts[0]) and _is_text(parts[0]):
+                files.append(_File(parts[:1], None))
+        elif is_skipped(parts[0]):
             continue
+        elif any(part.startswith(".") or part in SILENT for part in parts[1:]):
+            files.append(_File(parts[:1], None))
         else:
             files.append(_File(parts, entry))
     return files, notes
+
+
+def _is_text(name: str) -> bool:
+    """Return True if a name has no control characters. Some scripts need invisible joiners."""
+    return all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
@@ -154,9 +165,9 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
         student = one.parts[0]
         target = folder.joinpath(*one.parts)
         try:
-            if len(one.parts) > 1 or one.entry.is_dir():
+            if len(one.parts) > 1 or one.entry is None or one.entry.is_dir():
                 (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
-            if one.entry.is_dir():
+            if one.entry is None or one.entry.is_dir():
                 continue
             if not target.name.lower().endswith(COUNTS):
                 if len(one.parts) <= 2:

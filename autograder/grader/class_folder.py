@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from autograder.manifest import ROOT
 from autograder.submissions.class_list import ClassList
@@ -64,20 +65,38 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 
 def graded_folder(out: Path) -> Path | None:
     """Return the folder of the class whose grades are in ``out``, or None if there are none."""
-    folder = _recorded(out, "folder")
-    return Path(folder) if folder else None
+    try:
+        return Path(json.loads((out / RECORD).read_text(encoding="utf-8"))["folder"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
 
 
-def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: str) -> None:
+def refuse_other_files(out: Path) -> None:
+    """Check that a run does not write into a folder with files of the instructor's own.
+
+    Raises:
+        ValueError: The folder is neither new nor one with grades.
+    """
+    if out.is_dir() and not (out / RECORD).is_file():
+        own = sorted(path.name for path in out.iterdir() if not path.name.startswith("."))
+        if own:
+            raise ValueError(
+                f"--out must be a new folder or one with grades, but {out} has other files, such "
+                f"as {own[0]}. Name another one (make: OUT=build/other)"
+            )
+
+
+def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[str, Any]) -> None:
     """Check that a run does not replace the grades of another class or of another assignment.
 
+    ``work`` has the name of the assignment and the numbers of the graded and of the given chapters.
     The grades of the sample class may be replaced. If the folder of the class is no longer where it
     was, the same students must have handed in.
 
     Raises:
         ValueError: The folder has other grades.
     """
-    before, earlier = graded_folder(out), _recorded(out, "assignment")
+    before = graded_folder(out)
     if before is None or before == SAMPLE:
         return
     what = ""
@@ -87,8 +106,8 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: s
         same = sum(name in names for name in there)
         if before.exists() or 2 * same < len(there):
             what = f"the grades of the class in {before}, and not in {folder}"
-    elif assignment != earlier:
-        what = f"the grades of {earlier or 'whole chapters'}, and not of {assignment or 'these'}"
+    elif (earlier := _work_in(out)) and _described(earlier) != _described(work):
+        what = f"the grades of {_described(earlier)}, and not of {_described(work)}"
     if what:
         raise ValueError(
             f"{out} has {what}. To keep them, add another --out (make: OUT=build/other). To "
@@ -96,13 +115,23 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: s
         )
 
 
-def _recorded(out: Path, name: str) -> str:
-    """Return what the last run into this folder has recorded, or "" if there is nothing."""
+def _described(work: dict[str, Any]) -> str:
+    """Describe what was graded. The chapters of an assignment may change in the course file."""
+    if work["assignment"]:
+        return str(work["assignment"])
+    chapters = f"chapters {', '.join(map(str, work['chapters']))}"
+    given = f" on given chapters {', '.join(map(str, work['given']))}" if work["given"] else ""
+    return chapters + given
+
+
+def _work_in(out: Path) -> dict[str, Any] | None:
+    """Return what the last run into this folder has graded, or None if it is not recorded."""
+    names = ("assignment", "chapters", "given")
     try:
-        value = json.loads((out / RECORD).read_text(encoding="utf-8"))[name]
+        record = json.loads((out / RECORD).read_text(encoding="utf-8"))
+        return {name: record[name] for name in names}
     except (OSError, ValueError, KeyError, TypeError):
-        return ""
-    return value if isinstance(value, str) else ""
+        return None
 
 
 @contextmanager

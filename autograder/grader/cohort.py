@@ -24,6 +24,7 @@ from autograder.grader.class_folder import (
     only_run,
     put_others_aside,
     refuse_other_class,
+    refuse_other_files,
     refuse_other_roster,
     seed_of,
     temporary_files_in,
@@ -110,11 +111,23 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
+    named = folder_with_names(out, anonymous=options.anonymous)
+    if named != out and named.is_relative_to(folder.resolve()):
+        raise ValueError(
+            f"--out must not be in the folder of an anonymous class, since the names would be "
+            f"beside it, got {str(out)!r}"
+        )
+    refuse_other_files(out)
     people = people_of(folder, out, options.roster, anonymous=options.anonymous)
     worksheet = worksheet_in(folder)
     submissions = people.submissions
     _refuse_inside(out, folder, submissions)
-    refuse_other_class(out, people, folder, options.assignment)
+    work = {
+        "assignment": options.assignment,
+        "chapters": [chapter.number for chapter in chapters],
+        "given": [chapter.number for chapter in options.given],
+    }
+    refuse_other_class(out, people, folder, work)
     everyone = [submission.student for submission in submissions]
     manifests = load_chapters(options.root)
     marks, unused = read_marks(folder / "marks.csv", manifests, people)
@@ -151,7 +164,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         if again:
             submissions = again.prepare(class_run)
         record = {"seed": seed, "finished": False, "roster": has_roster}
-        record |= {"folder": str(folder.resolve()), "assignment": options.assignment}
+        record |= {"folder": str(folder.resolve()), **work}
         replace_file(state, json.dumps(record) + "\n")
         for note in notes:
             console.print(note, markup=False)
@@ -168,7 +181,6 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         moved = put_others_aside(out, [report.student for report in reports])
         places = write_class(out, chapters, reports, people)
         places.append(write_class_page(out, chapters, reports))
-        named = folder_with_names(out, anonymous=options.anonymous)
         uploads, lines = write_uploads(named, chapters, people, reports, options.column, worksheet)
         uploads += give_back(named, out, people, reports)
         finished = all(report.status != "error, retry" for report in reports)

@@ -91,6 +91,12 @@ def class_folder(path: Path) -> Path:
     return folder
 
 
+def zip_of(folder: Path) -> Path | None:
+    """Return the zip from which a folder was unpacked, or None if there is none."""
+    path = folder.with_name(f"{folder.name}.zip")
+    return path if (folder / MARKER).is_file() and path.is_file() else None
+
+
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
     """Unpack the zip at ``path`` into ``folder``.
 

@@ -49,7 +49,7 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
         (other, "lab1", f"the grades of the class in {submissions}, and not in {other}"),
         (ROOT / "sample_class", "lab1", "sample_class"),
         (submissions, "lab2", "the grades of lab1, and not of lab2"),
-        (submissions, "", "the grades of lab1, and not of these"),
+        (submissions, "", "the grades of lab1, and not of chapters 90"),
     ):
         with pytest.raises(ValueError, match="add another --out") as caught:
             grade(folder, out, root, assignment=assignment)

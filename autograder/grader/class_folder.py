@@ -117,16 +117,17 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[st
 
 def _described(work: dict[str, Any]) -> str:
     """Describe what was graded. The chapters of an assignment may change in the course file."""
+    coded = " with codes for names" if work["anonymous"] else ""
     if work["assignment"]:
-        return str(work["assignment"])
+        return f"{work['assignment']}{coded}"
     chapters = f"chapters {', '.join(map(str, work['chapters']))}"
     given = f" on given chapters {', '.join(map(str, work['given']))}" if work["given"] else ""
-    return chapters + given
+    return f"{chapters}{given}{coded}"
 
 
 def _work_in(out: Path) -> dict[str, Any] | None:
     """Return what the last run into this folder has graded, or None if it is not recorded."""
-    names = ("assignment", "chapters", "given")
+    names = ("assignment", "chapters", "given", "anonymous")
     try:
         record = json.loads((out / RECORD).read_text(encoding="utf-8"))
         return {name: record[name] for name in names}

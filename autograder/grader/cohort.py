@@ -111,21 +111,17 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    named = folder_with_names(out, anonymous=options.anonymous)
-    if named != out and named.is_relative_to(folder.resolve()):
-        raise ValueError(
-            f"--out must not be in the folder of an anonymous class, since the names would be "
-            f"beside it, got {str(out)!r}"
-        )
-    refuse_other_files(out)
+    named = folder_with_names(out, folder, anonymous=options.anonymous)
     people = people_of(folder, out, options.roster, anonymous=options.anonymous)
     worksheet = worksheet_in(folder)
     submissions = people.submissions
     _refuse_inside(out, folder, submissions)
+    refuse_other_files(out)
     work = {
         "assignment": options.assignment,
         "chapters": [chapter.number for chapter in chapters],
         "given": [chapter.number for chapter in options.given],
+        "anonymous": options.anonymous,
     }
     refuse_other_class(out, people, folder, work)
     everyone = [submission.student for submission in submissions]

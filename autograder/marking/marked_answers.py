@@ -31,15 +31,8 @@ class MarkedAnswers:
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / NAME
-        self._marked: dict[str, Any] = {}
-        if self.path.exists():
-            try:
-                self._marked = dict(json.loads(self.path.read_text(encoding="utf-8")))
-            except (ValueError, TypeError) as error:
-                raise ValueError(
-                    f"{self.path} is damaged. Delete it; answers that have changed since they were "
-                    "marked are then not recognized"
-                ) from error
+        self._marked = self._read()
+        self._new: dict[str, Any] = {}  # what this object has recorded
 
     def is_changed(self, owner: str, exercise: str, mark: Mark, answer: str) -> bool:
         """Return True if this mark was given for another answer. ``answer`` is a hash."""
@@ -47,15 +40,28 @@ class MarkedAnswers:
         new = [mark.points, mark.comment, answer]
         before = self._marked.get(key)
         if not isinstance(before, list) or before[:2] != new[:2]:
-            self._marked[key] = before = new
+            self._marked[key] = self._new[key] = before = new
         return bool(before[2:] != [answer])
 
     def marked_now(self, owner: str, exercise: str, mark: Mark, answer: str) -> None:
         """Record that a person gave this mark after reading this answer."""
-        self._marked[f"{exercise} {owner}"] = [mark.points, mark.comment, answer]
+        key = f"{exercise} {owner}"
+        self._marked[key] = self._new[key] = [mark.points, mark.comment, answer]
         self.save()
 
     def save(self) -> None:
-        """Write the record, if there is anything in it."""
-        if self._marked:
+        """Add what is new to the record. Another command may have added to it in the meantime."""
+        if self._new:
+            self._marked = self._read() | self._new
             replace_file(self.path, json.dumps(self._marked, indent=1, sort_keys=True) + "\n")
+
+    def _read(self) -> dict[str, Any]:
+        if not self.path.exists():
+            return {}
+        try:
+            return dict(json.loads(self.path.read_text(encoding="utf-8")))
+        except (ValueError, TypeError) as error:
+            raise ValueError(
+                f"{self.path} is damaged. Delete it; answers that have changed since they were "
+                "marked are then not recognized"
+            ) from error

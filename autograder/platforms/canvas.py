@@ -65,8 +65,8 @@ def _canvas_id(member: Member, people: ClassList) -> str:
 
     If the student submitted the work through Canvas, the name of the submission contains the
     number. In a group, that is the number of only one of the students. Otherwise the student's id
-    on the roster is used if it is a number. Canvas would mistake the digits at the start of any
-    other id for one of its own IDs.
+    on the roster is used if it is a number, but not if it is the number of another student. Canvas
+    would mistake the digits at the start of any other id for one of its own IDs.
     """
     student = member.student
     own = student.id if student else ""
@@ -79,4 +79,9 @@ def _canvas_id(member: Member, people: ClassList) -> str:
             # The ids on the roster are not those of Canvas.
             named = [one for one in group if letters(export.name) in one.canvas_names]
             return export.number if named == [student] else ""
-    return own if re.fullmatch(r"[1-9][0-9]*", own) else ""
+    others = {
+        other.submission.export.number
+        for other in people.members
+        if other.submission and other.submission.export and other.report != member.report
+    }
+    return own if re.fullmatch(r"[1-9][0-9]*", own) and own not in others else ""

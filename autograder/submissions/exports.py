@@ -71,7 +71,7 @@ def read_export(name: str) -> Exported | None:
 
 
 def without_suffix(path: Path) -> str:
-    """Return the name of a submission without the suffix of a file. A folder such as j.doe has none."""
+    """Return the name of a submission without a suffix, which a folder such as j.doe has not."""
     return path.name if path.is_dir() else path.stem
 
 

@@ -149,11 +149,12 @@ def _of_github(path: Path) -> dict[str, Upload]:
     for _, _, cells in table.rows("cell", mistakes):
         row = dict(zip(table.header, cells, strict=True))
         if name := row[REPOSITORY]:
-            at, people = _time(row.get(SUBMITTED)), [(row[IDENTIFIER],)] if row[IDENTIFIER] else []
+            at = _time(row.get(SUBMITTED))
+            people = ((row[IDENTIFIER],),) if row[IDENTIFIER] else ()
             if before := found.get(name):
                 at = max(filter(None, (before.at, at)), default=None)
-                people = [*dict.fromkeys([*before.people, *people])]
-            found[name] = Upload("GitHub Classroom", tuple(people), at)
+                people = (*before.people, *people)
+            found[name] = Upload("GitHub Classroom", tuple(dict.fromkeys(people)), at)
     mistakes.raise_any()
     return found
 

@@ -11,14 +11,14 @@ import json
 import secrets
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from autograder.manifest import ROOT
 from autograder.submissions.class_list import ClassList
-from autograder.submissions.find import RECORD, file_name
+from autograder.submissions.find import RECORD, Submission, file_name
 
 SAMPLE = (ROOT / "sample_class").resolve()
 
@@ -40,26 +40,32 @@ def seed_of(state: Path, seed: str | None) -> str:
     return secrets.token_hex(4)
 
 
-def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Check that a regrade uses a roster if and only if the class was graded with one.
+def refuse_dropped(state: Path, *, has_roster: bool, has_checks: bool, is_regrade: bool) -> None:
+    """Check that no run drops the roster or the hidden checks with which the class was graded.
 
     With a roster, the reports use its names for the students. Without one, they use the names of
-    the submissions. If only one of the two runs had a roster, the same student could be listed
-    twice.
+    the submissions. The first run with a roster therefore has to be one of the whole class.
 
     Raises:
-        ValueError: Only one of the two runs uses a roster.
+        ValueError: The roster or the hidden checks are missing, or a regrade has a new roster.
     """
     try:
-        before = json.loads(state.read_text(encoding="utf-8"))["roster"]
-    except (OSError, ValueError, KeyError, TypeError):
+        record = json.loads(state.read_text(encoding="utf-8"))
+        had_roster, had_checks = record["roster"], record.get("checks", False)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return  # no run, or one that did not record it
-    if before and not has_roster:
+    if had_roster and not has_roster:
         raise ValueError(
             "the class was graded with a roster: add --roster (make: ROSTER=), or --assignment "
-            "(make: ASSIGNMENT=) if the course file names the roster"
+            "(make: ASSIGNMENT=) if the course file names the roster. To grade it without one, add "
+            "another --out (make: OUT=)"
         )
-    if has_roster and not before:
+    if had_checks and not has_checks:
+        raise ValueError(
+            "the class was graded with hidden checks: add --checks (make: CHECKS=), or grade it "
+            "without them into another --out (make: OUT=)"
+        )
+    if is_regrade and has_roster and not had_roster:
         raise ValueError("the class was graded without a roster: leave out --roster")
 
 
@@ -71,12 +77,20 @@ def graded_folder(out: Path) -> Path | None:
         return None
 
 
-def refuse_other_files(out: Path) -> None:
-    """Check that a run does not write into a folder with files of the instructor's own.
+def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> None:
+    """Check that reports are written neither among submissions nor among files of another kind.
 
     Raises:
-        ValueError: The folder is neither new nor one with grades.
+        ValueError: The folder ``out`` is that of the class, in a submission, or neither new nor one
+            with grades.
     """
+    if out.resolve() == folder.resolve():
+        raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
+    for one in submissions:
+        if out.resolve().is_relative_to(one.path.resolve()):
+            raise ValueError(
+                f"--out must not be inside the submission {one.student!r}, got {str(out)!r}"
+            )
     if out.is_dir() and not (out / RECORD).is_file():
         own = sorted(path.name for path in out.iterdir() if not path.name.startswith("."))
         if own:
@@ -145,7 +159,7 @@ def only_run(out: Path) -> Iterator[Path]:
     Raises:
         ValueError: The path is not a folder, or another run is using it.
     """
-    if out.exists() and not out.is_dir():
+    if (out.exists() or out.is_symlink()) and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)
     with (out / ".lock").open("w", encoding="utf-8") as lock:

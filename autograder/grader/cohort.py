@@ -23,9 +23,9 @@ from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import (
     only_run,
     put_others_aside,
+    refuse_dropped,
     refuse_other_class,
-    refuse_other_files,
-    refuse_other_roster,
+    refuse_place,
     seed_of,
     temporary_files_in,
 )
@@ -43,7 +43,6 @@ from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.codes import key_path
-from autograder.submissions.find import Submission
 from autograder.submissions.moodle_worksheet import worksheet_in
 from autograder.text.wrapping import plain_console
 
@@ -115,8 +114,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     people = people_of(folder, out, options.roster, anonymous=options.anonymous)
     worksheet = worksheet_in(folder)
     submissions = people.submissions
-    _refuse_inside(out, folder, submissions)
-    refuse_other_files(out)
+    refuse_place(out, folder, submissions)
     work = {
         "assignment": options.assignment,
         "chapters": [chapter.number for chapter in chapters],
@@ -137,8 +135,13 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
         has_roster = options.roster is not None
-        if options.student:
-            refuse_other_roster(state, has_roster=has_roster)
+        has_checks = options.hidden is not None
+        refuse_dropped(
+            state,
+            has_roster=has_roster,
+            has_checks=has_checks,
+            is_regrade=options.student is not None,
+        )
         again = Regrade(out, options.student, people) if options.student else None
         seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
@@ -159,7 +162,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         )
         if again:
             submissions = again.prepare(class_run)
-        record = {"seed": seed, "finished": False, "roster": has_roster}
+        record = {"seed": seed, "finished": False, "roster": has_roster, "checks": has_checks}
         record |= {"folder": str(folder.resolve()), **work}
         replace_file(state, json.dumps(record) + "\n")
         for note in notes:
@@ -212,17 +215,6 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         only_you = ": keep this private, because it contains names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status == "error, retry" for report in graded))
-
-
-def _refuse_inside(out: Path, folder: Path, submissions: list[Submission]) -> None:
-    """Raise ValueError if reports would be written into the class's folder or a submission."""
-    if out.resolve() == folder.resolve():
-        raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
-    for one in submissions:
-        if out.resolve().is_relative_to(one.path.resolve()):
-            raise ValueError(
-                f"--out must not be inside the submission {one.student!r}, got {str(out)!r}"
-            )
 
 
 def _marks_elsewhere(marks: Marks, chapters: list[Chapter]) -> list[str]:

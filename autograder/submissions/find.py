@@ -21,6 +21,7 @@ SILENT = (
     "worksheet.csv",  # from Moodle
 )
 WIDE_SPACE = re.compile(r"[^\S\x00-\x7f]")
+CHAPTER = re.compile(r"ch\d\d_\w+")
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 SUFFIX = re.compile(r"(\.tar)?\.[A-Za-z0-9]{1,5}$", re.IGNORECASE)
@@ -93,6 +94,12 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
     if not folder.is_dir():
         raise ValueError(f"the submissions must be in a folder, got {str(folder)!r}")
     paths = [path for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
+    for path in paths:
+        if CHAPTER.fullmatch(path.name) and path.is_dir():
+            raise ValueError(
+                f"{str(folder)!r} has a folder {path.name} and so is the work of one student. Name "
+                "the folder above it, which has a folder or a zip for each student"
+            )
     entries = [_entry(path) for path in paths]
     zips = [one for one in entries if not one.problem]
     is_download = look_like_canvas(one.export for one in zips) and not any(

@@ -241,3 +241,16 @@ def test_names_do_not_go_among_codes(submissions: Path, root: Path, tmp_path: Pa
     ):
         grade(submissions, out, root)
     assert everything_in(out) == before
+
+
+def test_no_run_drops_the_roster_in_silence(submissions: Path, root: Path, tmp_path: Path) -> None:
+    roster, out = tmp_path / "roster.csv", tmp_path / "out"
+    roster.write_text("id,name,email,login\nbob,Bob Ray,,\n9,Zed,,\n", encoding="utf-8")
+    grade(submissions, out, root)
+    grade(submissions, out, root, roster=roster)  # which may come later
+    before = everything_in(out)
+    with pytest.raises(
+        ValueError, match=r"with a roster: add --roster .* without one, add another"
+    ):
+        grade(submissions, out, root)
+    assert everything_in(out) == before, "as if canvas.csv had today's grades"

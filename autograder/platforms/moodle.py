@@ -83,14 +83,13 @@ def _members_in(worksheet: Worksheet, people: ClassList) -> dict[str, Member]:
     """
     reports = from_moodle(people)
     here = {reports[row.number] for row in worksheet.rows if row.number in reports}
-    members = [member for member in people.members if member.report in here]
-    names = Names((m, m.shown, m.student.names if m.student else ()) for m in members)
+    names = Names((m, m.shown, m.student.names if m.student else ()) for m in people.members)
     found: dict[str, Member] = {}
     for row in worksheet.rows:
-        group = [one for one in members if one.report == reports.get(row.number)]
+        group = [one for one in people.members if one.report == reports.get(row.number)]
         fits = [fit for name in (row.id_number, row.email, row.name) if (fit := names.all_of(name))]
-        named = [one for one in group or members if fits and all(one in fit for fit in fits)]
-        if group or len(named) == 1:
+        named = [one for one in group or people.members if fits and all(one in fit for fit in fits)]
+        if group or (len(named) == 1 and named[0].report in here):
             found[row.number] = [*named, *group][0]
     return found
 

@@ -139,10 +139,10 @@ def _of_github(path: Path) -> dict[str, Upload]:
     if not path.is_file():
         return {}
     table = read_csv(path)
-    if not {REPOSITORY, IDENTIFIER} <= {*table.header}:
+    if REPOSITORY not in table.header:
         raise ValueError(
-            f"{path}, line 1: the grades of GitHub Classroom have the columns {REPOSITORY} and "
-            f"{IDENTIFIER}, got {table.first_line!r}. Rename the file if it is another one"
+            f"{path}, line 1: the grades of GitHub Classroom have a column {REPOSITORY}, got "
+            f"{table.first_line!r}. Rename the file if it is another one"
         )
     found: dict[str, Upload] = {}
     mistakes = Mistakes(path)
@@ -150,7 +150,8 @@ def _of_github(path: Path) -> dict[str, Upload]:
         row = dict(zip(table.header, cells, strict=True))
         if name := row[REPOSITORY]:
             at = _time(row.get(SUBMITTED))
-            people = ((row[IDENTIFIER],),) if row[IDENTIFIER] else ()
+            identifier = row.get(IDENTIFIER)
+            people = ((identifier,),) if identifier else ()
             if before := found.get(name):
                 at = max(filter(None, (before.at, at)), default=None)
                 people = (*before.people, *people)

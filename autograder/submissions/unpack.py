@@ -6,6 +6,7 @@ The files go into a new folder next to the zip. They come from students, so they
 from __future__ import annotations
 
 import errno
+import fcntl
 import hashlib
 import json
 import shutil
@@ -81,9 +82,13 @@ def class_folder(path: Path) -> Path:
     if path.suffix.lower() != ".zip":
         raise ValueError(f"the submissions must be a folder or a .zip file, got {str(path)!r}")
     folder = path.with_suffix("")
-    before, digest = _read_marker(folder), _digest(path)
-    console = plain_console()
-    unpacked = before if before.zip == digest else _unpack(path, folder, before, digest, console)
+    digest, unpacked, console = _digest(path), _read_marker(folder), plain_console()
+    if unpacked.zip != digest:
+        with path.with_name(f".{path.name}.lock").open("w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # another command may be unpacking it right now
+            unpacked = _read_marker(folder)
+            if unpacked.zip != digest:
+                unpacked = _unpack(path, folder, unpacked, digest, console)
     for note in unpacked.notes:
         console.print(note, markup=False, soft_wrap=True)
     line = f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import multiprocessing
 import zipfile
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from autograder.platforms.gradescope import make_gradescope
 from autograder.similarity.run import similarity
 from autograder.submissions.class_list import read_class
 from autograder.submissions.codes import with_codes
+from autograder.submissions.unpack import class_folder
 from small import make_root
 from small_class import everything_in, grade, make_class
 from typed import typed
@@ -122,3 +124,24 @@ def test_a_key_file_keeps_the_codes_of_other_assignments(submissions: Path, tmp_
     codes = {m.shown for m in (*first.members, *second.members)}
     assert {*rows} == codes | {"(secret)"}
     assert sorted(rows[code] for code in codes) == ["ann", "bob", "cem", "zoe"]
+
+
+def unpacked_into(zipped: Path, found: Path) -> None:
+    folder = class_folder(zipped)
+    found.write_text(str(len([*folder.glob("*/work.py")])), encoding="utf-8")
+
+
+def test_two_commands_that_unpack_one_zip_both_find_everything(tmp_path: Path) -> None:
+    zipped = tmp_path / "lab1.zip"
+    with zipfile.ZipFile(zipped, "w") as file:
+        for number in range(300):
+            file.writestr(f"student {number}/work.py", "x = 1\n")
+    context = multiprocessing.get_context("fork")
+    found = [tmp_path / f"found{i}" for i in range(4)]
+    runs = [context.Process(target=unpacked_into, args=(zipped, path)) for path in found]
+    for run in runs:
+        run.start()
+    for run in runs:
+        run.join()
+        assert run.exitcode == 0
+    assert {path.read_text(encoding="utf-8") for path in found} == {"300"}

@@ -156,7 +156,7 @@ def test_a_hostile_zip_of_a_class_writes_nowhere_else(
     )
     class_folder(zipped)
     assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {
-        *("lab1.zip", "dee.zip", ".unpacked.json"),
+        *("lab1.zip", "dee.zip", ".unpacked.json", ".lab1.zip.lock"),
         "bomb_1_2_w.zip",  # empty, so that it is known who handed it in
     }
     assert (below / "lab1/bomb_1_2_w.zip").stat().st_size == 0

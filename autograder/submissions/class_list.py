@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 
 from autograder.submissions.exports import without_suffix
-from autograder.submissions.find import Entry, Submission, find_entries, printable
+from autograder.submissions.find import Entry, Submission, contents, find_entries, printable
 from autograder.submissions.names import Names, letters
 from autograder.submissions.owners import Owners, Who
 from autograder.submissions.platform_files import Uploads
@@ -157,7 +157,9 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         names = " and ".join(repr(entry.path.name) for entry in usable)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
     last = max(usable or entries, key=_order)
-    if len(same := [entry for entry in usable if _order(entry) == _order(last)]) > 1:
+    same = [entry for entry in usable if _order(entry) == _order(last)]
+    last = same[0] if same else last
+    if any(contents(entry.path) != contents(last.path) for entry in same[1:]):
         names = " and ".join(repr(entry.path.name) for entry in same)
         raise ValueError(
             f"must hand in only once, got {names}, and their names do not say which is the last. "
@@ -168,6 +170,7 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         if entry is not last and usable:
             name = printable(entry.path.name)
             why = entry.problem or "it was uploaded earlier. Put all files into one zip"
+            why = "it has the same files" if entry in same else why
             notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
     nothing = "; ".join(
         f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"

@@ -130,6 +130,16 @@ def file_name(student: str) -> str:
     return f"{cut.decode(errors='ignore')}-{digest}"
 
 
+def contents(path: Path) -> dict[str, str]:
+    """Return a hash of each file of a submission. Moodle has a copy for each student of a team."""
+    files = {path} if path.is_file() else {file for file in path.rglob("*") if file.is_file()}
+    return {
+        file.relative_to(path).as_posix(): hashlib.sha256(file.read_bytes()).hexdigest()
+        for file in files
+        if not file.is_symlink()
+    }
+
+
 def printable(text: str) -> str:
     """Escape the unprintable characters in a text, such as the name of a submitted file.
 

@@ -30,7 +30,7 @@ class Owners:
             (
                 student,
                 f"{student.name} in line {student.line}",
-                (*student.names, f"{student.name} ({student.id})"),  # as in the reports
+                (*student.names, *_on_submissions(student)),
             )
             for student in self.roster
         )
@@ -203,6 +203,12 @@ class Owners:
             f"Save Moodle's grading worksheet as {OF_MOODLE} in {str(entry.path.parent)!r}, or "
             f"rename the submission to {new!r}, where ID is its student's id"
         )
+
+
+def _on_submissions(student: Student) -> list[str]:
+    """Return what else a submission may be called: the name in reports, and Moodle's for a team."""
+    in_team = [f"{student.group}-{student.name}"] if student.group else []
+    return [f"{student.name} ({student.id})", *in_team]
 
 
 def _resemble(student: Student, export: Exported) -> bool:

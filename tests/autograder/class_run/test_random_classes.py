@@ -24,7 +24,7 @@ from autograder.submissions.moodle_worksheet import worksheet_in
 from graded import CHAPTERS, report_of
 from random_class import Person, RandomClass, a_name_of, random_class
 
-CLASSES = int(os.environ.get("CLASSES", "200"))
+CLASSES = int(os.environ.get("CLASSES", "260"))
 SEEDS = range(CLASSES)
 
 
@@ -166,6 +166,6 @@ def test_the_classes_differ_and_most_are_clear(tmp_path: Path) -> None:
         seen["unclear" if made.is_unclear else made.how] += 1
         seen["namesakes"] += len({p.name() for p in made.people}) < len(made.people)
         seen["nothing"] += any(p.path and not p.is_gradable for p in made.people)
-    if CLASSES >= 200:
+    if CLASSES >= 260:
         assert min(seen.values()) >= 5, seen
         assert seen["unclear"] <= CLASSES / 3

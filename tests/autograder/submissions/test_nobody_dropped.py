@@ -22,7 +22,7 @@ def roster_of(path: Path, *rows: tuple[str, ...]) -> Path:
 
 def class_of(folder: Path, names: str, *rows: tuple[str, ...]) -> ClassList:
     for name in names.split("|"):
-        (folder / "class" / name).mkdir(parents=True)
+        (folder / "class" / name).mkdir(parents=True, exist_ok=True)
     return read_class(folder / "class", roster_of(folder / "roster.csv", *rows) if rows else None)
 
 
@@ -131,8 +131,24 @@ def test_a_worksheet_knows_students_with_a_dot_in_their_name(tmp_path: Path) -> 
 def test_without_an_order_of_uploads_none_is_the_last(tmp_path: Path) -> None:
     names = "Ann_1_assignsubmission_file|Bo_2_assignsubmission_file"
     rows = [("1", "Ann", "", "", "a"), ("2", "Bo", "", "", "a")]
+    (tmp_path / "class/Bo_2_assignsubmission_file/ch02_vectors").mkdir(parents=True)
+    (tmp_path / "class/Bo_2_assignsubmission_file/ch02_vectors/vector.py").touch()
     with pytest.raises(ValueError, match=r"their names do not say which is the last. Keep one"):
         class_of(tmp_path, names, *rows)
+
+
+def test_moodle_has_the_files_of_a_team_once_for_each_student(tmp_path: Path) -> None:
+    names = [f"Team 1-{name}_assignsubmission_file" for name in ("Ann_1", "Bo_2")]
+    rows = [("1", "Ann", "", "", "Team 1"), ("2", "Bo", "", "", "Team 1")]
+    for name in names:
+        (tmp_path / "class" / name).mkdir(parents=True)
+        (tmp_path / "class" / name / "work.zip").write_bytes(b"zip")
+    found = class_of(tmp_path, "|".join(names), *rows)
+    assert who(found) == {"Ann": names[0], "Bo": names[0]}
+    (submission,) = found.submissions
+    assert submission.notes == (
+        f"'{names[0]}' was graded, and '{names[1]}' was not: it has the same files",
+    )
 
 
 # GitHub and Gradescope

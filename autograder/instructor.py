@@ -145,7 +145,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def _class_of(arguments: argparse.Namespace) -> Path:
-    """Return the folder or the zip of the class to grade if the command names none.
+    """Return the folder of the class to grade if the command names none.
 
     It is the class whose grades are in the folder for the results. If there are none, it is the
     sample class, but never for a real assignment.
@@ -154,11 +154,12 @@ def _class_of(arguments: argparse.Namespace) -> Path:
         ValueError: The command is for a real class that it must name.
     """
     from autograder.grader.class_folder import SAMPLE, graded_folder
-    from autograder.submissions.unpack import zip_of
+    from autograder.submissions.unpack import refuse_newer_zip
 
     if before := graded_folder(arguments.out):
+        refuse_newer_zip(before)
         print(f"grading the class in {before} again")
-        return zip_of(before) or before
+        return before
     if arguments.assignment or arguments.student or arguments.roster:
         raise ValueError(
             "name the folder or the zip of the submissions (make: SUBMISSIONS=../handed-in)"

@@ -120,7 +120,7 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[st
         same = sum(name in names for name in there)
         if before.exists() or 2 * same < len(there):
             what = f"the grades of the class in {before}, and not in {folder}"
-    elif (earlier := _work_in(out)) and _described(earlier) != _described(work):
+    if not what and (earlier := _work_in(out)) and _described(earlier) != _described(work):
         what = f"the grades of {_described(earlier)}, and not of {_described(work)}"
     if what:
         raise ValueError(

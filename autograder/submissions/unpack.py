@@ -96,10 +96,18 @@ def class_folder(path: Path) -> Path:
     return folder
 
 
-def zip_of(folder: Path) -> Path | None:
-    """Return the zip from which a folder was unpacked, or None if there is none."""
-    path = folder.with_name(f"{folder.name}.zip")
-    return path if (folder / MARKER).is_file() and path.is_file() else None
+def refuse_newer_zip(folder: Path) -> None:
+    """Raise ValueError if the zip from which a folder was unpacked has changed since then.
+
+    It may be a newer download, or one of another assignment, which platforms call the same.
+    """
+    for path in (folder.with_name(folder.name + suffix) for suffix in (".zip", ".ZIP")):
+        if (folder / MARKER).is_file() and path.is_file():
+            if _read_marker(folder).zip != _digest(path):
+                raise ValueError(
+                    f"{path} has changed since it was unpacked. Name it to grade what is in it now "
+                    f"(make: SUBMISSIONS={path}), or name {folder} to grade what was in it before"
+                )
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
@@ -119,6 +127,15 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         for one in there:
             if one.name in names and one.name not in before.names:
                 raise ValueError(f"{one} did not come from {path.name}: move it elsewhere")
+        own = [
+            one.name for one in there if not (one.name in before.names or one.name.startswith("."))
+        ]
+        if own and before.names and not {*before.names} & {*names}:
+            raise ValueError(
+                f"{path} has no submission that is in {folder}, so it may be of another "
+                f"assignment, and {own[0]} there not for it. Rename {folder} first, or move "
+                f"{own[0]} elsewhere"
+            )
         # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:

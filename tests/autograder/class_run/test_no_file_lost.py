@@ -85,7 +85,9 @@ def test_the_grades_of_other_chapters_are_never_replaced(
     assert everything_in(out) == before
 
 
-def test_the_class_is_graded_again_on_the_same_chapters_from_a_newer_zip(tmp_path: Path) -> None:
+def test_the_class_is_graded_again_on_the_same_chapters_and_never_from_an_older_zip(
+    tmp_path: Path,
+) -> None:
     out, zipped = tmp_path / "out", tmp_path / "lab1.zip"
 
     def download(*students: str) -> None:
@@ -98,6 +100,9 @@ def test_the_class_is_graded_again_on_the_same_chapters_from_a_newer_zip(tmp_pat
     first = typed(*command, zipped, "--chapters", "2")
     assert first.returncode == 0, first.stderr
     download("ann", "bob")
+    newer = typed(*command)
+    assert (newer.returncode, "lab1.zip has changed since it was unp" in newer.stderr) == (2, True)
+    assert typed(*command, zipped, "--chapters", "2").returncode == 0
     again = typed(*command)
     assert again.returncode == 0, again.stderr
     with (out / "gradebook.csv").open(encoding="utf-8", newline="") as file:

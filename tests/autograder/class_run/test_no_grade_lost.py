@@ -58,6 +58,8 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
         assert words in str(caught.value)
         assert everything_in(out) == before
     submissions.rename(tmp_path / "moved")
+    with pytest.raises(ValueError, match="the grades of lab1, and not of lab2"):
+        grade(tmp_path / "moved", out, root, assignment="lab2")
     assert grade(tmp_path / "moved", out, root, assignment="lab1") == 0, "the same class"
 
 

@@ -81,13 +81,28 @@ class Uploads:
 
     def notes(self, paths: Iterable[Path]) -> list[str]:
         """Say which rows of the files are about no submission at one of these paths."""
-        there = {name for path in paths for name in (path.name, without_suffix(path))}
+        seen = [*paths]
+        there = {name for path in seen for name in (path.name, without_suffix(path))}
         unknown = [name for name in self._by_name if name not in there]
-        if not unknown:
-            return []
-        some = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")
-        words = f"submissions of the platform's files are not in {self._folder}"
-        return [f"{len(unknown)} {words}: {some}"]
+        exports = [read_export(path.name) for path in seen]
+        numbers = {one.number for one in exports if one and one.platform == "moodle"}
+        absent = [
+            f"{upload.together or 'participant'} ({number})"
+            for number, upload in self._by_number.items()
+            if upload.at and number not in numbers
+        ]
+        lines = []
+        if unknown:
+            words = f"submissions of the platform's files are not in {self._folder}"
+            lines.append(f"{len(unknown)} {words}: {_some(unknown)}")
+        if absent and numbers:
+            words = f"participants in {OF_MOODLE} have handed in, but not in {self._folder}"
+            lines.append(f"{len(absent)} {words}: {_some(absent)}")
+        return lines
+
+
+def _some(names: list[str]) -> str:
+    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
 
 
 def _of_moodle(folder: Path) -> dict[str, Upload]:

@@ -101,13 +101,14 @@ def refuse_newer_zip(folder: Path) -> None:
 
     It may be a newer download, or one of another assignment, which platforms call the same.
     """
+    if not (folder / MARKER).is_file():
+        return
     for path in (folder.with_name(folder.name + suffix) for suffix in (".zip", ".ZIP")):
-        if (folder / MARKER).is_file() and path.is_file():
-            if _read_marker(folder).zip != _digest(path):
-                raise ValueError(
-                    f"{path} has changed since it was unpacked. Name it to grade what is in it now "
-                    f"(make: SUBMISSIONS={path}), or name {folder} to grade what was in it before"
-                )
+        if path.is_file() and _read_marker(folder).zip != _digest(path):
+            raise ValueError(
+                f"{path} has changed since it was unpacked. Name it to grade what is in it now "
+                f"(make: SUBMISSIONS={path}), or name {folder} to grade what was in it before"
+            )
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:

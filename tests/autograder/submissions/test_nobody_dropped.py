@@ -128,6 +128,16 @@ def test_a_worksheet_knows_students_with_a_dot_in_their_name(tmp_path: Path) -> 
     assert who(found) == {"Ann B. Lee (u77)": names[0], "Ann B. Lee (u78)": names[1]}
 
 
+def test_a_participant_whose_submission_was_not_downloaded_is_named(tmp_path: Path) -> None:
+    (tmp_path / "class").mkdir()
+    (tmp_path / "class/worksheet.csv").write_text(download(Sheet()), encoding="utf-8")
+    found = class_of(tmp_path, "Ann Lee_12_assignsubmission_file|Bo_14_assignsubmission_file")
+    place = tmp_path / "class"
+    assert found.notes == [
+        f"1 participants in worksheet.csv have handed in, but not in {place}: Bo O'Neill (13)"
+    ]
+
+
 def test_without_an_order_of_uploads_none_is_the_last(tmp_path: Path) -> None:
     names = "Ann_1_assignsubmission_file|Bo_2_assignsubmission_file"
     rows = [("1", "Ann", "", "", "a"), ("2", "Bo", "", "", "a")]
@@ -170,7 +180,7 @@ def test_the_students_of_one_repository_are_a_group(tmp_path: Path, separator: s
 
 
 def test_another_table_in_place_of_githubs_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"grades.csv, line 1: the grades of GitHub Classroom hav"):
+    with pytest.raises(ValueError, match=r"grades.csv, line 1: the grades of GitHub Classroom"):
         with_grades(tmp_path, "student,points\nAnn,3\n")
 
 

@@ -121,7 +121,7 @@ def test_marks_are_not_used_for_the_zip_of_another_assignment(tmp_path: Path) ->
     folder = class_folder(class_zip(tmp_path, {"doejane_77_101_w.zip": WORK}))
     (folder / "marks.csv").write_text("mine", encoding="utf-8")
     zipped = class_zip(tmp_path, {"doejane_77_901_w.zip": WORK})
-    with pytest.raises(ValueError, match="may be of another assignment, and marks.csv there not"):
+    with pytest.raises(ValueError, match=r"may be of another assignment, and marks.csv there not"):
         class_folder(zipped)
     assert (folder / "doejane_77_101_w.zip").exists()
     (folder / "marks.csv").unlink()

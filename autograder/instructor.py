@@ -112,6 +112,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
 
+    from autograder.grader.class_folder import SAMPLE
     from autograder.grader.cohort import ClassOptions, grade
     from autograder.grader.regrade import earlier_choice
     from autograder.platforms.uploads import Column
@@ -119,10 +120,11 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
-    if arguments.student and not (arguments.chapters or arguments.given or arguments.assignment):
+    folder = class_folder(arguments.folder or _class_of(arguments))
+    is_again = arguments.student or not (arguments.folder or folder == SAMPLE)
+    if is_again and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
-    folder = class_folder(arguments.folder) if arguments.folder else _class_of(arguments)
     options = ClassOptions(
         given=work.given,
         earlier=work.earlier,
@@ -143,7 +145,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def _class_of(arguments: argparse.Namespace) -> Path:
-    """Return the class to grade if the command names none.
+    """Return the folder of the class to grade if the command names none.
 
     It is the class whose grades are in the folder for the results. If there are none, it is the
     sample class, but never for a real assignment.
@@ -152,8 +154,10 @@ def _class_of(arguments: argparse.Namespace) -> Path:
         ValueError: The command is for a real class that it must name.
     """
     from autograder.grader.class_folder import SAMPLE, graded_folder
+    from autograder.submissions.unpack import refuse_newer_zip
 
     if before := graded_folder(arguments.out):
+        refuse_newer_zip(before)
         print(f"grading the class in {before} again")
         return before
     if arguments.assignment or arguments.student or arguments.roster:

@@ -11,13 +11,14 @@ import json
 import secrets
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from autograder.manifest import ROOT
 from autograder.submissions.class_list import ClassList
-from autograder.submissions.find import RECORD, file_name
+from autograder.submissions.find import RECORD, Submission, file_name
 
 SAMPLE = (ROOT / "sample_class").resolve()
 
@@ -39,45 +40,77 @@ def seed_of(state: Path, seed: str | None) -> str:
     return secrets.token_hex(4)
 
 
-def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Check that a regrade uses a roster if and only if the class was graded with one.
+def refuse_dropped(state: Path, *, has_roster: bool, has_checks: bool, is_regrade: bool) -> None:
+    """Check that no run drops the roster or the hidden checks with which the class was graded.
 
     With a roster, the reports use its names for the students. Without one, they use the names of
-    the submissions. If only one of the two runs had a roster, the same student could be listed
-    twice.
+    the submissions. The first run with a roster therefore has to be one of the whole class.
 
     Raises:
-        ValueError: Only one of the two runs uses a roster.
+        ValueError: The roster or the hidden checks are missing, or a regrade has a new roster.
     """
     try:
-        before = json.loads(state.read_text(encoding="utf-8"))["roster"]
-    except (OSError, ValueError, KeyError, TypeError):
+        record = json.loads(state.read_text(encoding="utf-8"))
+        had_roster, had_checks = record["roster"], record.get("checks", False)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return  # no run, or one that did not record it
-    if before and not has_roster:
+    if had_roster and not has_roster:
         raise ValueError(
             "the class was graded with a roster: add --roster (make: ROSTER=), or --assignment "
-            "(make: ASSIGNMENT=) if the course file names the roster"
+            "(make: ASSIGNMENT=) if the course file names the roster. To grade it without one, add "
+            "another --out (make: OUT=)"
         )
-    if has_roster and not before:
+    if had_checks and not has_checks:
+        raise ValueError(
+            "the class was graded with hidden checks: add --checks (make: CHECKS=), or grade it "
+            "without them into another --out (make: OUT=)"
+        )
+    if is_regrade and has_roster and not had_roster:
         raise ValueError("the class was graded without a roster: leave out --roster")
 
 
 def graded_folder(out: Path) -> Path | None:
     """Return the folder of the class whose grades are in ``out``, or None if there are none."""
-    folder = _recorded(out, "folder")
-    return Path(folder) if folder else None
+    try:
+        return Path(json.loads((out / RECORD).read_text(encoding="utf-8"))["folder"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
 
 
-def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: str) -> None:
+def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> None:
+    """Check that reports are written neither among submissions nor among files of another kind.
+
+    Raises:
+        ValueError: The folder ``out`` is that of the class, in a submission, or neither new nor one
+            with grades.
+    """
+    if out.resolve() == folder.resolve():
+        raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
+    for one in submissions:
+        if out.resolve().is_relative_to(one.path.resolve()):
+            raise ValueError(
+                f"--out must not be inside the submission {one.student!r}, got {str(out)!r}"
+            )
+    if out.is_dir() and not (out / RECORD).is_file():
+        own = sorted(path.name for path in out.iterdir() if not path.name.startswith("."))
+        if own:
+            raise ValueError(
+                f"--out must be a new folder or one with grades, but {out} has other files, such "
+                f"as {own[0]}. Name another one (make: OUT=build/other)"
+            )
+
+
+def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[str, Any]) -> None:
     """Check that a run does not replace the grades of another class or of another assignment.
 
+    ``work`` has the name of the assignment and the numbers of the graded and of the given chapters.
     The grades of the sample class may be replaced. If the folder of the class is no longer where it
     was, the same students must have handed in.
 
     Raises:
         ValueError: The folder has other grades.
     """
-    before, earlier = graded_folder(out), _recorded(out, "assignment")
+    before = graded_folder(out)
     if before is None or before == SAMPLE:
         return
     what = ""
@@ -87,8 +120,8 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: s
         same = sum(name in names for name in there)
         if before.exists() or 2 * same < len(there):
             what = f"the grades of the class in {before}, and not in {folder}"
-    elif assignment != earlier:
-        what = f"the grades of {earlier or 'whole chapters'}, and not of {assignment or 'these'}"
+    if not what and (earlier := _work_in(out)) and _described(earlier) != _described(work):
+        what = f"the grades of {_described(earlier)}, and not of {_described(work)}"
     if what:
         raise ValueError(
             f"{out} has {what}. To keep them, add another --out (make: OUT=build/other). To "
@@ -96,13 +129,24 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: s
         )
 
 
-def _recorded(out: Path, name: str) -> str:
-    """Return what the last run into this folder has recorded, or "" if there is nothing."""
+def _described(work: dict[str, Any]) -> str:
+    """Describe what was graded. The chapters of an assignment may change in the course file."""
+    coded = " with codes for names" if work["anonymous"] else ""
+    if work["assignment"]:
+        return f"{work['assignment']}{coded}"
+    chapters = f"chapters {', '.join(map(str, work['chapters']))}"
+    given = f" on given chapters {', '.join(map(str, work['given']))}" if work["given"] else ""
+    return f"{chapters}{given}{coded}"
+
+
+def _work_in(out: Path) -> dict[str, Any] | None:
+    """Return what the last run into this folder has graded, or None if it is not recorded."""
+    names = ("assignment", "chapters", "given", "anonymous")
     try:
-        value = json.loads((out / RECORD).read_text(encoding="utf-8"))[name]
+        record = json.loads((out / RECORD).read_text(encoding="utf-8"))
+        return {name: record[name] for name in names}
     except (OSError, ValueError, KeyError, TypeError):
-        return ""
-    return value if isinstance(value, str) else ""
+        return None
 
 
 @contextmanager
@@ -115,7 +159,7 @@ def only_run(out: Path) -> Iterator[Path]:
     Raises:
         ValueError: The path is not a folder, or another run is using it.
     """
-    if out.exists() and not out.is_dir():
+    if (out.exists() or out.is_symlink()) and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)
     with (out / ".lock").open("w", encoding="utf-8") as lock:

@@ -20,7 +20,7 @@ from rich.table import Table
 from autograder.checks.judge import is_stopped, stopping
 from autograder.checks.runner import GraderError
 from autograder.grader.assignment import Assignment, OnceForAll
-from autograder.grader.grading import digest_of, grade_submission, report_of_failure
+from autograder.grader.grading import grade_submission, report_of_failure, still_valid
 from autograder.grader.run_key import run_key
 from autograder.manifest import load_chapters
 from autograder.marking.answers import answer_hashes
@@ -178,25 +178,18 @@ class ClassRun:
     def earlier(self, submission: Submission) -> StudentReport | None:
         """Return the report of an earlier run on this submission, or None if it cannot be reused.
 
-        A report cannot be reused if the submission or the conditions of grading have changed.
+        A report cannot be reused if the submitted files or the conditions of grading, such as the
+        checks and the seed, have changed. A report that says that the grader itself failed is never
+        reused.
         """
-        path = self.out / "results" / f"{file_name(submission.student)}.json"
-        report = read_result(path)
-        if not self.keeps_reports or report is None or not self.is_valid(report, submission):
+        report = read_result(self.out / "results" / f"{file_name(submission.student)}.json")
+        if not self.keeps_reports or report is None or report.run != self.key:
             return None
-        self.reused.append(submission.student)
+        if report.status == "error, retry":
+            return None
+        if report := still_valid(self.assignment, submission, report):
+            self.reused.append(submission.student)
         return report
-
-    def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return True if grading the submission again would produce the same report.
-
-        This is the case if the submitted files and the conditions of grading, such as the checks
-        and the seed, have not changed. A report that says that the grader itself failed is never
-        valid.
-        """
-        if report.status == "error, retry" or report.run != self.key:
-            return False
-        return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:

@@ -23,8 +23,9 @@ from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import (
     only_run,
     put_others_aside,
+    refuse_dropped,
     refuse_other_class,
-    refuse_other_roster,
+    refuse_place,
     seed_of,
     temporary_files_in,
 )
@@ -42,7 +43,6 @@ from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.codes import key_path
-from autograder.submissions.find import Submission
 from autograder.submissions.moodle_worksheet import worksheet_in
 from autograder.text.wrapping import plain_console
 
@@ -110,11 +110,18 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
+    named = folder_with_names(out, folder, anonymous=options.anonymous)
     people = people_of(folder, out, options.roster, anonymous=options.anonymous)
     worksheet = worksheet_in(folder)
     submissions = people.submissions
-    _refuse_inside(out, folder, submissions)
-    refuse_other_class(out, people, folder, options.assignment)
+    refuse_place(out, folder, submissions)
+    work = {
+        "assignment": options.assignment,
+        "chapters": [chapter.number for chapter in chapters],
+        "given": [chapter.number for chapter in options.given],
+        "anonymous": options.anonymous,
+    }
+    refuse_other_class(out, people, folder, work)
     everyone = [submission.student for submission in submissions]
     manifests = load_chapters(options.root)
     marks, unused = read_marks(folder / "marks.csv", manifests, people)
@@ -128,8 +135,13 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
         has_roster = options.roster is not None
-        if options.student:
-            refuse_other_roster(state, has_roster=has_roster)
+        has_checks = options.hidden is not None
+        refuse_dropped(
+            state,
+            has_roster=has_roster,
+            has_checks=has_checks,
+            is_regrade=options.student is not None,
+        )
         again = Regrade(out, options.student, people) if options.student else None
         seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
@@ -150,8 +162,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         )
         if again:
             submissions = again.prepare(class_run)
-        record = {"seed": seed, "finished": False, "roster": has_roster}
-        record |= {"folder": str(folder.resolve()), "assignment": options.assignment}
+        record = {"seed": seed, "finished": False, "roster": has_roster, "checks": has_checks}
+        record |= {"folder": str(folder.resolve()), **work}
         replace_file(state, json.dumps(record) + "\n")
         for note in notes:
             console.print(note, markup=False)
@@ -168,7 +180,6 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         moved = put_others_aside(out, [report.student for report in reports])
         places = write_class(out, chapters, reports, people)
         places.append(write_class_page(out, chapters, reports))
-        named = folder_with_names(out, anonymous=options.anonymous)
         uploads, lines = write_uploads(named, chapters, people, reports, options.column, worksheet)
         uploads += give_back(named, out, people, reports)
         finished = all(report.status != "error, retry" for report in reports)
@@ -204,17 +215,6 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         only_you = ": keep this private, because it contains names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status == "error, retry" for report in graded))
-
-
-def _refuse_inside(out: Path, folder: Path, submissions: list[Submission]) -> None:
-    """Raise ValueError if reports would be written into the class's folder or a submission."""
-    if out.resolve() == folder.resolve():
-        raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
-    for one in submissions:
-        if out.resolve().is_relative_to(one.path.resolve()):
-            raise ValueError(
-                f"--out must not be inside the submission {one.student!r}, got {str(out)!r}"
-            )
 
 
 def _marks_elsewhere(marks: Marks, chapters: list[Chapter]) -> list[str]:

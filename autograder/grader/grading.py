@@ -66,9 +66,7 @@ def grade_submission(
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
-            if why := why_nothing(staged, assignment.chapters):
-                if submission.path.suffix.lower() == ".zip":  # a folder has the name of the student
-                    why = f"'{submission.path.name}': {why}"
+            if why := _why_nothing(submission, staged, assignment):
                 return _nothing(assignment, submission, why, staged.digest)
             notes = [*submission.notes, *notes_on(staged, assignment.chapters)]
             with (
@@ -81,6 +79,12 @@ def grade_submission(
     except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
     return replace(report, seconds=round(time.monotonic() - start, 3))
+
+
+def _why_nothing(submission: Submission, staged: Staged, assignment: Assignment) -> str:
+    why = why_nothing(staged, assignment.chapters)
+    is_zip = submission.path.suffix.lower() == ".zip"  # a folder has the name of the student
+    return f"'{submission.path.name}': {why}" if why and is_zip else why
 
 
 def _nothing(
@@ -113,17 +117,26 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     return replace(_report(assignment, OnceForAll(), student, graded, []), seconds=0.0)
 
 
-def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Compute a digest of a submission's files, which is used later to detect changes.
+def still_valid(
+    assignment: Assignment, submission: Submission, report: StudentReport
+) -> StudentReport | None:
+    """Return an earlier report with today's notes, or None if other files would be graded now.
 
-    The digest covers only the files that the grader reads. As long as it stays the same, the report
-    from an earlier run can be reused.
+    A student may have handed in files since then that are not graded, such as a PDF.
     """
     if submission.nothing:
-        return submission.nothing
-    with tempfile.TemporaryDirectory(prefix="submission-") as folder:
-        chapters = load_chapters(assignment.root)
-        return stage(submission.path, chapters, Path(folder), assignment.root).digest
+        new = _nothing(assignment, submission, submission.nothing, submission.nothing)
+    else:
+        with tempfile.TemporaryDirectory(prefix="submission-") as folder:
+            chapters = load_chapters(assignment.root)
+            staged = stage(submission.path, chapters, Path(folder), assignment.root)
+        if why := _why_nothing(submission, staged, assignment):
+            new = _nothing(assignment, submission, why, staged.digest)
+        else:
+            notes = [*submission.notes, *notes_on(staged, assignment.chapters)]
+            new = replace(report, nothing="", notes=notes, submission=staged.digest)
+    same = (report.submission, report.status) == (new.submission, new.status)
+    return replace(new, run=report.run) if same else None
 
 
 def _all_results(

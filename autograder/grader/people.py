@@ -33,12 +33,23 @@ def people_of(folder: Path, out: Path, roster: Path | None, *, anonymous: bool) 
     return replace(people, gone=frozenset(report.student for report in reports))
 
 
-def folder_with_names(out: Path, *, anonymous: bool) -> Path:
-    """Return the folder for files that contain students' names, such as those for Canvas.
+def folder_with_names(out: Path, folder: Path, *, anonymous: bool) -> Path:
+    """Return the place for files that contain students' names, such as those for Canvas.
 
-    If the class is anonymous, this folder is outside ``out``, so that ``out`` can be shared.
+    If the class is anonymous, it is outside ``out``, so that ``out`` can be shared.
+
+    Raises:
+        ValueError: It would be in the folder of the class, and count as a student.
     """
-    return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
+    if not anonymous:
+        return out
+    named = out.resolve().with_name(f"{out.resolve().name}-named")
+    if named.is_relative_to(folder.resolve()):
+        raise ValueError(
+            f"--out must not be in the folder of an anonymous class, since the names would be "
+            f"beside it, got {str(out)!r}"
+        )
+    return named
 
 
 def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str]:

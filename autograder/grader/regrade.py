@@ -50,8 +50,29 @@ class Regrade:
         self.student = people.report_of(student)
         if not self.student:
             raise ValueError(f"there is no submission of {student!r}")
+        self._refuse_changed(people)
         self.submissions = [one for one in people.submissions if one.student == self.student]
         self.kept = out / f".before-{file_name(self.student)}.json"
+
+    def _refuse_changed(self, people: ClassList) -> None:
+        """Raise ValueError if the others who have handed in are not those who have a report.
+
+        Otherwise, they would be in none of the new lists, or in two of them.
+        """
+        now = {one.student for one in people.submissions} - {self.student}
+        graded = {report.student for report in self.reports} - {self.student}
+        parts = [
+            f"{what}: {'; '.join(sorted(names))}"
+            for what, names in (("not graded yet", now - graded), ("not there", graded - now))
+            if names
+        ]
+        if parts:
+            seed = self.reports[0].seed
+            raise ValueError(
+                f"the class is not the one that was graded ({', and '.join(parts)}). Grade all of "
+                f"it again with --seed {seed} (make: SEED={seed}, without STUDENT=). Whatever has "
+                "not changed keeps its result"
+            )
 
     @property
     def before(self) -> StudentReport | None:

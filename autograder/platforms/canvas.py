@@ -11,6 +11,7 @@ from pathlib import Path
 from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.csv_rows import FORMULA, as_cell
+from autograder.submissions.names import key, letters
 from autograder.text.clean import clean_line
 
 HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
@@ -35,7 +36,7 @@ def write_canvas(
             name = as_cell(who.name)
             login = who.login or who.email
             grade = number(grades.get(member.report))
-            rows.append([name, _canvas_id(member), who.id, login, "", grade])
+            rows.append([name, _canvas_id(member, people), who.id, login, "", grade])
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     replace_file(path, text.getvalue())
@@ -59,15 +60,28 @@ def check_title(title: str) -> str:
     return title
 
 
-def _canvas_id(member: Member) -> str:
+def _canvas_id(member: Member, people: ClassList) -> str:
     """Find a student's ID number in Canvas, or return "" if it is unknown.
 
     If the student submitted the work through Canvas, the name of the submission contains the
-    number. Otherwise the student's id on the roster is used if it is a number. Canvas would mistake
-    the digits at the start of any other id for one of its own IDs.
+    number. In a group, that is the number of only one of the students. Otherwise the student's id
+    on the roster is used if it is a number, but not if it is the number of another student. Canvas
+    would mistake the digits at the start of any other id for one of its own IDs.
     """
+    student = member.student
+    own = student.id if student else ""
     export = member.submission.export if member.submission else None
-    if export and export.platform == "canvas" and export.number.isdecimal():
-        return export.number
-    own = member.student.id if member.student else ""
-    return own if re.fullmatch(r"[1-9][0-9]*", own) else ""
+    if student and export and export.platform == "canvas" and export.number.isdecimal():
+        group = [m.student for m in people.members if m.report == member.report and m.student]
+        if len(group) == 1:
+            return export.number
+        if all(key(one.id) != key(export.number) for one in group):
+            # The ids on the roster are not those of Canvas.
+            named = [one for one in group if letters(export.name) in one.canvas_names]
+            return export.number if named == [student] else ""
+    others = {
+        other.submission.export.number
+        for other in people.members
+        if other.submission and other.submission.export and other.report != member.report
+    }
+    return own if re.fullmatch(r"[1-9][0-9]*", own) and own not in others else ""

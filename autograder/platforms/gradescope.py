@@ -7,6 +7,7 @@ reference solution that grading needs.
 from __future__ import annotations
 
 import json
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from autograder.platforms.zipped import zipped
 from autograder.scores import possible, shown
 
 HIDDEN = "hidden"  # the folder of the hidden checks in the zip
+SETTINGS = "assignment.json"
 SCRIPTS = ("setup.sh", "run_autograder")
 
 
@@ -42,6 +44,7 @@ def make_gradescope(
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
+    _refuse_other_zip(out)
     if unsafe and work.hidden:
         raise ValueError("without a sandbox, students' code could read the hidden checks")
     chapters, given = work.chapters, work.given
@@ -66,7 +69,7 @@ def make_gradescope(
     contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
     contents |= _hidden(work)
     contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
-    contents["assignment.json"] = (json.dumps(settings) + "\n").encode()
+    contents[SETTINGS] = (json.dumps(settings) + "\n").encode()
     replace_bytes(out, zipped(contents, SCRIPTS))
     print(f"graded: {_names(chapters)}")
     if given:
@@ -75,6 +78,21 @@ def make_gradescope(
         print(f"with the reference of: {_names(reference)}")
     print(f"points of the assignment, including written answers: {shown(possible(exercises))}")
     print(f"autograder: {out}, {len(contents)} files, {out.stat().st_size:,} bytes")
+
+
+def _refuse_other_zip(out: Path) -> None:
+    """Raise ValueError if a file that this command has not made would be replaced."""
+    if out.exists():
+        try:
+            with zipfile.ZipFile(out) as file:
+                is_ours = {*SCRIPTS, SETTINGS} <= {*file.namelist()}
+        except zipfile.BadZipFile:
+            is_ours = False
+        if not is_ours:
+            raise ValueError(
+                f"{out} is another file, such as a download of submissions: give --out a new name "
+                "(make: OUT=)"
+            )
 
 
 def _files(

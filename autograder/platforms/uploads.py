@@ -126,8 +126,8 @@ def write_uploads(
         full = min(column.points or worksheet.most, worksheet.most)
         grades = _Grades("moodle-worksheet.csv", full, worksheet.most, totals, most)
         path = folder / grades.file
-        left_out = write_worksheet(path, worksheet, people, grades.scaled)
-        if len(left_out) < len(totals):
+        is_written, left_out = write_worksheet(path, worksheet, people, grades.scaled)
+        if is_written:
             paths.append(path)
             lines += grades.lines
         if left_out:

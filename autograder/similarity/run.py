@@ -7,14 +7,18 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import track
 
+from autograder.files import is_new
+from autograder.grader.class_folder import SAMPLE
 from autograder.grader.people import differences
 from autograder.manifest import ROOT, Chapter
+from autograder.reports.texts import replace_file
 from autograder.similarity.collect import collect, ground_of
 from autograder.similarity.compare import FEWEST, Comparison, Work, compare
 from autograder.similarity.pages import write_pages
 from autograder.submissions.class_list import read_class
 from autograder.text.wrapping import plain_console
 
+RECORD = "compared.txt"  # names the class, and shows that the folder is of this command
 MOST_NAMED = 20  # identical pairs that are named on the screen; the page lists all of them
 
 
@@ -33,6 +37,7 @@ def similarity(
     """
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
+    _refuse_other_files(out, folder)
     people = read_class(folder, roster)
     submissions, notes = people.submissions, [*people.notes, *differences(people, [])]
     console = plain_console()
@@ -49,12 +54,30 @@ def similarity(
         else:
             notes.append(f"{work.student} was left out: there is no code to compare")
     comparison = compare(works)
+    replace_file(out / RECORD, f"{folder.resolve()}\n")
     index = write_pages(out, comparison, chapters, ground.small, notes)
     for note in notes:
         console.print(note, markup=False, soft_wrap=True)
     _print_outstanding(console, comparison)
     console.print(f"Read the code of each pair yourself: {index}", markup=False, soft_wrap=True)
     return 0
+
+
+def _refuse_other_files(out: Path, folder: Path) -> None:
+    """Raise ValueError if ``out`` has other files, or the pages about another class."""
+    record = out / RECORD
+    other = ""
+    if record.is_file():
+        before = Path(record.read_text(encoding="utf-8").rstrip("\n"))
+        if before not in (folder.resolve(), SAMPLE):
+            other = f"it has the pages about the class in {before}"
+    elif not is_new(out, record):
+        other = "it has other files"
+    if other:
+        raise ValueError(
+            f"--out must be a new folder or one with pages about this class, got {str(out)!r}, but "
+            f"{other}. Name another one (make: OUT=)"
+        )
 
 
 def _print_outstanding(console: Console, comparison: Comparison) -> None:

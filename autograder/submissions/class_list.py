@@ -12,7 +12,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
-from autograder.submissions.find import Entry, Submission, find_entries, printable
+from autograder.submissions.exports import without_suffix
+from autograder.submissions.find import Entry, Submission, contents, find_entries, printable
 from autograder.submissions.names import Names, letters
 from autograder.submissions.owners import Owners, Who
 from autograder.submissions.platform_files import Uploads
@@ -156,18 +157,31 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
     if len(usable) > 1 and (len(uploaders) > 1 or None in uploaders):
         names = " and ".join(repr(entry.path.name) for entry in usable)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
-    last = max(usable or entries, key=lambda e: e.export.order if e.export else (0, 0))
+    last = max(usable or entries, key=_order)
+    same = [entry for entry in usable if _order(entry) == _order(last)]
+    last = same[0] if same else last
+    if any(contents(entry.path) != contents(last.path) for entry in same[1:]):
+        names = " and ".join(repr(entry.path.name) for entry in same)
+        raise ValueError(
+            f"must hand in only once, got {names}, and their names do not say which is the last. "
+            "Keep one of them"
+        )
     notes = []
     for entry in entries:
         if entry is not last and usable:
             name = printable(entry.path.name)
             why = entry.problem or "it was uploaded earlier. Put all files into one zip"
+            why = "it has the same files" if entry in same else why
             notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
     nothing = "; ".join(
         f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"
         for entry in ([] if usable else entries)
     )
     return Submission("", last.path, "", last.export, tuple(notes), nothing)
+
+
+def _order(entry: Entry) -> tuple[int, int]:
+    return entry.export.order if entry.export else (0, 0)
 
 
 def _members(
@@ -182,10 +196,16 @@ def _members(
         return printable(f"{who.name} ({who.id})" if alike[letters(who.name)] > 1 else who.name)
 
     members: list[Member] = []
-    for who in {**submissions, **dict.fromkeys(owners.absent(submissions))}:
+    reports: dict[str, Who] = {}
+    for who in {**dict.fromkeys(owners.absent(submissions)), **submissions}:
         submission = submissions.get(who)
         names = [shown(one) for one in who]
         report = owners.group_of(who, names)
+        if (other := reports.setdefault(report, who)) != who:
+            raise ValueError(
+                f"the reports on {owners.label(other)} and on {owners.label(who)} would both be "
+                f"called {report!r}. Rename the submission to its student's id"
+            )
         for one, name in zip(who, names, strict=True):
             student = one if isinstance(one, Student) else None
             known = _known_as(student, submission, uploads)
@@ -200,7 +220,7 @@ def _known_as(
     names = [*student.names, student.group] if student else []
     if submission:
         path = submission.path
-        names += [path.name, path.stem]
+        names += [path.name, without_suffix(path)]
         if export := submission.export:
             names += [export.student, export.name]
             names += [export.number] if export.platform == "canvas" else []

@@ -54,9 +54,12 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
             rows[member.shown] = [*known, folder if one.submission else ""]
             if member.report != member.shown:
                 rows[member.report] = ["", one.report, "", "", folder if one.submission else ""]
-        table = [[code, *map(as_cell, rows[code])] for code in sorted(rows)]
+        # Reports on other assignments may have the codes of students who are not in this class.
+        table = _rows_in(path) | {code: [code, *map(as_cell, row)] for code, row in rows.items()}
         text = io.StringIO(newline="")
-        csv.writer(text).writerows([COLUMNS, [SECRET, secret], *table])
+        csv.writer(text).writerows(
+            [COLUMNS, [SECRET, secret], *(table[code] for code in sorted(table))]
+        )
         _write_private(path, text.getvalue())
     # Sorted by code, so that the order does not tell the names.
     return replace(people, members=sorted(coded, key=lambda member: member.shown))
@@ -120,6 +123,16 @@ def _secret_in(path: Path) -> str:
             "codes"
         )
     return cells[1]
+
+
+def _rows_in(path: Path) -> dict[str, list[str]]:
+    """Return the rows of a key file by their codes, or none if there is no such file."""
+    if not path.exists():
+        return {}
+    mistakes = Mistakes(path)
+    rows = {cells[0]: cells for _, _, cells in read_csv(path).rows("cell", mistakes)}
+    mistakes.raise_any()
+    return {code: cells for code, cells in rows.items() if code != SECRET}
 
 
 def _write_private(path: Path, text: str) -> None:

@@ -9,6 +9,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Literal
 
 # A file is called lastfirst_LATE_userid_uploadid_work-1.zip. LATE_ is there only if it is late.
@@ -67,6 +68,11 @@ def read_export(name: str) -> Exported | None:
             return Exported("canvas", "anon", found["anonymous"], late, order)
         return Exported("canvas", found["name"], found["id"], late, order)
     return None
+
+
+def without_suffix(path: Path) -> str:
+    """Return the name of a submission without a suffix, which a folder such as j.doe has not."""
+    return path.name if path.is_dir() else path.stem
 
 
 def look_like_canvas(exports: Iterable[Exported | None]) -> bool:

@@ -20,6 +20,8 @@ SILENT = (
     *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
     "worksheet.csv",  # from Moodle
 )
+WIDE_SPACE = re.compile(r"[^\S\x00-\x7f]")
+CHAPTER = re.compile(r"ch\d\d_\w+")
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 SUFFIX = re.compile(r"(\.tar)?\.[A-Za-z0-9]{1,5}$", re.IGNORECASE)
@@ -91,7 +93,13 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
     """
     if not folder.is_dir():
         raise ValueError(f"the submissions must be in a folder, got {str(folder)!r}")
-    paths = [path for path in sorted(folder.iterdir()) if not _is_skipped(path.name)]
+    paths = [path for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
+    for path in paths:
+        if CHAPTER.fullmatch(path.name) and path.is_dir():
+            raise ValueError(
+                f"{str(folder)!r} has a folder {path.name} and so is the work of one student. Name "
+                "the folder above it, which has a folder or a zip for each student"
+            )
     entries = [_entry(path) for path in paths]
     zips = [one for one in entries if not one.problem]
     is_download = look_like_canvas(one.export for one in zips) and not any(
@@ -122,6 +130,16 @@ def file_name(student: str) -> str:
     return f"{cut.decode(errors='ignore')}-{digest}"
 
 
+def contents(path: Path) -> dict[str, str]:
+    """Return a hash of each file of a submission. Moodle has a copy for each student of a team."""
+    files = {path} if path.is_file() else {file for file in path.rglob("*") if file.is_file()}
+    return {
+        file.relative_to(path).as_posix(): hashlib.sha256(file.read_bytes()).hexdigest()
+        for file in files
+        if not file.is_symlink()
+    }
+
+
 def printable(text: str) -> str:
     """Escape the unprintable characters in a text, such as the name of a submitted file.
 
@@ -133,7 +151,8 @@ def printable(text: str) -> str:
 def _entry(path: Path) -> Entry:
     mode = path.lstat().st_mode
     is_zip = stat.S_ISREG(mode) and path.suffix.lower() == ".zip"
-    name = printable(path.stem if is_zip else path.name)
+    # Rosters have ordinary spaces, but names in Japanese often have a wide one.
+    name = printable(WIDE_SPACE.sub(" ", path.stem if is_zip else path.name))
     problem = ""
     if not is_zip and not stat.S_ISDIR(mode):
         is_link = stat.S_ISLNK(mode)
@@ -147,8 +166,17 @@ def _entry(path: Path) -> Entry:
     return Entry(path, name, problem, export)
 
 
-def _is_skipped(name: str) -> bool:
-    return name.startswith(".") or name in SILENT
+def is_skipped(name: str) -> bool:
+    """Return True if a name in the folder of a class is hidden, or that of an instructor's file.
+
+    In Moodle, the name of a student can begin with a dot too.
+    """
+    return name in SILENT or (name.startswith(".") and not _is_from_moodle(name))
+
+
+def _is_from_moodle(name: str) -> bool:
+    export = read_export(name)
+    return export is not None and export.platform == "moodle"
 
 
 def _clean(name: str) -> str:

@@ -78,10 +78,11 @@ def key(text: str) -> str:
 def letters(name: str) -> str:
     """Reduce a student's name to its letters and digits, in lower case, so that it can be compared.
 
-    Platforms drop all other characters from the names of the files that students upload.
+    Platforms drop all other characters from the names of the files that students upload. Marks that
+    belong to a letter stay, because many scripts write vowels in this way.
     """
     text = unicodedata.normalize("NFKC", name).casefold()
-    return "".join(character for character in text if character.isalnum())
+    return "".join(c for c in text if c.isalnum() or unicodedata.category(c).startswith("M"))
 
 
 def _exact(text: str) -> str:

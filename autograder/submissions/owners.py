@@ -27,7 +27,11 @@ class Owners:
         self._uploads = uploads
         self.notes: list[str] = []
         self._names = Names(
-            (student, f"{student.name} in line {student.line}", student.names)
+            (
+                student,
+                f"{student.name} in line {student.line}",
+                (*student.names, *_on_submissions(student)),
+            )
             for student in self.roster
         )
         groups: dict[str, list[Student]] = {}
@@ -62,9 +66,10 @@ class Owners:
                     f"{printable(stranger)}, who is not on the roster"
                 )
             if known:
+                self._refuse_groups(entry, upload.source, known)
                 return self._whole_group(known)
         if group := self._groups.get(key(entry.name)):
-            return tuple(group)
+            return self._named_group(entry, group)
         student = self._of_export(entry, entry.export) if entry.export else self._named(entry)
         if student:
             return self._whole_group([student])
@@ -116,6 +121,26 @@ class Owners:
             for student in self.roster
             if student in students or (student.group and key(student.group) in groups)
         )
+
+    def _named_group(self, entry: Entry, group: list[Student]) -> Who:
+        """Return the group, unless the submission could also be that of another student."""
+        for other in self.roster:
+            if other not in group and key(entry.name) in map(key, other.names):
+                raise ValueError(
+                    f"{printable(entry.path.name)} could be by the group {group[0].group!r} or by "
+                    f"{other.name} in line {other.line} of {self.path}. Rename the group there, "
+                    f"such as to 'team {group[0].group}'"
+                )
+        return tuple(group)
+
+    def _refuse_groups(self, entry: Entry, source: str, students: list[Student]) -> None:
+        """Raise ValueError if students who handed in together are in different groups."""
+        if len({key(student.group) for student in students if student.group}) > 1:
+            groups = " and ".join(f"{one.name} (group {one.group!r})" for one in students)
+            raise ValueError(
+                f"{printable(entry.path.name)}: {source} says that {groups} handed in together. "
+                f"Correct the groups in {self.path}"
+            )
 
     def _named(self, entry: Entry) -> Student | None:
         return self._only(entry, self._names.all_of(entry.name))
@@ -178,6 +203,12 @@ class Owners:
             f"Save Moodle's grading worksheet as {OF_MOODLE} in {str(entry.path.parent)!r}, or "
             f"rename the submission to {new!r}, where ID is its student's id"
         )
+
+
+def _on_submissions(student: Student) -> list[str]:
+    """Return what else a submission may be called: the name in reports, and Moodle's for a team."""
+    in_team = [f"{student.group}-{student.name}"] if student.group else []
+    return [f"{student.name} ({student.id})", *in_team]
 
 
 def _resemble(student: Student, export: Exported) -> bool:

@@ -15,7 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.dates import parse_time
-from autograder.submissions.exports import read_export
+from autograder.submissions.csv_rows import Mistakes, read_csv
+from autograder.submissions.exports import read_export, without_suffix
+from autograder.submissions.names import letters
 
 OF_MOODLE = "worksheet.csv"  # instructors save the grading worksheet under this name
 OF_GRADESCOPE = "submission_metadata.yml"
@@ -55,36 +57,52 @@ class Uploads:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         of_github, of_gradescope = folder / OF_GITHUB, folder / OF_GRADESCOPE
-        self._by_name = dict([*_of_github(of_github), *_of_gradescope(of_gradescope)])
+        self._by_name = _of_github(of_github) | dict(_of_gradescope(of_gradescope))
         self._by_number = _of_moodle(folder)
 
     def of(self, path: Path) -> Upload | None:
         """Return what is known about the submission at this path."""
-        export = read_export(path.stem if path.suffix else path.name)
+        export = read_export(path.name)
         if export and export.platform == "moodle":
             return self._by_number.get(export.number)
-        return self._by_name.get(path.name) or self._by_name.get(path.stem)
+        return self._by_name.get(path.name) or self._by_name.get(without_suffix(path))
 
     def name_of(self, path: Path) -> str:
         """Return the students' names on the platform, or "" if they are not known.
 
         If students of other submissions have the same names, the name of the submission follows.
         """
-        upload = self._by_name.get(path.name) or self._by_name.get(path.stem)
+        upload = self._by_name.get(path.name) or self._by_name.get(without_suffix(path))
         if not upload or not upload.people:
             return ""
-        alike = [other for other in self._by_name.values() if other.together == upload.together]
+        name = letters(upload.together)
+        alike = [other for other in self._by_name.values() if letters(other.together) == name]
         return f"{upload.together} ({path.stem})" if len(alike) > 1 else upload.together
 
     def notes(self, paths: Iterable[Path]) -> list[str]:
         """Say which rows of the files are about no submission at one of these paths."""
-        there = {name for path in paths for name in (path.name, path.stem)}
+        seen = [*paths]
+        there = {name for path in seen for name in (path.name, without_suffix(path))}
         unknown = [name for name in self._by_name if name not in there]
-        if not unknown:
-            return []
-        some = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")
-        words = f"submissions of the platform's files are not in {self._folder}"
-        return [f"{len(unknown)} {words}: {some}"]
+        exports = [read_export(path.name) for path in seen]
+        numbers = {one.number for one in exports if one and one.platform == "moodle"}
+        absent = [
+            f"{upload.together or 'participant'} ({number})"
+            for number, upload in self._by_number.items()
+            if upload.at and number not in numbers
+        ]
+        lines = []
+        if unknown:
+            words = f"submissions of the platform's files are not in {self._folder}"
+            lines.append(f"{len(unknown)} {words}: {_some(unknown)}")
+        if absent and numbers:
+            words = f"participants in {OF_MOODLE} have handed in, but not in {self._folder}"
+            lines.append(f"{len(absent)} {words}: {_some(absent)}")
+        return lines
+
+
+def _some(names: list[str]) -> str:
+    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
 
 
 def _of_moodle(folder: Path) -> dict[str, Upload]:
@@ -114,8 +132,9 @@ def _of_gradescope(path: Path) -> Iterator[tuple[str, Upload]]:
             data = yaml.safe_load(path.read_text(encoding="utf-8"))
         except yaml.YAMLError as error:
             raise ValueError(str(error)) from error
-    for name, about in data.items() if isinstance(data, dict) else ():
-        about = about if isinstance(about, dict) else {}
+    if not isinstance(data, dict) or not all(isinstance(about, dict) for about in data.values()):
+        raise ValueError(f"{path} is not the file of this name in an export from Gradescope")
+    for name, about in data.items():
         said = about.get(":submitters")
         people = [_names_of(one) for one in said] if isinstance(said, list) else []
         upload = Upload("Gradescope", tuple(filter(None, people)), _time(about.get(":created_at")))
@@ -130,16 +149,30 @@ def _names_of(submitter: Any) -> tuple[str, ...]:
     return tuple(str(value) for value in values if value)
 
 
-def _of_github(path: Path) -> Iterator[tuple[str, Upload]]:
+def _of_github(path: Path) -> dict[str, Upload]:
+    """Read the grades of GitHub Classroom, which has a row for each student of a group."""
     if not path.is_file():
-        return
-    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file, _readable(path):
-        rows = [*csv.DictReader(file)]
-    for row in rows:
-        if name := row.get(REPOSITORY):
-            identifier = (row.get(IDENTIFIER) or "").strip()
+        return {}
+    table = read_csv(path)
+    if REPOSITORY not in table.header:
+        raise ValueError(
+            f"{path}, line 1: the grades of GitHub Classroom have a column {REPOSITORY}, got "
+            f"{table.first_line!r}. Rename the file if it is another one"
+        )
+    found: dict[str, Upload] = {}
+    mistakes = Mistakes(path)
+    for _, _, cells in table.rows("cell", mistakes):
+        row = dict(zip(table.header, cells, strict=True))
+        if name := row[REPOSITORY]:
+            at = _time(row.get(SUBMITTED))
+            identifier = row.get(IDENTIFIER)
             people = ((identifier,),) if identifier else ()
-            yield name, Upload("GitHub Classroom", people, _time(row.get(SUBMITTED)))
+            if before := found.get(name):
+                at = max(filter(None, (before.at, at)), default=None)
+                people = (*before.people, *people)
+            found[name] = Upload("GitHub Classroom", tuple(dict.fromkeys(people)), at)
+    mistakes.raise_any()
+    return found
 
 
 def _time(value: Any) -> datetime | None:

@@ -5,6 +5,7 @@ The roster is a CSV file with the columns id, name, email and login, and perhaps
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from autograder.text.clean import clean_line
 
 COLUMNS = ("id", "name", "email", "login")
 GROUP = "group"
+ROUNDED = re.compile(r"[0-9]([.,][0-9]+)?[eE][+][0-9]+")  # such as 1.23457E+11
 UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a student
 
 
@@ -81,6 +83,12 @@ def read_roster(path: Path) -> list[Student]:
             if FORMULA.search(value):
                 mistakes.add(
                     line, f"the {name} must not begin like a spreadsheet formula, got {value!r}"
+                )
+            if ROUNDED.fullmatch(value):
+                mistakes.add(
+                    line,
+                    f"a spreadsheet has rounded the {name}, got {value!r}. Format its column as "
+                    "text, and write it again",
                 )
             before = lines.setdefault((name, key(value)), line) if value else line
             if before != line:

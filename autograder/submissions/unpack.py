@@ -6,9 +6,11 @@ The files go into a new folder next to the zip. They come from students, so they
 from __future__ import annotations
 
 import errno
+import fcntl
 import hashlib
 import json
 import shutil
+import unicodedata
 import zipfile
 from collections import Counter
 from collections.abc import Iterable
@@ -22,7 +24,7 @@ from autograder.accepted_files import NotTakenError
 from autograder.files import is_new
 from autograder.records import from_json, to_json
 from autograder.reports.texts import replace_file
-from autograder.submissions.find import SILENT, printable
+from autograder.submissions.find import SILENT, is_skipped, printable
 from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
 from autograder.text.wrapping import plain_console
 
@@ -58,10 +60,11 @@ class _File:
     """A file in a zip that contains the submissions of all students.
 
     ``parts`` contains the parts of the file's path. The first part is the name of the submission.
+    Without an ``entry``, it is only known that there is a submission of this name.
     """
 
     parts: list[str]
-    entry: zipfile.ZipInfo
+    entry: zipfile.ZipInfo | None
 
 
 def class_folder(path: Path) -> Path:
@@ -79,14 +82,33 @@ def class_folder(path: Path) -> Path:
     if path.suffix.lower() != ".zip":
         raise ValueError(f"the submissions must be a folder or a .zip file, got {str(path)!r}")
     folder = path.with_suffix("")
-    before, digest = _read_marker(folder), _digest(path)
-    console = plain_console()
-    unpacked = before if before.zip == digest else _unpack(path, folder, before, digest, console)
+    digest, unpacked, console = _digest(path), _read_marker(folder), plain_console()
+    if unpacked.zip != digest:
+        with path.with_name(f".{path.name}.lock").open("w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # another command may be unpacking it right now
+            unpacked = _read_marker(folder)
+            if unpacked.zip != digest:
+                unpacked = _unpack(path, folder, unpacked, digest, console)
     for note in unpacked.notes:
         console.print(note, markup=False, soft_wrap=True)
     line = f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries"
     console.print(line, markup=False, soft_wrap=True)
     return folder
+
+
+def refuse_newer_zip(folder: Path) -> None:
+    """Raise ValueError if the zip from which a folder was unpacked has changed since then.
+
+    It may be a newer download, or one of another assignment, which platforms call the same.
+    """
+    if not (folder / MARKER).is_file():
+        return
+    for path in (folder.with_name(folder.name + suffix) for suffix in (".zip", ".ZIP")):
+        if path.is_file() and _read_marker(folder).zip != _digest(path):
+            raise ValueError(
+                f"{path} has changed since it was unpacked. Name it to grade what is in it now "
+                f"(make: SUBMISSIONS={path}), or name {folder} to grade what was in it before"
+            )
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
@@ -106,6 +128,15 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         for one in there:
             if one.name in names and one.name not in before.names:
                 raise ValueError(f"{one} did not come from {path.name}: move it elsewhere")
+        own = [
+            one.name for one in there if not (one.name in before.names or one.name.startswith("."))
+        ]
+        if own and before.names and not {*before.names} & {*names}:
+            raise ValueError(
+                f"{path} has no submission that is in {folder}, so it may be of another "
+                f"assignment, and {own[0]} there not for it. Rename {folder} first, or move "
+                f"{own[0]} elsewhere"
+            )
         # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:
@@ -132,13 +163,22 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
     for entry in file.infolist():
         name = path_in_zip(entry)
         parts = name.split("/")
-        if is_unsafe(name) or not name.isprintable():
+        if is_unsafe(name) or not _is_text(name):
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
-        elif any(part.startswith(".") or part in SILENT for part in parts):
+            if parts[1:] and not is_unsafe(parts[0]) and _is_text(parts[0]):
+                files.append(_File(parts[:1], None))
+        elif is_skipped(parts[0]):
             continue
+        elif any(part.startswith(".") or part in SILENT for part in parts[1:]):
+            files.append(_File(parts[:1], None))
         else:
             files.append(_File(parts, entry))
     return files, notes
+
+
+def _is_text(name: str) -> bool:
+    """Return True if a name has no control characters. Some scripts need invisible joiners."""
+    return all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
@@ -154,9 +194,9 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
         student = one.parts[0]
         target = folder.joinpath(*one.parts)
         try:
-            if len(one.parts) > 1 or one.entry.is_dir():
+            if len(one.parts) > 1 or one.entry is None or one.entry.is_dir():
                 (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
-            if one.entry.is_dir():
+            if one.entry is None or one.entry.is_dir():
                 continue
             if not target.name.lower().endswith(COUNTS):
                 if len(one.parts) <= 2:

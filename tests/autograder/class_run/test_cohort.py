@@ -104,7 +104,13 @@ def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
     state = json.loads((out / "run.json").read_text(encoding="utf-8"))
     assert state == {
         **{"seed": seeds[1], "finished": True, "roster": False, "assignment": ""},
-        "folder": str(submissions),
+        **{
+            "folder": str(submissions),
+            "chapters": [90],
+            "given": [],
+            "anonymous": False,
+            "checks": False,
+        },
     }
     (out / "run.json").write_text(json.dumps(state | {"finished": False}), encoding="utf-8")
     before = results(out)

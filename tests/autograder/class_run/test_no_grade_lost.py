@@ -12,6 +12,8 @@ import pytest
 from autograder.grader import class_run, cohort
 from autograder.grader.cohort import ClassOptions
 from autograder.manifest import ROOT, load_chapters
+from autograder.marking.marked_answers import MarkedAnswers
+from autograder.reports.marks import Mark
 from autograder.reports.report import StudentReport
 from autograder.submissions.class_list import read_class
 from autograder.submissions.codes import with_codes
@@ -49,13 +51,15 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
         (other, "lab1", f"the grades of the class in {submissions}, and not in {other}"),
         (ROOT / "sample_class", "lab1", "sample_class"),
         (submissions, "lab2", "the grades of lab1, and not of lab2"),
-        (submissions, "", "the grades of lab1, and not of these"),
+        (submissions, "", "the grades of lab1, and not of chapters 90"),
     ):
         with pytest.raises(ValueError, match="add another --out") as caught:
             grade(folder, out, root, assignment=assignment)
         assert words in str(caught.value)
         assert everything_in(out) == before
     submissions.rename(tmp_path / "moved")
+    with pytest.raises(ValueError, match="the grades of lab1, and not of lab2"):
+        grade(tmp_path / "moved", out, root, assignment="lab2")
     assert grade(tmp_path / "moved", out, root, assignment="lab1") == 0, "the same class"
 
 
@@ -203,3 +207,56 @@ def test_reports_inside_the_folder_of_the_class_are_no_student(
     grade(submissions, tmp_path / "other", root)
     assert set(scores(tmp_path / "other")) == {"ann", "bob", "cem"}
     assert "grades was left out: it has the reports of a graded class" in capsys.readouterr().out
+
+
+def test_a_report_that_is_kept_names_what_was_not_graded_today(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    (submissions / "dan.pdf").touch()
+    grade(submissions, out, root)
+    (submissions / "ann.pdf").touch()
+    (submissions / "dan.pdf").rename(submissions / "dan.rar")
+    grade(submissions, out, root)
+    assert results(out)["ann"]["notes"] == [
+        "'ann' was graded, and 'ann.pdf' was not: it is neither a folder nor a .zip file"
+    ]
+    assert "'dan.rar' cannot be graded" in results(out)["dan"]["nothing"]
+    (submissions / "ann.pdf").unlink()
+    grade(submissions, out, root)
+    assert results(out)["ann"].get("notes", []) == []
+
+
+def test_the_marking_page_and_the_grader_keep_each_others_records(tmp_path: Path) -> None:
+    mark = Mark(1.0, "")
+    page, grader = MarkedAnswers(tmp_path), MarkedAnswers(tmp_path)
+    page.marked_now("ann", "90.2", mark, "old")
+    assert not grader.is_changed("bob", "90.2", mark, "old")
+    grader.save()
+    page.marked_now("cem", "90.2", mark, "old")
+    now = MarkedAnswers(tmp_path)
+    assert all(now.is_changed(student, "90.2", mark, "new") for student in ("ann", "bob", "cem"))
+
+
+def test_names_do_not_go_among_codes(submissions: Path, root: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    grade(submissions, out, root, anonymous=True)
+    before = everything_in(out)
+    with pytest.raises(
+        ValueError, match="chapters 90 with codes for names, and not of chapters 90"
+    ):
+        grade(submissions, out, root)
+    assert everything_in(out) == before
+
+
+def test_no_run_drops_the_roster_in_silence(submissions: Path, root: Path, tmp_path: Path) -> None:
+    roster, out = tmp_path / "roster.csv", tmp_path / "out"
+    roster.write_text("id,name,email,login\nbob,Bob Ray,,\n9,Zed,,\n", encoding="utf-8")
+    grade(submissions, out, root)
+    grade(submissions, out, root, roster=roster)  # which may come later
+    before = everything_in(out)
+    with pytest.raises(
+        ValueError, match=r"with a roster: add --roster .* without one, add another"
+    ):
+        grade(submissions, out, root)
+    assert everything_in(out) == before, "as if canvas.csv had today's grades"

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import csv
-import json
 from pathlib import Path
 
 import pytest
 
 from autograder.grader.regrade import Regrade, earlier_choice
-from small import CHECKS, RIGHT
+from small import CHECKS, RIGHT, hand_in
 from small_class import everything_in, grade, results, scores
 
 
@@ -97,11 +96,23 @@ def test_a_changed_check_is_logged_and_other_conditions_are_refused(
     assert logged(out)[0]["why"] == why
 
 
-def test_a_class_that_was_not_finished_stays_so(submissions: Path, root: Path, out: Path) -> None:
-    (out / "results/cem.json").unlink()
-    assert grade(submissions, out, root, seed=None, student="bob") == 0
-    assert json.loads((out / "run.json").read_text(encoding="utf-8"))["finished"] is False
-    assert sorted(results(out)) == ["ann", "bob"]
+def test_a_class_that_has_changed_is_graded_again_first(
+    submissions: Path, root: Path, out: Path, tmp_path: Path
+) -> None:
+    seed = results(out)["ann"]["seed"]
+    (submissions / "cem.zip").rename(tmp_path / "cem.zip")
+    for late in ("dan", "eve"):  # otherwise, eve would be missing in the gradebook
+        hand_in(submissions, late, RIGHT)
+    before = everything_in(out)
+    words = rf"not graded yet: eve, and not there: cem\). Grade all of it again with --seed {seed}"
+    with pytest.raises(ValueError, match=words):
+        grade(submissions, out, root, seed=None, student="dan")
+    assert everything_in(out) == before
+    assert grade(submissions, out, root, seed=seed) == 0
+    assert sorted(results(out)) == ["ann", "bob", "dan", "eve"]
+    hand_in(submissions, "flo", RIGHT)
+    assert grade(submissions, out, root, seed=None, student="flo") == 0, "a single new one"
+    assert sorted(results(out)) == ["ann", "bob", "dan", "eve", "flo"]
 
 
 def test_a_class_with_a_roster_keeps_it_in_a_regrade(

@@ -82,6 +82,13 @@ def test_a_class_that_is_none_is_refused(tmp_path: Path) -> None:
             read_class(path)
 
 
+def test_the_folder_of_one_student_is_no_class(tmp_path: Path) -> None:
+    (tmp_path / "ann/ch02_vectors").mkdir(parents=True)
+    assert [one.student for one in read_class(tmp_path).submissions] == ["ann"]
+    with pytest.raises(ValueError, match="has a folder ch02_vectors and so is the work of one stu"):
+        read_class(tmp_path / "ann")
+
+
 @pytest.mark.parametrize("other", ["ann.zip", "ann.ZIP"])
 def test_a_student_who_is_there_twice_is_refused(tmp_path: Path, other: str) -> None:
     (tmp_path / "ann").mkdir()

@@ -117,6 +117,18 @@ def test_what_is_unpacked_is_kept_until_the_zip_changes(
     assert (folder / "marks.csv").read_text(encoding="utf-8") == "mine"
 
 
+def test_marks_are_not_used_for_the_zip_of_another_assignment(tmp_path: Path) -> None:
+    folder = class_folder(class_zip(tmp_path, {"doejane_77_101_w.zip": WORK}))
+    (folder / "marks.csv").write_text("mine", encoding="utf-8")
+    zipped = class_zip(tmp_path, {"doejane_77_901_w.zip": WORK})
+    with pytest.raises(ValueError, match=r"may be of another assignment, and marks.csv there not"):
+        class_folder(zipped)
+    assert (folder / "doejane_77_101_w.zip").exists()
+    (folder / "marks.csv").unlink()
+    class_folder(zipped)
+    assert [path.name for path in folder.glob("*.zip")] == ["doejane_77_901_w.zip"]
+
+
 def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
     zipped = class_zip(tmp_path, {"ann.zip": WORK})
     (tmp_path / "lab1").mkdir()
@@ -156,7 +168,7 @@ def test_a_hostile_zip_of_a_class_writes_nowhere_else(
     )
     class_folder(zipped)
     assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {
-        *("lab1.zip", "dee.zip", ".unpacked.json"),
+        *("lab1.zip", "dee.zip", ".unpacked.json", ".lab1.zip.lock"),
         "bomb_1_2_w.zip",  # empty, so that it is known who handed it in
     }
     assert (below / "lab1/bomb_1_2_w.zip").stat().st_size == 0

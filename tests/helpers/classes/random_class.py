@@ -26,7 +26,8 @@ GIVEN = [
 ]
 FAMILY = ["Lee", "Doe", "Ñandú", "O'Neill", "Li", "Wei", "van der Berg", "Müller", "王", "Ek-Dahl"]
 HOW = ["folders", "canvas", "canvas with other ids", "moodle", "moodle with a worksheet"]
-HOW += ["gradescope", "github", "groups", "twice"]
+HOW += ["gradescope", "github", "groups", "twice", "canvas with groups"]
+HOW += ["moodle with a worksheet and groups", "gradescope with groups", "github with groups"]
 
 
 @dataclass
@@ -72,12 +73,12 @@ def random_class(seed: int, place: Path) -> RandomClass:
     rng = random.Random(seed)
     how = HOW[seed % len(HOW)]
     comma = rng.random() < 0.3
-    may_pad = how != "canvas"  # whose own ids have no zeros in front
+    may_pad = how not in ("canvas", "canvas with groups")  # whose own ids have no zeros in front
     people = [_person(rng, i, may_pad and rng.random() < 0.5) for i in range(rng.randint(4, 16))]
     made = RandomClass(how, place / "class", place / "roster.csv", people, comma)
     made.folder.mkdir()
     rng.shuffle(people)
-    if how == "groups":
+    if how.endswith("groups"):
         for i, person in enumerate(people):
             person.group = f"Team {i // 3}" if i < len(people) - 2 else ""  # two work alone
     rows = [[p.id, p.name(comma=comma), p.email, p.login, p.group] for p in people]
@@ -155,11 +156,11 @@ def _hand_in(
         person.path = f"{person.name()}_{other}_assignsubmission_file"
         files = [f"{person.path}/{'report.pdf' if action == 'pdf' else 'work.zip'}"]
         person.is_gradable = True  # as far as the folder tells; grading looks inside
-    elif made.how == "gradescope":
+    elif made.how.startswith("gradescope"):
         person.path = f"submission_{other}"
         files = [f"{person.path}/x.py"]
         person.is_gradable = True
-    elif made.how == "github":
+    elif made.how.startswith("github"):
         person.path = f"lab1-user{other}"
         files = [f"{person.path}/x.py"]
         person.is_gradable = True
@@ -181,24 +182,20 @@ def _hand_in(
 
 def _add_files(rng: random.Random, made: RandomClass, others: list[int]) -> None:
     there = [(p, o) for p, o in zip(made.people, others, strict=True) if p.path]
-    if made.how == "moodle with a worksheet":
+    if made.how.startswith("moodle with"):
         sheet = Sheet(rng.choice([*LANGUAGES.values()]))
         rows = {o: (p.name(), p.id, p.email) for p, o in zip(made.people, others, strict=True)}
         text = download(sheet, rows)
         (made.folder / "worksheet.csv").write_text(text, encoding="utf-8")
-    elif made.how == "gradescope":
-        submitters = {
-            p.path: {
-                ":submitters": [
-                    {":name": p.name(), ":sid": p.id, ":email": p.email or "hidden@example.org"}
-                ]
-            }
-            for p, _ in there
-        }
+    elif made.how.startswith("gradescope"):
+        submitters: dict[str, dict[str, list[dict[str, str]]]] = {}
+        for p, _ in there:
+            names = {":name": p.name(), ":sid": p.id, ":email": p.email or "hidden@example.org"}
+            submitters.setdefault(p.path, {":submitters": []})[":submitters"].append(names)
         # JSON is YAML, too.
         text = json.dumps(submitters, ensure_ascii=False)
         (made.folder / "submission_metadata.yml").write_text(text, encoding="utf-8")
-    elif made.how == "github":
+    elif made.how.startswith("github"):
         rows_of = [[p.path, rng.choice([p.id, p.email or p.id, p.login or p.id])] for p, _ in there]
         with (made.folder / "grades.csv").open("w", encoding="utf-8", newline="") as file:
             head = ["student_repository_name", "roster_identifier"]

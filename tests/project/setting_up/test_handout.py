@@ -199,6 +199,8 @@ def test_a_folder_with_something_in_it_and_a_chapter_named_twice_are_refused(
     (tmp_path / "notes.txt").write_text("mine", encoding="utf-8")
     with pytest.raises(ValueError, match="is not empty"):
         make_handout([CH02], [], tmp_path)
+    with pytest.raises(ValueError, match=r"notes.txt is a file"):
+        make_handout([CH02], [], tmp_path / "notes.txt")
     with pytest.raises(ValueError, match="both as stubs and as given"):
         make_handout([CH02], [CH02], tmp_path / "out")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["notes.txt"]

@@ -88,7 +88,7 @@ def make_handout(
     if both := [c.name for c in chapters if c.name in [other.name for other in given]]:
         raise ValueError(f"{', '.join(both)} cannot be handed out both as stubs and as given")
     if out.exists() and any(out.iterdir()):
-        raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
+        raise ValueError(f"out must be a new or empty folder, but {out} is not empty. Name another")
     part = out.resolve().with_name(f".{out.resolve().name}.part")
     shutil.rmtree(part, ignore_errors=True)  # left over from a run that was killed
     try:

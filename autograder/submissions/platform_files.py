@@ -60,7 +60,7 @@ class Uploads:
 
     def of(self, path: Path) -> Upload | None:
         """Return what is known about the submission at this path."""
-        export = read_export(path.stem if path.suffix else path.name)
+        export = read_export(path.name)
         if export and export.platform == "moodle":
             return self._by_number.get(export.number)
         return self._by_name.get(path.name) or self._by_name.get(path.stem)

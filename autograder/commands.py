@@ -105,6 +105,8 @@ def advice(error: BaseException) -> str:
 def sentence(error: Exception) -> str:
     """Turn an error into a message for the user, and add advice if a file could not be written."""
     what, words = clean(str(error)), advice(error)
+    if isinstance(error, FileNotFoundError) and error.filename:
+        what = f"there is no {clean(str(error.filename))!r}"
     return f"{what}. {words}" if words else what
 
 

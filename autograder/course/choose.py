@@ -43,6 +43,9 @@ def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
         raise ValueError("--course needs an assignment too, such as --assignment lab1")
     given = getattr(arguments, "given", "")
     if not handed_out:
+        if DEFAULT.exists():
+            words = "is not used, because no assignment is named (make: ASSIGNMENT=)"
+            print(f"{DEFAULT} {words}", file=sys.stderr)
         complete, chapters = split_given(select_chapters(arguments.chapters), given)
         return Work("", chapters, complete, hidden=getattr(arguments, "checks", None))
     if not arguments.chapters:

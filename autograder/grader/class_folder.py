@@ -113,19 +113,24 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[st
     before = graded_folder(out)
     if before is None or before == SAMPLE:
         return
-    what = ""
+    what = advice = ""
     if before != folder.resolve():
         names = {file_name(one.student) for one in people.submissions}
         there = [path.stem for path in (out / "results").glob("*.json")]
         same = sum(name in names for name in there)
         if before.exists() or 2 * same < len(there):
             what = f"the grades of the class in {before}, and not in {folder}"
+        if 2 * same > len(there):  # else, marks.csv and times.csv would silently stay behind
+            advice = (
+                "If this is a newer download of the same work, give it the name of the older one, "
+                f"{before.name}, so that marks.csv and times.csv still count. "
+            )
     if not what and (earlier := _work_in(out)) and _described(earlier) != _described(work):
         what = f"the grades of {_described(earlier)}, and not of {_described(work)}"
     if what:
         raise ValueError(
-            f"{out} has {what}. To keep them, add another --out (make: OUT=build/other). To "
-            f"replace them, rename or delete {out} first"
+            f"{out} has {what}. {advice}To keep them, add another --out (make: OUT=build/other). "
+            f"To replace them, rename or delete {out} first"
         )
 
 

@@ -34,6 +34,7 @@ from autograder.submissions.find import Submission, file_name
 
 PROBLEM = "first problem"  # the heading of a column
 LONGEST_NAME = 20  # characters of a student's name in one line
+LONGEST_STATE = 8
 
 
 class ClassRun:
@@ -206,11 +207,11 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
 
 
 def _class_table(reports: list[StudentReport], problems: list[str]) -> Table:
-    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    table = Table(box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True)
     table.add_column("student", no_wrap=True)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("status")
+    table.add_column("status", no_wrap=True)
     table.add_column(PROBLEM if any(problems) else "", no_wrap=True)
     for report, problem in zip(reports, problems, strict=True):
         checks = [check for exercise in report.exercises for check in exercise.checks]
@@ -220,7 +221,7 @@ def _class_table(reports: list[StudentReport], problems: list[str]) -> Table:
             f"{shown(report.score)}/{shown(report.points or report.extra)}{extra}",
             shown(report.score_on_given),
             f"{sum(check.status == 'passed' for check in checks)}/{len(checks)}",
-            report.status,
+            _two_lines(report.status, LONGEST_STATE),
             problem,
         )
     return table

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import re
+
 from autograder.manifest import Chapter
 from autograder.submissions.stage import Staged
 
 
 def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
-    """Say why nothing of a submission can be graded, or return "" if something can."""
-    if staged.refused or staged.taken or {*staged.missing} - {*staged.misplaced}:
+    """Say why nothing of a submission can be graded, or return "" if something can.
+
+    Work on other chapters than the graded ones cannot be graded, and is not worth 0 points either.
+    """
+    rejected = [module for module in staged.missing if module not in staged.misplaced]
+    found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *rejected]}
+    names = {chapter.name for chapter in graded}
+    if staged.refused or found & names:
         return staged.refused
+    if misplaced := _misplaced(staged, graded):
+        return "; ".join(misplaced)
+    if found:
+        return f"it has no files of {', '.join(sorted(names))}, only of {', '.join(sorted(found))}"
     if staged.misplaced:
-        return "; ".join(_misplaced(staged, graded) or [*staged.missing.values()])
+        return "; ".join(staged.missing.values())
     there = f". There is {', '.join(staged.others)}" if staged.others else ""
     return f"no folder of a chapter was found, at most three levels down{there}"
 

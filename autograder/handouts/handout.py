@@ -90,7 +90,7 @@ def make_handout(
     if out.exists() and not out.is_dir():
         raise ValueError(f"out must be a new or empty folder, but {out} is a file")
     if out.exists() and any(out.iterdir()):
-        raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
+        raise ValueError(f"out must be a new or empty folder, but {out} is not empty. Name another")
     part = out.resolve().with_name(f".{out.resolve().name}.part")
     shutil.rmtree(part, ignore_errors=True)  # left over from a run that was killed
     try:

@@ -77,6 +77,9 @@ def collect(
     Yield the code of each student, with notes on any files that could not be read.
     """
     for submission in submissions:
+        if submission.nothing:
+            yield Work(submission.student, {}), [submission.nothing]
+            continue
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
             files = {

@@ -91,6 +91,8 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
         ValueError: The path is not a folder.
         OSError: The folder cannot be read.
     """
+    if not folder.exists():
+        raise ValueError(f"the submissions must be in a folder or a zip, but {folder} is not there")
     if not folder.is_dir():
         raise ValueError(f"the submissions must be in a folder, got {str(folder)!r}")
     paths = [path for path in sorted(folder.iterdir()) if not is_skipped(path.name)]

@@ -46,6 +46,12 @@ def test_a_file_is_replaced_as_a_whole_or_not_at_all(
     assert sentence(caught.value) == f"[Errno 28] No space left on device: '{path}'. {FULL}"
 
 
+def test_a_file_that_is_not_there_is_named_in_plain_english(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match="No such file") as caught:
+        (tmp_path / "roster.csv").read_bytes()
+    assert sentence(caught.value) == f"there is no '{tmp_path}/roster.csv'"
+
+
 def test_a_folder_is_new_until_its_first_file_is_written(tmp_path: Path) -> None:
     first = tmp_path / "new/first"
     assert is_new(tmp_path / "new", first)

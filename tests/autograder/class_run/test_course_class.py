@@ -305,7 +305,9 @@ def options(folder: Path, **changed: Any) -> argparse.Namespace:
     return argparse.Namespace(**{**usual, **changed})
 
 
-def test_the_options_name_an_assignment_or_chapters(tmp_path: Path) -> None:
+def test_the_options_name_an_assignment_or_chapters(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     course(tmp_path, VECTORS)
     assert work_of(options(tmp_path, assignment="lab2")).chapters[0].number == 2
     with pytest.raises(ValueError, match=r"no assignment 'lab3'. Did you mean lab2 or lab1\?"):
@@ -316,6 +318,10 @@ def test_the_options_name_an_assignment_or_chapters(tmp_path: Path) -> None:
         work_of(options(tmp_path))
     usual = options(tmp_path, course=Path("course.toml"), chapters="2-3", given="2")
     assert [chapter.number for chapter in work_of(usual).chapters] == [3]
+    assert capsys.readouterr().err == ""
+    monkeypatch.chdir(tmp_path)
+    work_of(usual)
+    assert capsys.readouterr().err.startswith("course.toml is not used, because no assignment is")
     nothing = options(tmp_path, course=Path("course.toml"))
     with pytest.raises(ValueError, match="name the chapters"):
         work_of(nothing, handed_out=True)

@@ -63,6 +63,15 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
     assert grade(tmp_path / "moved", out, root, assignment="lab1") == 0, "the same class"
 
 
+def test_a_newer_download_under_another_name_is_told_to_take_the_old_one(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    grade(submissions, tmp_path / "out", root)
+    newer = make_class(tmp_path / "class (1)")  # which has no marks.csv
+    with pytest.raises(ValueError, match=r"newer download .* of the older one, class, so"):
+        grade(newer, tmp_path / "out", root)
+
+
 def test_a_folder_that_was_moved_does_not_let_another_class_in(
     submissions: Path, root: Path, tmp_path: Path
 ) -> None:

@@ -108,3 +108,13 @@ def test_a_student_takes_two_lines_at_most_on_the_screen(width: int) -> None:
     assert "2.2: Your method" in rows[0]
     assert (words.strip() in rows[0]) == (width == 300)
     assert ("..." in rows[1].rpartition("  ")[2]) == (width == 80)
+
+
+def test_points_and_states_of_a_rescaled_assignment_are_whole_on_a_narrow_screen() -> None:
+    failed = [check("test_angle", "failed", Message(likely="wrong"))]
+    report = with_exercise(report_of("Anna Schmidt (7004)"), 1, checks=failed)
+    rescaled = replace(report, score=113.04, score_on_given=113.04, points=95.65)
+    screen = io.StringIO()
+    print_class(plain_console(screen, 80), [rescaled, replace(rescaled, status="nothing to grade")])
+    assert screen.getvalue().count(" 113.04/95.65 ") == 2
+    assert "…" not in screen.getvalue()

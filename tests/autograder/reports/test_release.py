@@ -82,13 +82,16 @@ def test_a_student_sees_what_passed_beside_the_reference(
         if student != "dan":
             graded(folder, grades, student, root, *(["B90.1"] if student == "ann" else []))
     (folder / "cem/ch90_small/small.py").write_text(MINE, encoding="utf-8")
+    (folder / "eve.pdf").write_bytes(b"%PDF")
+    write_result(grades, report_of("eve", submission="'eve.pdf' cannot be graded"))
     for _ in range(2):  # again into the folder of an earlier release
         assert release(load_chapters(root), [], folder, grades, out, root) == 0
     screen = " ".join(capsys.readouterr().out.split())
     assert "bob has no page: no released exercise passed" in screen
     assert "cem has no page: the work has changed since it was graded" in screen
     assert "dan has no page: the work was not graded" in screen
-    assert "1 of 4 students have a page" in screen
+    assert "eve has no page: 'eve.pdf' cannot be graded: it is neither a folder nor" in screen
+    assert "1 of 5 students have a page" in screen
     assert (out / "reference/ch90_small/small.py").read_text(encoding="utf-8") == RIGHT
     (page,) = (out / "students").iterdir()
     text = page.read_text(encoding="utf-8")

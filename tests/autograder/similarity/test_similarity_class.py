@@ -67,6 +67,7 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
         students[i]["ch02_vectors/exercises.py"] += HOSTILE
     submissions = write_class(folder / "class", dict(zip(names, students, strict=True)))
     (submissions / "empty").mkdir()
+    (submissions / "essay.pdf").write_bytes(b"%PDF")
     assert run.similarity(submissions, folder / "out", select_chapters("2")) == 0
     return folder / "out"
 
@@ -103,6 +104,7 @@ def test_the_index_sorts_by_surprise_and_says_that_it_proves_nothing(out: Path) 
     assert all(float(a) >= float(b) for a, b in pairwise(surprises))
     assert index.count('class="stands"') == 1
     assert "empty was left out" in index
+    assert "essay: &#39;essay.pdf&#39; cannot be graded: it is neither a folder nor" in index
     assert "2.1, 2.7, which are so short" in index
     links = re.findall(r'href="(pairs/[^"]+)"', index)
     assert all((out / link).is_file() for link in links)

@@ -11,6 +11,7 @@ import pytest
 
 from autograder.course.times import times_of
 from autograder.submissions.class_list import read_class
+from autograder.submissions.platform_files import Uploads
 from moodle_sheet import GERMAN, Sheet, download, upload
 from small import RIGHT, hand_in, make_root
 from small_class import HALF, grade
@@ -118,3 +119,18 @@ def test_a_worksheet_row_that_is_another_student_than_the_folder_says_is_an_erro
     (tmp_path / "roster.csv").write_text(NAMESAKES, encoding="utf-8")
     with pytest.raises(ValueError, match="lines 2 and 3: both match"):
         read_class(tmp_path / "class", tmp_path / "roster.csv")
+
+
+@pytest.mark.parametrize("name", ["J. R. Ewing", "Ann Lee", "Lee, A."])
+@pytest.mark.parametrize("file", ["", "_work.zip", "_report.v2.pdf"])
+def test_dots_in_a_name_do_not_hide_when_the_student_handed_in(
+    tmp_path: Path, name: str, file: str
+) -> None:
+    path = tmp_path / f"class/{name}_14_assignsubmission_file{file}"
+    path.parent.mkdir()
+    path.touch() if file else path.mkdir()
+    sheet = download(SHEET, {14: (name, "u14", "e@x.org")})
+    (tmp_path / "class/worksheet.csv").write_text(sheet, encoding="utf-8")
+    upload = Uploads(tmp_path / "class").of(path)
+    assert upload is not None
+    assert upload.at == datetime(2026, 10, 23, 20, 15)

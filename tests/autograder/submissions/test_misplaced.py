@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from autograder.grader.handed_in import why_nothing
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.stage import stage
 from copies import copy_tree
@@ -130,3 +131,25 @@ def test_no_link_is_followed_to_find_a_misplaced_file(tmp_path: Path) -> None:
     (ann / "ch2").symlink_to(ROOT / "solutions/ch02_vectors")
     (ann / "round").symlink_to(".")
     assert boxed(ann) == NOTHING
+
+
+@pytest.mark.parametrize(
+    ("files", "why"),
+    [
+        ({VECTOR: CODE}, "it has no files of ch03_laws_of_motion, only of ch02_vectors"),
+        ({VECTOR: b"\0"}, "it has no files of ch03_laws_of_motion, only of ch02_vectors"),
+        (
+            {VECTOR: CODE, "particle.py": CODE},
+            "particle.py was found at the top of what was handed in, and not in a folder "
+            "ch03_laws_of_motion. Put it into a folder ch03_laws_of_motion and hand in again",
+        ),
+        ({"ch03_laws_of_motion/particle.py": CODE}, ""),
+        ({"ch03_laws_of_motion/particle.py": b"\0"}, ""),
+    ],
+)
+def test_work_on_other_chapters_than_the_graded_ones_is_nothing_to_grade(
+    hand_in: HandIn, tmp_path: Path, files: dict[str, bytes], why: str
+) -> None:
+    (tmp_path / "box").mkdir()
+    staged = stage(hand_in(files), CHAPTERS, tmp_path / "box")
+    assert why_nothing(staged, CHAPTERS[1:]) == why

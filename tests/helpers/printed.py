@@ -1,0 +1,30 @@
+"""Read the command lines that the README pages print."""
+
+from __future__ import annotations
+
+import re
+
+from autograder.manifest import ROOT
+
+PAGES = [
+    *("README.md", "study_guide.md", "learning_path.md", "CONTRIBUTING.md"),
+    *(f"{folder}/README.md" for folder in ("autograder", "sample_class", "lab", "web", "studies")),
+    "tests/README.md",
+]
+INLINE = r"(?<!`)`((?:[A-Z]+=\S+ )?(?:make [^\s`]+|\.venv/bin/python|python3)\s[^`]+)`"
+BLOCK = re.compile(rf"(?ms)^```sh\n(.+?)^```|{INLINE}")
+
+
+def command_lines(page: str) -> list[str]:
+    """Return the command lines of a page as they are printed, in their order, without comments.
+
+    These are the lines of the blocks of commands, and the commands in sentences if they have
+    arguments. A line with an ellipsis stands for several commands, and is left out.
+    """
+    text = (ROOT / page).read_text(encoding="utf-8")
+    lines = [
+        " ".join(line.partition(" #")[0].split())
+        for block, inline in BLOCK.findall(text)
+        for line in (block or inline.replace("\n", " ")).splitlines()
+    ]
+    return [line for line in dict.fromkeys(lines) if line and "..." not in line]

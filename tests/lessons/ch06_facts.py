@@ -170,7 +170,7 @@ def stretched() -> float:
 
 
 def accuracy() -> dict[str, float]:
-    assert 44 <= min(equally_accurate(n) for n in (2, 20))
+    assert min(equally_accurate(n) for n in (2, 20)) >= 44
     assert max(equally_accurate(n) for n in (2, 20)) <= 48
     for method in (semi_implicit_euler, leapfrog, velocity_verlet, runge_kutta_4):
         longer, shorter = (velocity_error(method, steps, 0.5) for steps in (1920, 3840))

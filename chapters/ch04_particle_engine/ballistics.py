@@ -36,7 +36,7 @@ class ShotType:
 
 
 # The book's four types, and a grenade of ours. Their accelerations are chosen for a game. The
-# fireball, for example, floats upward. The book's text gives it 5 m/s, its listing 10 (E-34).
+# fireball, for example, floats upward. A comment in the book says 5 m/s, its code 10 (E-34).
 _TYPES = (
     ShotType("pistol", 2.0, (0.0, 0.0, 35.0), (0.0, -1.0, 0.0), 0.99),
     ShotType("artillery", 200.0, (0.0, 30.0, 40.0), (0.0, -20.0, 0.0), 0.99),

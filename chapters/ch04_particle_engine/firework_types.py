@@ -1,7 +1,7 @@
 """The nine types of firework in the fireworks show, and two types of your own.
 
-The numbers of the first three types are from the book's table, and the others are our own. Types 1,
-2, 4, 6 and 8 are rockets, which light other fireworks when they burn out.
+The numbers of the first three types are from the book's listing, and the others are our own. Types
+1, 2, 4, 6 and 8 are rockets, which light other fireworks when they burn out.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Going further: a rope bridge whose planks hang on springs, and a person who walks across.
 
-The bridge comes from the exercises of the book's chapter 6.
+The book names such a bridge as a use of anchored springs (6.2.2).
 """
 
 from __future__ import annotations

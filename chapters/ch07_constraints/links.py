@@ -85,8 +85,9 @@ class Rod:
         pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
         normal points away from ``b``. The penetration is the difference between the distance and
         ``length`` as a positive number, and the restitution is 0. If both ends are at the same
-        position, use +Y as the direction from ``a`` to ``b``. The book's text uses two contacts per
-        rod, but its listing shows that one contact is enough (erratum E-9).
+        position, use +Y as the direction from ``a`` to ``b``. This method follows the book's
+        listing. The book's text asks for two contacts in every step, as in ``TwoSidedRod`` (erratum
+        E-9).
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
@@ -154,7 +155,8 @@ class TwoSidedRod(Rod):
     apart later in the step, nothing stops them until the next step. Such delays add up in a chain,
     because correcting one rod stretches the next, which gets its contact one step later. A pull
     then travels about one rod per step, however many iterations there are. With two contacts per
-    rod, there is no delay.
+    rod, there is no delay. The book's text asks for such rods (7.4.2), although its listing makes
+    only one contact (erratum E-9).
     """
 
     def contacts(self) -> list[Contact]:
@@ -166,7 +168,7 @@ class TwoSidedRod(Rod):
         contact stops ends that move apart, and the second stops ends that approach each other. If
         both ends are at the same position, use +Y as the direction from ``a`` to ``b``.
         """
-        raise NotImplementedError("Exercise G7.1: Going further: two-sided rods")
+        raise NotImplementedError("Exercise G7.1: Two-sided rods, as in the text of the book")
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:

@@ -3,7 +3,7 @@
 The bridge runs along X, and Y points up. Its dimensions are close to those in the book's demo. Each
 plank has a particle of 1 kg at both of its ends, which are 2 m apart. The cables between
 neighboring rows are 10 cm shorter than the initial distance between these rows, so they pull at
-once (8.2).
+once (8.2.1).
 """
 
 from __future__ import annotations

@@ -84,7 +84,7 @@ class Vector3:
 
         The length must also be correct for components as large as 1e200 or as small as 1e-200,
         although the squares of such numbers overflow or underflow. If a component is NaN, the
-        length is NaN. Book 2.1.
+        length is NaN. Book 2.1.2.
         """
         return math.hypot(self.x, self.y, self.z)
 
@@ -92,7 +92,7 @@ class Vector3:
         """Return the squared length of the vector, |v|^2.
 
         To find the longer of two vectors, compare their squared lengths. That saves two square
-        roots. Book 2.1.
+        roots. Book 2.1.2.
         """
         return self.x * self.x + self.y * self.y + self.z * self.z
 
@@ -143,7 +143,7 @@ class Vector3:
         """Scale the vector to length 1 without changing its direction, in place.
 
         The zero vector has no direction, so it stays zero. Like ``magnitude``, this method must
-        also work for components as large as 1e200 or as small as 1e-200. Book 2.1.3.
+        also work for components as large as 1e200 or as small as 1e-200. Book 2.1.2.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -288,7 +288,7 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
             vectors do not determine a basis. They count as parallel if the sine of the angle
             between them is below 1e-12.
 
-    Book 2.1.9.
+    Book 2.1.9. Its listing refuses only vectors whose product is exactly zero (erratum E-46).
     """
     first = a.normalized()
     third = first.cross(b.normalized())

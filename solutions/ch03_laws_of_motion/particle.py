@@ -182,8 +182,8 @@ class Particle:
         """Advance the particle by one step of explicit Euler: first ``drift``, and then ``kick``.
 
         ``duration`` is in s. Because the drift comes first, the new position depends only on the
-        old velocity. The term a h^2 / 2 is left out on purpose (book 3.3.2). This is the book's
-        integrator, although the book gives it another name (erratum E-17).
+        old velocity. The term a h^2 / 2 is left out on purpose (book 3.3.1). This is the
+        book's integrator (3.3.2), although a comment there gives it another name (erratum E-17).
 
         The new velocity must come from ``self.kick(duration)``, because the particle of chapter 5
         overrides ``kick`` to add forces. An immovable particle does not change.

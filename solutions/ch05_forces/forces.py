@@ -26,7 +26,7 @@ class ForceGenerator(Protocol):
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force of this generator, such as gravity or drag, to ``particle``.
 
-        ``duration`` is the length of the time step in s. Book 5.2.1.
+        ``duration`` is the length of the time step in s. Book 5.2.2.
         """
 
 

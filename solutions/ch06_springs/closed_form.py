@@ -25,7 +25,8 @@ def damped_spring_state(
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
     If the stiffness is 0, the body feels no spring force. It keeps moving in its direction, and
-    only the damping slows it down. The book covers only the under-damped case (erratum E-23).
+    only the damping slows it down. The book covers only the under-damped case (erratum E-23),
+    and its equation lacks the mass (erratum E-40).
 
     Raises:
         ValueError: if the mass is not positive, the stiffness, damping or time is negative, or an

@@ -170,14 +170,14 @@ class FakeStiffSpring:
     The force is meant for semi-implicit Euler, p' = p + v' h. With it, the particle reaches the
     computed position if its damping is 1 and nothing else accelerates it. With explicit Euler
     (``Particle.integrate``) it arrives one step late, because p' = p + v h does not include the new
-    force. Its oscillations therefore grow (erratum E-22). The book's formulas fit no integrator
-    (erratum E-6).
+    force. Its oscillations therefore grow unless they are damped enough (erratum E-22). The book's
+    formulas fit no integrator (erratum E-6).
 
     After the step, the particle has the mean velocity of the step, not the velocity on a real
     spring. With short steps the force is therefore half that of a real spring, and the oscillation
-    is slower by a factor of 1.41. Even without damping, most oscillations die out. They grow, by up
-    to 13 % per step, only if h sqrt(k / m) is slightly larger than an odd multiple of pi, for
-    example from pi to 4.06. A twentieth of the critical damping prevents this.
+    is slower by a factor of 1.41 (erratum E-42). Without damping, most oscillations die out. They
+    grow, by up to 13 % per step, only if h sqrt(k / m) is from pi to 4.06, from 3 pi to 3.13 pi,
+    and so on. A twentieth of the critical damping prevents this.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:

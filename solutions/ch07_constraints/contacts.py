@@ -28,9 +28,9 @@ class Contact:
     """A contact between two particles, or with the immovable world if ``other`` is None.
 
     ``normal`` is a unit vector that points from ``other`` to ``particle``, and is copied. For two
-    balls at pa and pb it has the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2,
-    7.4). ``restitution`` is the separating speed after a bounce divided by the closing speed before
-    it. ``penetration`` is the depth of the overlap, which is 0 if the bodies just touch, and
+    balls at pa and pb it has the direction of pa - pb, and on the ground it is (0, 1, 0) (book
+    7.1.3). ``restitution`` is the separating speed after a bounce divided by the closing speed
+    before it. ``penetration`` is the depth of the overlap, which is 0 if the bodies just touch, and
     negative if there is a gap. Later changes of the attributes are not checked.
 
     Raises:
@@ -69,7 +69,7 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Compute how fast the two bodies move apart, in m/s (Eq. 7.2).
+        """Compute how fast the two bodies move apart, in m/s (Eq. 7.4).
 
         The result is (va - vb) . n, which is negative while the bodies approach. Here n is the
         normal, va is the velocity of ``particle``, and vb is that of ``other``, or 0 if it is None.
@@ -83,7 +83,7 @@ class Contact:
         """Compute the separating velocity in m/s that the contact must have after it is resolved.
 
         If the current separating velocity v_s is 0 or positive, the result is v_s. A closing
-        contact (v_s < 0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
+        contact (v_s < 0) bounces with the restitution c, so the result is -c v_s (book 7.1.2).
 
         A body at rest on the ground also has a closing contact, because gravity has just
         accelerated it for one time step. If this small velocity made it bounce, the body would
@@ -118,7 +118,7 @@ class Contact:
         The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
         opposite direction. The new velocities are va' = va + n g / ma and vb' = vb - n g / mb. Here
         ma and mb are the masses. This conserves momentum. Nothing changes if the contact is not
-        closing, or if neither particle can move. Book: sections 7.1.4 and 7.2.1.
+        closing, or if neither particle can move. Book: sections 7.1.4 and 7.2.
 
         Raises:
             ValueError: if the duration is negative or not finite, even if nothing would change.
@@ -145,7 +145,7 @@ class Contact:
         Returns:
             The displacements of ``particle`` and ``other`` in m, as two new vectors. If a particle
             did not move, its displacement is zero, so that no displacement from an earlier contact
-            is used again (erratum E-27).
+            is used again, as in the book's downloadable source (erratum E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()

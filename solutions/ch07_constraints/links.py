@@ -85,8 +85,9 @@ class Rod:
         pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
         normal points away from ``b``. The penetration is the difference between the distance and
         ``length`` as a positive number, and the restitution is 0. If both ends are at the same
-        position, use +Y as the direction from ``a`` to ``b``. The book's text uses two contacts per
-        rod, but its listing shows that one contact is enough (erratum E-9).
+        position, use +Y as the direction from ``a`` to ``b``. This method follows the book's
+        listing. The book's text asks for two contacts in every step, as in ``TwoSidedRod`` (erratum
+        E-9).
         """
         return _of_rod(self, self.a, self.b, self.b.position)
 
@@ -164,7 +165,8 @@ class TwoSidedRod(Rod):
     apart later in the step, nothing stops them until the next step. Such delays add up in a chain,
     because correcting one rod stretches the next, which gets its contact one step later. A pull
     then travels about one rod per step, however many iterations there are. With two contacts per
-    rod, there is no delay.
+    rod, there is no delay. The book's text asks for such rods (7.4.2), although its listing makes
+    only one contact (erratum E-9).
     """
 
     def contacts(self) -> list[Contact]:

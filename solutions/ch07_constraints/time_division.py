@@ -5,7 +5,7 @@ when the next impact happens, moves all particles to that moment, resolves the i
 from there. Between impacts, every particle moves with a constant acceleration, for which the motion
 is exact. The results are therefore exact as long as bodies only fly and bounce, as in billiards.
 However, the cost grows with the number of impacts, and a body at rest collides endlessly. So use a
-resolver for resting bodies. Book: section 7.3.
+resolver for resting bodies. Book: section 7.3.2.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def time_division_step(
             then moved to the time of this impact, but the impact is not resolved and no damping is
             applied.
 
-    Book: section 7.3.
+    Book: section 7.3.2.
     """
     positive("duration", duration)
     whole("max_impacts", max_impacts)

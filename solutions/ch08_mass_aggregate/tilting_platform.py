@@ -1,4 +1,4 @@
-"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
+"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.1, mini-project 8.1).
 
 Seen from the side, the platform is a V made of rods, and the tip of the V is the pivot on the
 ground. The right end is farther from the pivot than the left end. The platform consists of two such

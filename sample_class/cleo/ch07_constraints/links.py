@@ -87,7 +87,7 @@ class Limits:
 
 class TwoSidedRod(Rod):
     def contacts(self):
-        raise NotImplementedError("Exercise G7.1: Going further: two-sided rods")
+        raise NotImplementedError("Exercise G7.1: Two-sided rods, as in the text of the book")
 
 
 def two_particles(a, b):

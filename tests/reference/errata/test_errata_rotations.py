@@ -94,12 +94,14 @@ def test_e12_the_printed_side_turns_about_an_axis_of_the_object() -> None:
 
 
 def test_e13_the_printed_inverse_reads_a_sixteenth_number() -> None:
-    e = MATRIX.entries
-    with pytest.raises(IndexError):
-        (e[4] * e[9] * e[15] - e[5] * e[8]) / MATRIX.determinant()  # printed for the third row
-    dropped = (e[4] * e[9] - e[5] * e[8]) / MATRIX.determinant()
-    assert MATRIX.inverse()[2, 0] == pytest.approx(dropped, rel=1e-15)  # one division
-    assert dropped == -1.0 / 6.0
+    e, inverse = MATRIX.entries, MATRIX.inverse().entries
+    lines = {2: (1, 6, 5, 2), 6: (4, 2, 0, 6), 8: (4, 9, 5, 8), 9: (1, 8, 0, 9), 10: (0, 5, 1, 4)}
+    for entry, (p, q, r, s) in lines.items():
+        with pytest.raises(IndexError):
+            (e[p] * e[q] * e[15] - e[r] * e[s]) / MATRIX.determinant()  # printed in five lines
+        dropped = (e[p] * e[q] - e[r] * e[s]) / MATRIX.determinant()
+        assert inverse[entry] == pytest.approx(dropped, rel=1e-15)  # one division
+    assert inverse[8] == pytest.approx(-1.0 / 6.0, rel=1e-15)
 
 
 def test_e28_the_printed_determinant_begins_with_the_wrong_sign() -> None:

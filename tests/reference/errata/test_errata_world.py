@@ -1,8 +1,8 @@
-"""E-27 in whole scenes: the listing, which does not clear moves, on the platform and the bridge.
+"""E-27 in whole scenes: the author's source code on the platform and the bridge.
 
-The listing stores the move of a contact in the contact, which is an element of an array that every
-frame fills again. If a contact without depth is resolved, nothing moves. The old move that is still
-stored is then subtracted from the depths of the neighboring contacts once more.
+The source code stores the move of a contact in the contact, which is an element of an array that
+every frame fills again. If a contact without depth is resolved, nothing moves. The old move that is
+still stored is then subtracted from the depths of the neighboring contacts once more.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def place(contact: Contact) -> float:
     return contact.penetration + apart.dot(contact.normal)
 
 
-class Listing:
-    """The published resolver, in one phase. ``wrong`` is the largest error of a depth in m."""
+class SourceResolver:
+    """The author's resolver, in one phase. ``wrong`` is the largest error of a depth in m."""
 
     def __init__(self, clears: bool) -> None:
         self.clears, self.wrong = clears, 0.0
@@ -81,9 +81,9 @@ def test_e27_moves_that_are_not_cleared_make_depths_wrong(scene: str) -> None:
     ends = []
     for clears in (True, False):
         thing = TiltingPlatform() if scene == "platform" else Bridge()
-        world, listing = thing.world, Listing(clears)
+        world, resolver = thing.world, SourceResolver(clears)
         world.integrator = explicit_euler
-        world.resolver = listing  # type: ignore[assignment]
+        world.resolver = resolver  # type: ignore[assignment]
         if isinstance(thing, TiltingPlatform):
             rods = [Rod(rod.a, rod.b, rod.length) for rod in thing.rods]
             world.contact_generators[:] = [*rods, world.contact_generators[-1]]
@@ -91,7 +91,7 @@ def test_e27_moves_that_are_not_cleared_make_depths_wrong(scene: str) -> None:
             thing.step(FRAME)
         ends.append([x for particle in world.particles for x in particle.position])
         if clears:
-            assert listing.wrong < 1e-12
+            assert resolver.wrong < 1e-12
         else:
-            assert listing.wrong > 1e-3
+            assert resolver.wrong > 1e-3
     assert max(abs(a - b) for a, b in zip(*ends, strict=True)) > 1e-3

@@ -1,0 +1,188 @@
+"""Every reference to a section, an equation or an exercise of the book names one that exists.
+
+The file book.toml lists them. The tests search the pages, the docstrings, the manifests and the
+messages of the checks.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+
+BOOK: dict[str, Any] = tomllib.loads(
+    Path(__file__).with_name("book.toml").read_text(encoding="utf-8")
+)
+PAGES = ("*.md", "chapters/**/*.md", "solutions/**/*.md", "lab/**/*.md", "web/**/*.md")
+CODE = (
+    "chapters/ch*/*.py",
+    "solutions/**/*.py",
+    "lab/**/*.py",
+    "studies/**/*.py",
+    "autograder/**/*.py",
+)
+MANIFESTS = ("chapters/*/chapter.toml",)
+CHECKS = ("tests/ch*/*.py", "tests/ch*/*.toml", "tests/shared/*.py")
+FILES = sorted({file for glob in (*PAGES, *CODE, *MANIFESTS, *CHECKS) for file in ROOT.glob(glob)})
+
+TWO, THREE = r"[2-9]\.\d+", r"[2-9]\.\d+\.\d+"
+AND = r"(?:, and |, | and | to )"
+
+
+def several(number: str) -> str:
+    """Return a pattern for one or more numbers, as in "7.1, 7.2 and 7.4"."""
+    return rf"{number}(?:{AND}{number})*(?![\d.]*\d)"
+
+
+SECTION = rf"(?:{THREE}|{TWO})"
+# What stands before a list of numbers, and the numbers.
+SECTIONS = re.compile(rf"(?:\b[Bb]ook:? (?:[Ss]ections? )?|\b[Ss]ections? )({several(SECTION)})")
+EQUATIONS = re.compile(rf"\bEqs?\. ({several(TWO)})")
+# Three numbers always mean a section, even without a word before them.
+BARE = re.compile(rf"(?<![\w.@=^-])({THREE})(?![\d.]*\d)")
+COLUMN = re.compile(rf"(?m)^\| ((?:{SECTION}|Eq\. {TWO}|{AND})+) \|")
+TABLE = "## From the book to the code"  # in a chapter's reference.md
+EXERCISES = re.compile(rf"\b([Ee]xercises?|[Mm]ini-projects?|[Pp]rojects?) ({several(TWO)})")
+
+
+def joined(text: str) -> str:
+    """Return a text without the breaks of its lines, its strings and its comments."""
+    text = re.sub(r"(?<=[ \w,.;:])[\"']\s*\n\s*f?[\"']", "", text)  # a string in several parts
+    return re.sub(r"\s*\n\s*(?:# )?", " ", text)
+
+
+def rows_of(text: str) -> list[str]:
+    """Return what each row of the table from the book to the code names in its first column."""
+    return COLUMN.findall(text.partition(TABLE)[2].partition("\n## ")[0])
+
+
+def references(text: str, bare: bool = True) -> Iterator[tuple[str, str]]:
+    """Yield the kind and the number of each reference in a text.
+
+    Use ``bare`` for a text that has no versions of programs, such as Python 3.11.7.
+    """
+    flat = joined(text)
+    for found in [*SECTIONS.findall(flat), *(BARE.findall(flat) if bare else [])]:
+        yield from (("section", number) for number in re.findall(SECTION, found))
+    for found in EQUATIONS.findall(flat):
+        yield from (("equation", number) for number in re.findall(TWO, found))
+    for row in rows_of(text):
+        yield from (("section", number) for number in re.findall(SECTION, EQUATIONS.sub("", row)))
+    for kind, found in EXERCISES.findall(flat):
+        name = kind.lower().rstrip("s")
+        yield from ((name, number) for number in re.findall(TWO, found))
+
+
+def numbered(kind: str) -> set[str]:
+    """Return the numbers of a chapter's exercises or projects, such as 7.1 to 7.6."""
+    return {f"{ch}.{i}" for ch, count in BOOK[kind].items() for i in range(1, count + 1)}
+
+
+# Our manifests call mini-projects exercises, and some projects have no "mini" before them.
+TASKS = numbered("exercises") | numbered("mini-projects")
+KNOWN = {
+    "section": {*BOOK["sections"]},
+    "equation": {*BOOK["equations"]},
+    "exercise": TASKS,
+    "mini-project": numbered("mini-projects"),
+    "project": numbered("projects"),
+}
+
+
+def unknown(text: str, bare: bool = True) -> list[str]:
+    """Return the references in a text to what the book does not have."""
+    found = references(text, bare)
+    return [f"{kind} {number}" for kind, number in found if number not in KNOWN[kind]]
+
+
+def about_the_book(file: Path) -> bool:
+    """Return whether three numbers in this file mean a section, and never a version."""
+    place = file.relative_to(ROOT).parts[0]
+    return place in {"chapters", "solutions", "tests", "glossary.md", "errata.md"}
+
+
+def test_every_reference_names_what_the_book_has() -> None:
+    assert len(FILES) > 200
+    texts = {file: file.read_text(encoding="utf-8") for file in FILES}
+    assert sum(len([*references(text)]) for text in texts.values()) > 400
+    wrong = {
+        str(file.relative_to(ROOT)): unknown(text, about_the_book(file))
+        for file, text in texts.items()
+    }
+    assert {file: numbers for file, numbers in wrong.items() if numbers} == {}
+
+
+def test_a_row_of_a_table_names_the_section_that_has_its_equation() -> None:
+    rows = [
+        (page.parent.name, row)
+        for page in ROOT.glob("chapters/*/reference.md")
+        for row in rows_of(page.read_text(encoding="utf-8"))
+    ]
+    assert len(rows) > 50
+    wrong = []
+    for chapter, row in rows:
+        numbers = [number for found in EQUATIONS.findall(row) for number in re.findall(TWO, found)]
+        sections = re.findall(SECTION, EQUATIONS.sub("", row))
+        for number in numbers:
+            if not any(same(section, BOOK["equations"][number]) for section in sections):
+                wrong.append(f"{chapter}: {row}")
+    assert wrong == []
+
+
+def same(section: str, other: str) -> bool:
+    """Return whether two sections are equal, or one contains the other."""
+    return f"{section}.".startswith(f"{other}.") or f"{other}.".startswith(f"{section}.")
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [
+        ("See Book 7.1.5 and\n    Eq. 7.7.", ["section 7.1.5", "equation 7.7"]),
+        ("Book: sections 7.1.4 and 7.2.4.", ["section 7.2.4"]),
+        ("sections 3.1 to 3.6 of the book", ["section 3.6"]),
+        ("(9.4.12, erratum E-12)", ["section 9.4.12"]),
+        ("Eq. 6.1, 6.2 and 6.6", ["equation 6.6"]),
+        ('"book 2.1.10, and "\n    "Eq. "\n    "2.11"', ["section 2.1.10", "equation 2.11"]),
+        (f"{TABLE}\n\n| 5.9, Eq. 5.2 | drag |\n", ["section 5.9", "equation 5.2"]),
+        ("exercise 2.8 and mini-project 8.4", ["exercise 2.8", "mini-project 8.4"]),
+        ("Book 7.1.3, Eq. 7.4. It takes 2.5 m/s, or 9.81 m/s^2.", []),
+    ],
+)
+def test_a_wrong_number_is_found(text: str, wrong: list[str]) -> None:
+    assert sorted({*unknown(text)}) == sorted(wrong)
+
+
+def glossary() -> dict[str, str]:
+    """Return each term of the glossary, and what its entry says about the book."""
+    text = " ".join((ROOT / "glossary.md").read_text(encoding="utf-8").split())
+    return dict(re.findall(r"\*\*([^*]+)\*\*(?: \([^)]+\))?: [^*]+? Book: (.+?)\. Code:", text))
+
+
+def test_the_glossary_says_where_the_book_has_a_term() -> None:
+    """A term that the book has is not marked as not covered."""
+    said, places = glossary(), BOOK["terms"]
+    assert {*places} <= {*said}
+    lost = {
+        term: said[term]
+        for term, numbers in places.items()
+        if not all(
+            re.search(rf"(?:^|, ){re.escape(number)}(?:,|$)", said[term]) for number in numbers
+        )
+    }
+    assert lost == {}
+
+
+def test_the_table_of_the_book_is_consistent() -> None:
+    sections = {*BOOK["sections"]}
+    assert {*BOOK["equations"].values()} <= sections
+    assert {section.rpartition(".")[0] for section in sections} - sections == set("23456789")
+    chapters = [chapter.number for chapter in load_chapters()]
+    assert sorted({int(section[0]) for section in sections}) == chapters
+    places = [place for numbers in BOOK["terms"].values() for place in numbers]
+    assert {place for place in places if "exercise" not in place} <= sections

@@ -83,8 +83,7 @@ def velocity_verlet(
     The method has order 2. It evaluates the forces twice, because b may change between two steps,
     for example in a contact. It is symplectic if d = 1 and no force depends on the velocity. It is
     stable for k h^2 / m < 4, even if d < 1. A damper c in the spring lowers this limit to 4 - 2 r +
-    r^2 with r = c h / m, and r must be less than 2. Source: Swope and others, J. Chem. Phys. 76
-    (1982), 637.
+    r^2 with r = c h / m < 2. Source: Swope and others, J. Chem. Phys. 76 (1982), 637.
     """
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
 
@@ -100,11 +99,10 @@ def runge_kutta_4(
     evaluate the rate there. Move for half the step to find the second and third rates, and for the
     whole step to find the fourth.
 
-    The method has order 4, evaluates the forces four times, and is not symplectic. An undamped
-    spring loses about (k h^2 / m)^3 / 72 of its energy per step. It is stable for k h^2 / m < 8, or
-    more if d < 1. With a damper c, |1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24| must be below 1 for both
-    roots z of z^2 + (c h / m) z + k h^2 / m = 0. Source: Kutta, Zeitschr. Math. Phys. 46 (1901),
-    435.
+    The method has order 4, makes four evaluations, and is not symplectic. An undamped spring loses
+    about (k h^2 / m)^3 / 72 of its energy per step. It is stable for k h^2 / m < 8, or more if d <
+    1. With a damper c, |1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24| must be below 1 for both roots z of
+    z^2 + (c h / m) z + k h^2 / m = 0. Source: Kutta, Zeitschr. Math. Phys. 46 (1901), 435.
     """
     raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
 

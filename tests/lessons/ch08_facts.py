@@ -123,7 +123,7 @@ def throws() -> dict[str, float]:
         "9.97": rise,
         "489": stone.mass * 9.81 * rise,
         "2,883": gained[stone],
-        "1.43": fall,
+        "1.432": fall,
         "5,617": released,
         "51": 100 * gained[stone] / released,
         "1,757": weight.kinetic_energy(),

@@ -10,12 +10,16 @@ import pytest
 
 from autograder.manifest import ROOT
 from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
+from ch06_springs.adaptive import adaptive
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import Rod, TwoSidedRod
 from lessons.lesson import agrees
+from studies.accuracy.scenes.links import double_pendulum
 from studies.runs.constraints import (
     Link,
     Resolve,
@@ -88,6 +92,26 @@ def loses(step: Integrator | None, rate: int) -> float:
     return 100 * (1 - energies[-1] / energies[0])
 
 
+def misses(model: str) -> float:
+    """Return the largest error in m of a bob of a double pendulum, with one step per frame."""
+    scene = double_pendulum()
+    [found] = [one for one in scene.models if one.name == model]
+    errors = []
+    for i, place in enumerate(found.run(1).places):
+        truth = scene.truth((i + 1) * FRAME)
+        errors += [math.dist(place[j : j + 2], truth[j : j + 2]) for j in (0, 2)]
+    return max(errors)
+
+
+def evaluations() -> float:
+    """Return how often `adaptive` evaluates a spring of 10^6 N/m on 1 kg per 1/60 s, on average."""
+    ball, registry, step = Particle(Vector3(0.1)), ForceRegistry(), adaptive(0.1)
+    registry.add(ball, AnchoredSpring(Vector3(), 1e6, 0))
+    for _ in range(10):
+        step([ball], registry.update_forces, FRAME)
+    return step.evaluations / 10
+
+
 def kept_by_runge_kutta(steps: int) -> float:
     """Return the energy that is left after 10,000 oscillations, from the eigenvalues of a step."""
     z = 2j * math.pi / steps
@@ -96,6 +120,16 @@ def kept_by_runge_kutta(steps: int) -> float:
 
 
 CLAIMS: list[tuple[str, str, list[Callable[[], float]]]] = [
+    (
+        "ch07_constraints",
+        "- # mm by `DirectChain`; - # micrometers by `RodTensions` and Runge-Kutta 4; "
+        "- # micrometers by `AngleChain`",
+        [
+            lambda: 1e3 * misses("direct chain"),
+            lambda: 1e6 * misses("rods as forces, Runge-Kutta 4"),
+            lambda: 1e6 * misses("by its angles, Runge-Kutta 4"),
+        ],
+    ),
     (
         "ch07_constraints",
         "hops by up to # mm at restitution 0.5 and by # mm at 0.9. Without the rule, the hops "
@@ -165,6 +199,12 @@ def test_a_reference_page_states_what_its_scene_does(
     assert found, claim
     computed = [value() for value in values]
     assert all(map(agrees, found.groups(), computed)), computed
+
+
+def test_a_stiff_spring_is_expensive_for_adaptive() -> None:
+    page = (ROOT / "chapters/ch06_springs/reference.md").read_text(encoding="utf-8")
+    assert "takes about 130 evaluations" in " ".join(page.split())
+    assert evaluations() == pytest.approx(130, abs=10)
 
 
 def test_the_loss_of_runge_kutta_depends_on_the_step() -> None:

@@ -17,7 +17,7 @@ def damped_spring_state(
     position in m and velocity in m/s. The kind of motion depends on the damping:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
-    - If c^2 = 4 k m, it comes to rest as quickly as possible (critically damped).
+    - If c^2 = 4 k m, it returns to 0 as quickly as it can without oscillating (critically damped).
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
     If the stiffness is 0, the body feels no spring force. It keeps moving in its direction, and

@@ -46,10 +46,10 @@ def semi_implicit_euler(
     """Make one step of semi-implicit Euler: update each velocity first, and then move the particle.
 
     The step is v' = (v + a h) d^h, and then p' = p + v' h. The method has order 1 and evaluates the
-    forces once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy does
-    not drift. It is stable for k h^2 / m < 4. With damping d this limit grows to 2 (1 + d^h) / d^h.
-    A damper c in the spring lowers it, because the condition is then k h^2 / m + 2 c h / m < 4.
-    Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
+    forces once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy of a
+    stable spring does not drift. It is stable for k h^2 / m < 4. With damping d this limit grows to
+    2 (1 + d^h) / d^h. A damper c in the spring lowers it to k h^2 / m + 2 c h / m < 4. Source:
+    Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -60,7 +60,7 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     A step is p1 = p + v h / 2, then v' = (v + a h) d^h with a at p1, then p' = p1 + v' h / 2. The
     forces are evaluated only once, in the middle of the step, and the damping acts once.
 
-    If no force depends on the velocity, the order is 2, and the method is symplectic at d = 1. A
+    If d = 1 and no force depends on the velocity, the order is 2, and the method is symplectic. A
     force that does depend on it is evaluated with the old velocity, which reduces the order to 1.
 
     It is stable for k h^2 / m < 4. With damping d and a damper c in the spring, the condition is k
@@ -80,10 +80,10 @@ def velocity_verlet(
     accelerations at the old and the new position. If a force depends on the velocity, use the
     estimate v + a h to compute b.
 
-    The method has order 2 and evaluates the forces twice. It is symplectic if d = 1 and no force
-    depends on the velocity. It is stable for k h^2 / m < 4, even if d < 1. A damper c in the spring
-    lowers this limit to 4 - 2 r + r^2 with r = c h / m, and r must be less than 2. Source: Swope
-    and others, Journal of Chemical Physics 76 (1982), 637.
+    The method has order 2. It evaluates the forces twice, because b may change between two steps,
+    for example in a contact. It is symplectic if d = 1 and no force depends on the velocity. It is
+    stable for k h^2 / m < 4, even if d < 1. A damper c in the spring lowers this limit to 4 - 2 r +
+    r^2 with r = c h / m < 2. Source: Swope and others, J. Chem. Phys. 76 (1982), 637.
     """
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
 
@@ -99,9 +99,9 @@ def runge_kutta_4(
     evaluate the rate there. Move for half the step to find the second and third rates, and for the
     whole step to find the fourth.
 
-    The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
-    drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
-    With a damper c, |1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24| must be below 1 for both roots z of
+    The method has order 4, makes four evaluations, and is not symplectic. An undamped spring loses
+    about (k h^2 / m)^3 / 72 of its energy per step. It is stable for k h^2 / m < 8, or more if d <
+    1. With a damper c, |1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24| must be below 1 for both roots z of
     z^2 + (c h / m) z + k h^2 / m = 0. Source: Kutta, Zeitschr. Math. Phys. 46 (1901), 435.
     """
     raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
@@ -117,8 +117,8 @@ def backward_euler(
     ``stiffness`` in N/m, c is ``damping`` in N s/m, m is ``mass`` in kg and h is ``duration`` in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
-    stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
-    Solving Ordinary Differential Equations II, IV.3.
+    stiffness, but even without damping it loses energy, and the stiffer the spring, the more.
+    Source: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3.
 
     Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
     or an argument or result is not finite. Raises TypeError for an argument that is not a number.

@@ -47,8 +47,9 @@ class Buoyancy:
 
         The force is rho V g times the fraction of the body that is under water. Here rho is
         ``liquid_density``, V is ``volume`` and g is ``gravity``. The fraction is (y_w + s - y) / (2
-        s), limited to the range from 0 to 1. In this formula s is ``max_depth``, y_w is the height
-        of the water surface and y is the height of the particle.
+        s), limited to the range from 0 to 1. This is exact for an upright box and an approximation
+        for other shapes. In this formula s is ``max_depth``, y_w is the height of the water surface
+        and y is the height of the particle.
 
         The book's formula has the wrong sign, and its listing lacks parentheses and the factor g
         (erratum E-5).

@@ -176,8 +176,8 @@ class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
     Up to a length of ``limit`` it behaves like a Spring. Beyond this length, each additional meter
-    increases the pull by only ``share`` times the stiffness. The spring has no damping, and it
-    exerts no force on the particle at its other end, ``other``.
+    increases the pull by only ``share`` times the stiffness. Unlike a real spring, it recovers. It
+    has no damping, and exerts no force on the particle ``other`` at its other end.
 
     Raises:
         ValueError: if the limit is below the rest length, or if a number is negative or not finite.

@@ -2,8 +2,9 @@
 
 A resolver corrects a rod only after a step has changed its length. This module instead computes the
 tensions that keep the lengths of the rods constant, and adds them as forces. Any integrator can
-then step the chain with its own order of accuracy. So Runge-Kutta 4 reaches order 4, while a
-resolver has order 1 and DirectChain has order 2.
+then step the chain. Runge-Kutta 4 reaches order 4 and velocity Verlet order 2, while a resolver has
+order 1 and DirectChain has order 2. Leapfrog has order 1 here, because the tensions depend on the
+velocities.
 
 If a rod keeps its length, the relative acceleration of its ends along the rod is known. The tension
 of a rod accelerates both of its ends. Each tension therefore appears in the equations of its own

@@ -105,7 +105,8 @@ def mechanical_energy(particles: Iterable[Particle]) -> float:
     The result is the sum of m v^2 / 2 - m a . p, where a is the particle's own acceleration and p
     is its position. For a = (0, -g, 0) this is m v^2 / 2 + m g y. Springs and other generators do
     not contribute, and neither do immovable particles. The energy should stay constant as long as
-    there is no damping and no generator adds a force. Particles that are asleep are immovable too,
-    so for a SleepingWorld call its own method ``mechanical_energy``.
+    there is no damping, no generator adds a force, and no contact is resolved. If there are
+    springs, add k x^2 / 2 for each of them, where x is its extension. Particles that are asleep are
+    immovable too, so for a SleepingWorld call its own method ``mechanical_energy``.
     """
     raise NotImplementedError("Exercise B8.1: Mechanical energy")

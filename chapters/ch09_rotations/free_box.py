@@ -1,10 +1,10 @@
 """Going further: a box that rotates freely, with its inertia tensor.
 
 No torque acts on the box, so its angular momentum is constant, but its angular velocity is not.
-Like every body, the box has three principal axes, and a moment of inertia about each of them. A
-rotation about the axis of the largest or the smallest moment is stable, but a rotation about the
-third axis is not. After the smallest disturbance the body flips over again and again, like a book
-that you throw into the air.
+Like every body, the box has three principal axes, and a moment of inertia about each of them. If
+the three moments are different, a rotation about the axis of the largest or the smallest moment is
+stable, but a rotation about the third axis is not. After the smallest disturbance the body flips
+over again and again, like a book that you throw into the air.
 
 This file is complete, so there is nothing to fill in.
 """

@@ -119,8 +119,8 @@ class Gravity:
 class Drag:
     """A force generator for drag, a force that opposes the motion and grows with the speed.
 
-    Its magnitude is the sum of two terms, ``k1`` times the speed and ``k2`` times the speed
-    squared. ``k1`` is in N s/m, and ``k2`` is in N s^2/m^2.
+    The air is at rest. The magnitude of the force is the sum of two terms, ``k1`` times the speed
+    and ``k2`` times the speed squared. ``k1`` is in N s/m, and ``k2`` is in N s^2/m^2.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_frame
 from ch03_laws_of_motion.exercises import gravity_between, stepping_error
@@ -60,9 +62,11 @@ def steps() -> dict[str, float]:
 
 
 def forces() -> dict[str, float]:
+    grain = gravity_between(100, 100, 1) / 9.81 / 2650  # m^3 of quartz, of 2,650 kg/m^3
     slow, fast = (Particle(velocity=Vector3(speed), mass=2) for speed in (3, 6))
     return {
         "6.67e-7": gravity_between(100, 100, 1),
+        "0.4": 1000 * (6 * grain / math.pi) ** (1 / 3),  # mm
         "9": slow.kinetic_energy(),
         "36": fast.kinetic_energy(),
     }
@@ -86,6 +90,26 @@ def errors() -> dict[str, float]:
     }
 
 
+def gained(seconds: float, rate: float) -> float:
+    """Return the energy in J that steps under 10 m/s^2 add to a thrown ball of 1 kg."""
+    ball = Particle(velocity=Vector3(0, 20), acceleration=Vector3(0, -10))
+    start = ball.kinetic_energy()
+    for _ in range(round(seconds * rate)):
+        ball.integrate(1 / rate)
+    return ball.kinetic_energy() + 10 * ball.position.y - start
+
+
+def growth() -> dict[str, float]:
+    start = Particle(velocity=Vector3(0, 20)).kinetic_energy()
+    assert gained(2, 2) == 4 * gained(0.5, 2)  # the same in every step
+    return {
+        "200": start,
+        "250": start + gained(2, 2),
+        "12.5": gained(0.5, 2),
+        "0.83": gained(1, 60),
+    }
+
+
 SECTIONS = {
     "A game that never sees the whole motion": ("60", dict),
     "Mass: how hard it is to change a velocity": ("6 0.1 0.5 0.25", masses),
@@ -95,4 +119,5 @@ SECTIONS = {
     "Three short exercises about forces": ("6.67428e-11 100 9.81 6", forces),
     "How wrong is a step?": ("10 0.5 60 120 9.81 0.01", errors),
     "Frames that do not arrive on time": ("10 60", dict),
+    "Summary": ("10 20 25 60", growth),
 }

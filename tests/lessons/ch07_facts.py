@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch06_springs.integrators import explicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
-from ch07_constraints.links import AnchoredCable, Cable, Rod
+from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
 from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
+from lab.scenes.ch07_constraints.ropes import Ropes
 from studies.contacts.chart import time_within
 from studies.contacts.kept import kept
 from studies.contacts.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
+from studies.runs.constraints import Link, by_resolver, chain
 
 UP = Vector3(0, 1)
 H = 1 / 60
@@ -34,6 +37,27 @@ def bounces() -> dict[str, float]:
     gained = ball.velocity.y
     ball.velocity.y = -5
     return {"0.1635": gained, "2.9": rest.velocity_after(H)}
+
+
+def climbs(gravity: float, seconds: float) -> float:
+    """Return how high a ball bounces with the book's step, dropped from 2 m with restitution 1."""
+    ball = Particle(Vector3(0, 2), acceleration=Vector3(0, -gravity))
+    ground, heights = GroundPlane([ball], restitution=1.0), []
+    for _ in range(round(seconds / H)):
+        explicit_euler([ball], lambda _: None, H)
+        if contacts := ground.contacts():
+            ContactResolver().resolve_contacts(contacts, H)
+        heights.append(ball.position.y)
+    return max(heights)
+
+
+def meetings() -> dict[str, float]:
+    assert climbs(9.81, 100) == climbs(9.81, 20)
+    rising = Particle(acceleration=Vector3(0, -9.81))
+    rising.kick(H)
+    rising.velocity.y = 5
+    assert Contact(rising, None, Vector3(0, -1), 1.0).velocity_after(H) == 5
+    return bounces() | {"2.75": climbs(10, 20), "2.13": climbs(9.81, 20)}
 
 
 def impulses() -> dict[str, float]:
@@ -74,6 +98,24 @@ def links() -> dict[str, float]:
     assert short.penetration == excess
     long.resolve_penetration()
     return {"0.5": excess, "0.25": a.position.x, "2.25": b.position.x}
+
+
+def ropes() -> dict[str, float]:
+    scene = Ropes()
+    for _ in range(60):
+        scene.step(H)
+    assert abs(scene.too_long(2)) < 1e-5
+    return links() | {"12": 100 * scene.too_long(0), "0.19": 100 * scene.too_long(1)}
+
+
+def wrong_by(count: int, link: Link) -> float:
+    """Return the worst error in mm of a hanging chain's rods within two seconds."""
+    return 1000 * max(chain(count, link, by_resolver(), 120)[1].values)
+
+
+def two_sided() -> dict[str, float]:
+    assert 4.5 < wrong_by(10, Rod) / wrong_by(10, TwoSidedRod) < 5.5
+    return {"14": wrong_by(3, Rod), "1.3": wrong_by(3, TwoSidedRod)}
 
 
 def moments() -> dict[str, float]:
@@ -149,12 +191,13 @@ def solvers() -> dict[str, float]:
 SECTIONS = {
     "Why not a very stiff spring?": ("60", dict),
     "How fast do they approach?": ("5", closing),
-    "Bounce or rest?": ("5 60 0.5 0.6 9.81", bounces),
+    "Bounce or rest?": ("5 10 20 60 0.5 0.6 9.81", meetings),
     "Impulses": ("0.3 0.5", impulses),
     "Many contacts at once": ("8", rows),
-    "Cables and rods": ("2.5 0.15 12", links),
+    "Cables and rods": ("8 60 0.6 2.5", ropes),
     "Finding contacts": ("", lambda: {"499,500": 1000 * 999 / 2}),
     "The exact moment of an impact": ("0.5 1.8 10", moments),
+    "Going further: rods that pull and push": ("10 60", two_sided),
     "Going further: other contact solvers": ("8 30 60 64 0.001 1,000", solvers),
     "The book's exercises": ("0.01 0.5 0.64 0.75 9 10 20 60", exercises),
 }

@@ -6,6 +6,7 @@ import math
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch08_mass_aggregate.blob import Bond, spread
 from ch08_mass_aggregate.bridge import Bridge, Deck, links_of
 from ch08_mass_aggregate.bridge_plan import PLANK_MASS, make_rows
@@ -13,12 +14,23 @@ from ch08_mass_aggregate.cube import cube_rods, fewest_rods
 from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.tilting_platform import balancing_mass
-from ch08_mass_aggregate.trebuchet import Trebuchet, my_design
+from ch08_mass_aggregate.trebuchet import STEP, Trebuchet, my_design
 from ch08_mass_aggregate.wheel import Wheel, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 
 
+def gained_in_free_fall(step: Integrator) -> float:
+    """Return the energy in J that a step of 0.1 s adds to a ball of 2 kg."""
+    ball = Particle(Vector3(0, 3), Vector3(4), Vector3(0, -9.81), mass=2)
+    before = mechanical_energy([ball])
+    step([ball], lambda _: None, 0.1)
+    return mechanical_energy([ball]) - before
+
+
 def energy() -> dict[str, float]:
+    expected = 2 * 9.81**2 * 0.1**2 / 2
+    assert abs(gained_in_free_fall(explicit_euler) - expected) < 1e-12
+    assert abs(gained_in_free_fall(semi_implicit_euler) + expected) < 1e-12
     ball = Particle(Vector3(0, 3), Vector3(4), Vector3(0, -9.81), mass=2)
     total = mechanical_energy([ball])
     return {
@@ -92,9 +104,15 @@ def wheels() -> dict[str, float]:
 
 def throws() -> dict[str, float]:
     machine = Trebuchet(my_design())
-    machine.throw()
-    stone = machine.projectile
-    fall = machine.design.counterweight * 9.81 * 2
+    stone, weight, tip = machine.projectile, machine.weight, machine.tip
+    bodies = (weight, tip, stone)
+    heights = {body: body.position.y for body in bodies}
+    energies = {body: mechanical_energy([body]) for body in bodies}
+    while not machine.flies:
+        machine.step(STEP)
+    gained = {body: mechanical_energy([body]) - energies[body] for body in bodies}
+    fall, rise = heights[weight] - weight.position.y, stone.position.y - heights[stone]
+    released = weight.mass * 9.81 * fall
     return {
         "400": machine.design.counterweight,
         "5": stone.mass,
@@ -102,8 +120,15 @@ def throws() -> dict[str, float]:
         "14.0": stone.velocity.y,
         "30.9": stone.velocity.magnitude(),
         "2,394": stone.kinetic_energy(),
-        "7,848": fall,
-        "56": math.sqrt(2 * fall / stone.mass),
+        "9.97": rise,
+        "489": stone.mass * 9.81 * rise,
+        "2,883": gained[stone],
+        "1.432": fall,
+        "5,617": released,
+        "51": 100 * gained[stone] / released,
+        "1,757": weight.kinetic_energy(),
+        "841": gained[tip],
+        "136": sum(gained.values()),
     }
 
 

@@ -154,30 +154,31 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
     """
     usable = [entry for entry in entries if not entry.problem]
     uploaders = {entry.export and entry.export.student for entry in usable}
-    if len(usable) > 1 and (len(uploaders) > 1 or None in uploaders):
-        names = " and ".join(repr(entry.path.name) for entry in usable)
+    rivals = usable  # nobody says which of these is the last one
+    if len(uploaders) == 1 and None not in uploaders:
+        rivals = [entry for entry in usable if _order(entry) == max(map(_order, usable))]
+    if len(rivals) > 1 and (None in uploaders or not _are_copies(rivals)):
+        names = " and ".join(repr(entry.path.name) for entry in rivals)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
-    last = max(usable or entries, key=_order)
-    same = [entry for entry in usable if _order(entry) == _order(last)]
-    last = same[0] if same else last
-    if any(contents(entry.path) != contents(last.path) for entry in same[1:]):
-        names = " and ".join(repr(entry.path.name) for entry in same)
-        raise ValueError(
-            f"must hand in only once, got {names}, and their names do not say which is the last. "
-            "Keep one of them"
-        )
+    last = rivals[0] if rivals else max(entries, key=_order)
     notes = []
     for entry in entries:
         if entry is not last and usable:
             name = printable(entry.path.name)
             why = entry.problem or "it was uploaded earlier. Put all files into one zip"
-            why = "it has the same files" if entry in same else why
+            why = "it has the same files" if entry in rivals else why
             notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
     nothing = "; ".join(
         f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"
         for entry in ([] if usable else entries)
     )
     return Submission("", last.path, "", last.export, tuple(notes), nothing)
+
+
+def _are_copies(entries: Sequence[Entry]) -> bool:
+    """Return True if all have the same files, as Moodle has those of a team for each student."""
+    first, *others = [contents(entry.path) for entry in entries]
+    return all(other == first for other in others)
 
 
 def _order(entry: Entry) -> tuple[int, int]:

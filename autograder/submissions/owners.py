@@ -84,10 +84,12 @@ class Owners:
 
     def label(self, who: Who) -> str:
         """Return how an error message calls these students."""
-        return ", ".join(
-            f"{self.path}, line {one.line}: {one.name}" if isinstance(one, Student) else one
-            for one in who
-        )
+        students = [one for one in who if isinstance(one, Student)]
+        if not students:
+            return ", ".join(map(str, who))
+        lines = " and ".join(str(one.line) for one in students)
+        names = " and ".join(one.name for one in students)
+        return f"{self.path}, line{'s' if len(students) > 1 else ''} {lines}: {names}"
 
     def in_two(self, found: Iterable[Who]) -> list[str]:
         """Describe each student who is in two groups that have handed in."""

@@ -29,7 +29,8 @@ CODE = (
 )
 MANIFESTS = ("chapters/*/chapter.toml",)
 CHECKS = ("tests/ch*/*.py", "tests/ch*/*.toml", "tests/shared/*.py")
-FILES = sorted({file for glob in (*PAGES, *CODE, *MANIFESTS, *CHECKS) for file in ROOT.glob(glob)})
+FOUND = {file for glob in (*PAGES, *CODE, *MANIFESTS, *CHECKS) for file in ROOT.glob(glob)}
+FILES = sorted(file for file in FOUND if "node_modules" not in file.parts)
 
 TWO, THREE = r"[2-9]\.\d+", r"[2-9]\.\d+\.\d+"
 AND = r"(?:, and |, | and | to )"

@@ -143,7 +143,7 @@ def test_without_an_order_of_uploads_none_is_the_last(tmp_path: Path) -> None:
     rows = [("1", "Ann", "", "", "a"), ("2", "Bo", "", "", "a")]
     (tmp_path / "class/Bo_2_assignsubmission_file/ch02_vectors").mkdir(parents=True)
     (tmp_path / "class/Bo_2_assignsubmission_file/ch02_vectors/vector.py").touch()
-    with pytest.raises(ValueError, match=r"their names do not say which is the last. Keep one"):
+    with pytest.raises(ValueError, match=r"lines 2 and 3: Ann and Bo must hand in only once"):
         class_of(tmp_path, names, *rows)
 
 

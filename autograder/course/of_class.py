@@ -75,16 +75,18 @@ def _extensions(
         try:
             members = people.members_of(name)
         except UnknownNameError as error:
-            (problems if people.has_roster else notes).append(f"Extension for {name!r}: {error}")
+            (problems if people.has_roster else notes).append(
+                f"Extension of {name!r} in the course file: {error}"
+            )
             continue
         except ValueError as error:
-            problems.append(f"Extension for {name!r}: {error}")
+            problems.append(f"Extension of {name!r} in the course file: {error}")
             continue
         for member in members:
             before, time = of_member.setdefault(member, (name, due))
             if time != due:
                 words = f"{before!r} is the same student and has another date. Give only one"
-                problems.append(f"Extension for {name!r}: {words}")
+                problems.append(f"Extension of {name!r} in the course file: {words}")
             granted.setdefault(member.report, []).append(due)
     if problems:
         raise ValueError("\n".join(dict.fromkeys(problems)))
@@ -133,19 +135,23 @@ def for_gradescope(deadline: Deadline, roster: Path | None) -> Deadline:
     for name, due in deadline.extensions.items():
         found = names.all_of(name)
         if len(found) != 1:
-            problems.append(f"Extension for {name!r}: {names.problem(name, found)}")
+            problems.append(
+                f"Extension of {name!r} in the course file: {names.problem(name, found)}"
+            )
             continue
         (student,) = found
         is_alone = names.all_of(student.name) == [student]
         keys = [student.email, student.name if is_alone else ""]
         if not any(keys):
             problems.append(
-                f"Extension for {name!r}: Gradescope tells students of one name apart by email "
-                f"only. Add one to {roster}, line {student.line}"
+                f"Extension of {name!r} in the course file: Gradescope tells students of one name "
+                f"apart by email only. Add one to {roster}, line {student.line}"
             )
         for each in filter(None, keys):
             if extensions.setdefault(each, due) != due:
-                problems.append(f"Extension for {name!r}: {student.name} has two dates")
+                problems.append(
+                    f"Extension of {name!r} in the course file: {student.name} has two dates"
+                )
     if problems:
         raise ValueError("\n".join(problems))
     return replace(deadline, extensions=extensions)

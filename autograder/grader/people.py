@@ -58,7 +58,10 @@ def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str
     For example, if a submission is named "Ann Le" and the roster lists "Ann Lee", suggest how to
     rename the submission.
     """
-    nothing = [f"{report.student}: {report.nothing}" for report in reports if report.nothing]
+    nothing: dict[str, list[str]] = {}
+    for report in reports:
+        if report.nothing:
+            nothing.setdefault(report.nothing, []).append(report.student)
     changed = [
         f"{report.student} {exercise.id}"
         for report in reports
@@ -75,7 +78,8 @@ def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str
         if names
     ]
     if nothing:
-        lines += [f"Handed in, nothing to grade: {len(nothing)}.", *(f"  {one}" for one in nothing)]
+        lines.append(f"Handed in, nothing to grade: {sum(map(len, nothing.values()))}.")
+        lines += [f"  {'; '.join(names)}: {why}" for why, names in nothing.items()]
     # We compare only names, because two codes may be similar by chance.
     absent = {
         m.shown.lower(): m

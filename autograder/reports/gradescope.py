@@ -143,7 +143,7 @@ def _summary(report: StudentReport, failed: bool) -> str:
     if report.waiting:
         lines.append(f"waiting for a person: {number(report.waiting)} points")
     if report.late:
-        lines.append(f"late penalty: {number(report.penalty)} points. {report.late.words}")
+        lines.append(f"late penalty: {number(report.penalty)} points. {report.about_lateness}")
         earned, total = number(report.earned), number(report.total)
         lines.append(f"total: {earned} - {number(report.penalty)} = {total} points")
     lines += [f"note: {clean_line(note)}" for note in report.notes]

@@ -211,6 +211,14 @@ class StudentReport:
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
+    def about_lateness(self) -> str:
+        """How late the work is and what that costs, in sentences for the student."""
+        if self.late is None:
+            return ""
+        limit = " The penalty is never more than the points earned."
+        return self.late.words + (limit if self.late.deduction > self.penalty else "")
+
+    @property
     def total(self) -> float | None:
         """The student's points after the late penalty, or None if grading failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)

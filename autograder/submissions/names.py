@@ -62,7 +62,9 @@ class Names(Generic[T]):
         return UnknownNameError(f"there is no student {text!r}. {self._nearest(text)}".strip())
 
     def _nearest(self, text: str) -> str:
+        words = {*_plain(text).split()}
         close = difflib.get_close_matches(_plain(text), self._plain, 2 * MOST_SUGGESTED, 0.7)
+        close += [each for each in self._plain if words and words <= {*each.split()}]
         labels = [*dict.fromkeys(self.labels[self._plain[each]] for each in close)]
         return f"Did you mean {' or '.join(labels[:MOST_SUGGESTED])}?" if labels else ""
 

@@ -89,7 +89,10 @@ def test_the_penalty_is_apart_from_the_points_and_never_more_than_they_are() -> 
     late = late_of(Deadline(FALL, LatePolicy(2, "points")), [], HandedIn("it", at), 14)
     report = report_of(late=late)
     assert (report.score, report.earned, report.penalty, report.total) == (3, 3, 3, 0)
+    limit = "Here that is 4 points. The penalty is never more than the points earned."
+    assert report.about_lateness.endswith(limit)
     marked = apply_marks(report, {("ada", "2.3"): Mark(2, "")})
+    assert marked.about_lateness.endswith("Here that is 4 points.")
     assert (marked.score, marked.earned, marked.penalty, marked.total) == (3, 5, 4, 1)
     failed = failed_run()
     assert (failed.earned, failed.penalty, failed.total) == (None, 0, None)
@@ -212,7 +215,10 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     assert (late["ann"].days, late["ann"].deduction) == (4, 4 * 1.4), "of 14 points possible"
     assert (late["bob"].days, late["bob"].deduction) == (None, 0)
     first, second, third = notes
-    assert first == "Extension for 'anne': there is no student 'anne'. Did you mean ann?"
+    assert (
+        first
+        == "Extension of 'anne' in the course file: there is no student 'anne'. Did you mean ann?"
+    )
     assert second.startswith("The submission time is unknown for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {tmp_path / 'times.csv'}.")
     assert third == "Late: 1. With a penalty: 1."
@@ -230,7 +236,7 @@ def test_an_extension_is_that_of_one_student_on_the_roster(
     tmp_path: Path, extensions: dict[str, datetime], words: str
 ) -> None:
     people = class_in(tmp_path, "7", "8", roster="7,Ann Lee,,\n8,Bo Roe,,\n9,Bo Roe,,\n")
-    with pytest.raises(ValueError, match=f"Extension for .*: {words}"):
+    with pytest.raises(ValueError, match=f"Extension of .*: {words}"):
         lateness(Deadline(FALL, FIVE, extensions), CHAPTERS, tmp_path, people)
     deadline = Deadline(FALL, FIVE, {"7": SPRING, "Ann Lee": SPRING, "9": SPRING})
     late, _ = lateness(deadline, CHAPTERS, tmp_path, people)
@@ -254,7 +260,9 @@ def test_an_extension_by_id_holds_on_gradescope_which_knows_names_alone(tmp_path
     assert (days("Bo Roe", "Bo@X.org"), days("Bo Roe", "roe@x.org")) == (0, 1), "by the email"
     with pytest.raises(ValueError, match=r"Add one to .*, line 4"):
         for_gradescope(Deadline(FALL, FIVE, {"15": longer}), tmp_path / "roster.csv")
-    with pytest.raises(ValueError, match="Extension for 'Ivan': there is no student 'Ivan'"):
+    with pytest.raises(
+        ValueError, match="Extension of 'Ivan' in the course file: there is no student 'Ivan'"
+    ):
         for_gradescope(Deadline(FALL, FIVE, {"Ivan": longer}), tmp_path / "roster.csv")
 
 

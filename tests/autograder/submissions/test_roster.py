@@ -189,6 +189,7 @@ def test_students_of_one_name_are_told_apart_by_their_ids(tmp_path: Path) -> Non
     [
         ("Ann Lee", r"'Ann Lee' could be Ann Lee \(1042\) and Ann Lee \(8\). Write the id or"),
         ("Jose Nandu", r"there is no student 'Jose Nandu'. Did you mean José Ñandú\?"),
+        ("Ñandú", r"there is no student 'Ñandú'. Did you mean José Ñandú\?"),
         ("Eve Nobody", r"there is no student 'Eve Nobody'.$"),
     ],
 )

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from autograder.accepted_files import HARMLESS
+from autograder.answers import FILE as ANSWERS
 from autograder.manifest import Chapter
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, is_skipped
@@ -23,12 +24,14 @@ def misplaced(
 ) -> str:
     """Explain to a student that a missing file was found, but not in its chapter's folder.
 
-    A file in the folder of a chapter that comes with a file of this name is not misplaced.
+    A file in the folder of one of the ``chapters`` that has a file of this name is not misplaced.
 
     Returns:
         A sentence that says where the file was found and what to do, or "" if it was not found.
     """
-    at_home = {other.name for other in chapters if file in other.complete}
+    at_home = {
+        other.name for other in chapters if file in (*other.complete, *other.handed_in, ANSWERS)
+    }
     places = sorted(
         {
             (len(one.place), one.place)

@@ -21,7 +21,7 @@ from autograder.accepted_files import (
     renamed,
 )
 from autograder.handouts.stubs import KEPT
-from autograder.manifest import ROOT, Chapter
+from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, refuse, refuse_all, search_folder
 from autograder.submissions.misplaced import misplaced, names_of_others
@@ -66,6 +66,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
         OSError: The folder cannot be written, or a file of the repository cannot be read.
     """
     found, notes, refused = _search(submission, chapters)
+    everywhere = load_chapters(root)
     missing: dict[str, str] = {}
     elsewhere: list[str] = []
     taken: dict[str, Found] = {}
@@ -84,7 +85,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
             file, content, reason = files.get(name), b"", ""
             module = module_of(chapter.name, name)
             if file is None or _is_stub(file):
-                reason = misplaced(chapter, name, found, chapters)
+                reason = misplaced(chapter, name, found, everywhere)
                 elsewhere += [module] if reason else []
             if file and not reason:
                 try:

@@ -73,6 +73,14 @@ def test_a_file_in_the_folder_of_a_chapter_that_has_one_is_not_misplaced(hand_in
     assert boxed(made) == ({EXERCISES: CODE}, {}, [])
 
 
+def test_the_files_of_chapters_that_are_not_read_are_in_their_place(
+    hand_in: HandIn, tmp_path: Path
+) -> None:
+    """Similarity reads some chapters, and marking only the answers in them."""
+    made = hand_in({VECTOR: CODE, "ch03_laws_of_motion/exercises.py": CODE})
+    assert stage(made, CHAPTERS[:1], tmp_path / "box").misplaced == []
+
+
 def test_no_other_file_of_a_handout_is_taken_for_a_students_work(
     hand_in: HandIn, tmp_path: Path
 ) -> None:

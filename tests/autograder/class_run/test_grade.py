@@ -255,9 +255,9 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
         shutil.copyfile(
             ROOT / "solutions/ch02_vectors" / file, root / "chapters/ch02_vectors" / file
         )
-    earlier = tmp_path / "eli/ch03_laws_of_motion"
-    earlier.mkdir(parents=True)
-    (earlier / "particle.py").touch()
+    own = tmp_path / "eli/ch02_vectors"
+    own.mkdir(parents=True)
+    (own / "exercises.py").touch()  # and no vector.py
     report = grade_one(tmp_path / "eli", [CHAPTER], root=root)
     assert states(report, "score") == {0.0, None}
     assert states(report) == {"failed", "blocked", "waiting"}

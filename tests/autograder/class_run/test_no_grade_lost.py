@@ -239,10 +239,10 @@ def test_a_report_that_is_kept_names_what_was_not_graded_today(
 def test_the_marking_page_and_the_grader_keep_each_others_records(tmp_path: Path) -> None:
     mark = Mark(1.0, "")
     page, grader = MarkedAnswers(tmp_path), MarkedAnswers(tmp_path)
-    page.marked_now("ann", "90.2", mark, "old")
+    page.mark_now("ann", "90.2", mark, "old")
     assert not grader.is_changed("bob", "90.2", mark, "old")
     grader.save()
-    page.marked_now("cem", "90.2", mark, "old")
+    page.mark_now("cem", "90.2", mark, "old")
     now = MarkedAnswers(tmp_path)
     assert all(now.is_changed(student, "90.2", mark, "new") for student in ("ann", "bob", "cem"))
 

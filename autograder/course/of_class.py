@@ -17,7 +17,7 @@ from autograder.reports.marks import Marks
 from autograder.reports.report import Late
 from autograder.scores import possible
 from autograder.submissions.class_list import ClassList, Member
-from autograder.submissions.names import Names, UnknownNameError
+from autograder.submissions.names import Names, UnknownNameError, some
 from autograder.submissions.roster import read_roster
 
 
@@ -46,13 +46,13 @@ def lateness(
     if unknown := [report for report in reports if report not in said]:
         notes.append(
             f"The submission time is unknown for {len(unknown)} of {len(reports)} students, who "
-            f"therefore get no penalty: {_some(unknown)}. {add}"
+            f"therefore get no penalty: {some(unknown)}. {add}"
         )
     unclear = [report for report, at in said.items() if at.late and at.at is None]
     if unclear:
         notes.append(
             f"Late by an unknown amount of time, and therefore without a penalty: {len(unclear)} "
-            f"({_some(unclear)}). {add}"
+            f"({some(unclear)}). {add}"
         )
     if days := [each for each in late.values() if each.days]:
         lose = sum(each.deduction > 0.0 for each in days)
@@ -91,10 +91,6 @@ def _extensions(
     if problems:
         raise ValueError("\n".join(dict.fromkeys(problems)))
     return granted, notes
-
-
-def _some(names: list[str]) -> str:
-    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
 
 
 def late_on_gradescope(

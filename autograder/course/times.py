@@ -13,7 +13,6 @@ from autograder.course.dates import parse_time
 from autograder.course.late import HandedIn
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.csv_rows import Mistakes, read_csv
-from autograder.submissions.platform_files import Uploads
 
 TIMES = "times.csv"
 HEADER = ["student", "submitted"]
@@ -32,13 +31,12 @@ def times_of(
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
     """
-    uploads = Uploads(folder)
     known: dict[str, HandedIn] = {}
     for submission in people.submissions:
         if submission.export and submission.export.platform == "canvas":
             # Canvas marks late submissions in the file name, but does not say how late they are.
             known[submission.student] = HandedIn("Canvas", late=submission.late)
-        if (upload := uploads.of(submission.path)) and upload.at:
+        if (upload := submission.upload) and upload.at:
             at = upload.at if upload.at.tzinfo else upload.at.replace(tzinfo=zone, fold=1)
             known[submission.student] = HandedIn(upload.source, at)
     written, notes = _of_instructor(folder / TIMES, people, zone)

@@ -31,13 +31,9 @@ def seed_of(state: Path, seed: str | None) -> str:
     """
     if seed:
         return seed
-    try:
-        last = json.loads(state.read_text(encoding="utf-8"))
-        if last["finished"] is False and isinstance(last["seed"], str):
-            return last["seed"]
-    except (OSError, ValueError, KeyError, TypeError):
-        pass  # no run was stopped here
-    return secrets.token_hex(4)
+    last = _recorded(state)
+    stopped = last.get("seed") if last.get("finished") is False else None
+    return stopped if isinstance(stopped, str) else secrets.token_hex(4)
 
 
 def refuse_dropped(state: Path, *, has_roster: bool, has_checks: bool, is_regrade: bool) -> None:
@@ -49,11 +45,10 @@ def refuse_dropped(state: Path, *, has_roster: bool, has_checks: bool, is_regrad
     Raises:
         ValueError: The roster or the hidden checks are missing, or a regrade has a new roster.
     """
-    try:
-        record = json.loads(state.read_text(encoding="utf-8"))
-        had_roster, had_checks = record["roster"], record.get("checks", False)
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        return  # no run, or one that did not record it
+    record = _recorded(state)
+    if "roster" not in record:
+        return
+    had_roster, had_checks = record["roster"], record.get("checks", False)
     if had_roster and not has_roster:
         raise ValueError(
             "the class was graded with a roster: add --roster (make: ROSTER=), or --assignment "
@@ -71,10 +66,8 @@ def refuse_dropped(state: Path, *, has_roster: bool, has_checks: bool, is_regrad
 
 def graded_folder(out: Path) -> Path | None:
     """Return the folder of the class whose grades are in ``out``, or None if there are none."""
-    try:
-        return Path(json.loads((out / RECORD).read_text(encoding="utf-8"))["folder"])
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
+    folder = _recorded(out / RECORD).get("folder")
+    return Path(folder) if isinstance(folder, str) else None
 
 
 def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> None:
@@ -147,11 +140,17 @@ def _described(work: dict[str, Any]) -> str:
 def _work_in(out: Path) -> dict[str, Any] | None:
     """Return what the last run into this folder has graded, or None if it is not recorded."""
     names = ("assignment", "chapters", "given", "anonymous")
+    record = _recorded(out / RECORD)
+    return {name: record[name] for name in names} if record.keys() >= {*names} else None
+
+
+def _recorded(state: Path) -> dict[str, Any]:
+    """Read what the last run has recorded, or return an empty dict if there is no valid record."""
     try:
-        record = json.loads((out / RECORD).read_text(encoding="utf-8"))
-        return {name: record[name] for name in names}
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
+        record = json.loads(state.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return record if isinstance(record, dict) else {}
 
 
 @contextmanager

@@ -103,7 +103,7 @@ def _answers_of(
 def answer_hashes(
     submission: Submission, chapters: list[Chapter], root: Path = ROOT
 ) -> dict[str, str]:
-    """Return a hash of a student's answer to each written question, by which changes are seen."""
+    """Return a hash of each written answer, which shows whether the student has changed it."""
     return {name: answer.hash for name, answer in _answers_of(submission, chapters, root)}
 
 

@@ -131,9 +131,12 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
     submissions: dict[Who, Submission] = {}
     for who, uploaded in found.items():
         try:
-            submissions[who] = replace(_chosen(uploaded), owner=owners.lasting_name(who))
+            chosen = _chosen(uploaded)
         except ValueError as error:
             problems.append(f"{owners.label(who)} {error}")
+            continue
+        owner, upload = owners.lasting_name(who), uploads.of(chosen.path)
+        submissions[who] = replace(chosen, owner=owner, upload=upload)
     problems += owners.in_two(found)
     if problems:
         raise ValueError("\n".join(problems))
@@ -142,7 +145,7 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
             f"{str(folder)!r} has no submissions: a folder or a .zip file named after each student"
         )
     notes += [*owners.notes, *uploads.notes([entry.path for entry in entries])]
-    return ClassList(_members(owners, submissions, uploads), owners.has_roster, notes)
+    return ClassList(_members(owners, submissions), owners.has_roster, notes)
 
 
 def _chosen(entries: Sequence[Entry]) -> Submission:
@@ -172,7 +175,7 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"
         for entry in ([] if usable else entries)
     )
-    return Submission("", last.path, "", last.export, tuple(notes), nothing)
+    return Submission("", last.path, export=last.export, notes=tuple(notes), nothing=nothing)
 
 
 def _are_copies(entries: Sequence[Entry]) -> bool:
@@ -185,9 +188,7 @@ def _order(entry: Entry) -> tuple[int, int]:
     return entry.export.order if entry.export else (0, 0)
 
 
-def _members(
-    owners: Owners, submissions: Mapping[Who, Submission], uploads: Uploads
-) -> list[Member]:
+def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Member]:
     """Make the list of all students, with the names under which they and their reports appear."""
     alike = Counter(letters(student.name) for student in owners.roster)
 
@@ -209,14 +210,12 @@ def _members(
             )
         for one, name in zip(who, names, strict=True):
             student = one if isinstance(one, Student) else None
-            known = _known_as(student, submission, uploads)
+            known = _known_as(student, submission)
             members.append(Member(name, report, student, submission, known))
     return sorted(members, key=lambda member: member.shown)
 
 
-def _known_as(
-    student: Student | None, submission: Submission | None, uploads: Uploads
-) -> tuple[str, ...]:
+def _known_as(student: Student | None, submission: Submission | None) -> tuple[str, ...]:
     """Return all names of a student on the roster, on the submission and on the platform."""
     names = [*student.names, student.group] if student else []
     if submission:
@@ -225,7 +224,7 @@ def _known_as(
         if export := submission.export:
             names += [export.student, export.name]
             names += [export.number] if export.platform == "canvas" else []
-        upload = uploads.of(path)
+        upload = submission.upload
         if upload and len(upload.people) == 1:
             names += upload.people[0]
     return tuple(dict.fromkeys(filter(None, names)))

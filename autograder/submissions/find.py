@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from autograder.submissions.exports import Exported, look_like_canvas, read_export
+from autograder.submissions.platform_files import Upload
 from autograder.text.clean import visible
 
 RECORD = "run.json"  # in a folder of reports; records the class, the seed and so on
@@ -61,6 +62,7 @@ class Submission:
         path: The path of the folder or zip file.
         owner: What the student or group is called in records, whatever the name of the report is.
         export: The parsed name if Canvas or Moodle created it, otherwise None.
+        upload: What a platform's file says about it, or None.
         notes: What the student and the instructor should know, such as other files that were not
             used.
         nothing: Why nothing of it can be graded, such as "'report.pdf' is neither a folder nor a
@@ -71,6 +73,7 @@ class Submission:
     path: Path
     owner: str = ""
     export: Exported | None = None
+    upload: Upload | None = None
     notes: tuple[str, ...] = ()
     nothing: str = ""
 
@@ -104,10 +107,8 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
             )
     entries = [_entry(path) for path in paths]
     zips = [one for one in entries if not one.problem]
-    is_download = look_like_canvas(one.export for one in zips) and not any(
-        one.path.is_dir()
-        for one in zips  # Canvas has only files
-    )
+    has_folders = any(one.path.is_dir() for one in zips)  # which Canvas does not have
+    is_download = look_like_canvas(one.export for one in zips) and not has_folders
     return [
         one
         if not one.export or one.export.platform == "moodle" or is_download or is_known(one.export)

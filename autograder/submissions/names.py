@@ -69,6 +69,11 @@ class Names(Generic[T]):
         return f"Did you mean {' or '.join(labels[:MOST_SUGGESTED])}?" if labels else ""
 
 
+def some(names: Sequence[str]) -> str:
+    """List the first five names of a message that could be long."""
+    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
+
+
 def key(text: str) -> str:
     """Normalize a student's id, e-mail address or login, so that it can be compared.
 

@@ -17,7 +17,7 @@ from typing import Any
 from autograder.course.dates import parse_time
 from autograder.submissions.csv_rows import Mistakes, read_csv
 from autograder.submissions.exports import read_export, without_suffix
-from autograder.submissions.names import letters
+from autograder.submissions.names import letters, some
 
 OF_MOODLE = "worksheet.csv"  # instructors save the grading worksheet under this name
 OF_GRADESCOPE = "submission_metadata.yml"
@@ -94,15 +94,11 @@ class Uploads:
         lines = []
         if unknown:
             words = f"submissions of the platform's files are not in {self._folder}"
-            lines.append(f"{len(unknown)} {words}: {_some(unknown)}")
+            lines.append(f"{len(unknown)} {words}: {some(unknown)}")
         if absent and numbers:
             words = f"participants in {OF_MOODLE} have handed in, but not in {self._folder}"
-            lines.append(f"{len(absent)} {words}: {_some(absent)}")
+            lines.append(f"{len(absent)} {words}: {some(absent)}")
         return lines
-
-
-def _some(names: list[str]) -> str:
-    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
 
 
 def _of_moodle(folder: Path) -> dict[str, Upload]:

@@ -15,7 +15,7 @@ from autograder.course.times import times_of
 from autograder.manifest import ROOT
 from autograder.reports.feedback import write_index
 from autograder.reports.gradebook import write_gradebook
-from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.class_list import ClassList, Member, read_class
 from autograder.submissions.roster import read_roster
 from graded import CHAPTERS, SHOUT, class_of, report_of
 from small import RIGHT, hand_in, make_root
@@ -96,11 +96,12 @@ def test_odd_times_are_refused_in_a_sentence_or_unknown(
     tmp_path: Path, name: str, text: str, is_refused: bool
 ) -> None:
     (tmp_path / name).write_text(text, encoding="utf-8")
+    (tmp_path / "ann").mkdir()
     if is_refused:
         with pytest.raises(ValueError, match=name):
-            times_of(tmp_path, class_of("ann"), UTC)
+            times_of(tmp_path, read_class(tmp_path), UTC)
         return
-    known, _ = times_of(tmp_path, class_of("ann"), UTC)
+    known, _ = times_of(tmp_path, read_class(tmp_path), UTC)
     late = late_of(Deadline(datetime(2026, 1, 1, tzinfo=UTC)), [], known.get("ann"), 1.0)
     assert late.days is None
 

@@ -107,7 +107,7 @@ def twins(made: RandomClass, person: Person) -> list[Person]:
 
 
 def a_name_of(rng: random.Random, made: RandomClass, person: Person) -> str:
-    """Return a name by which the person could be meant, written somehow, and nobody else."""
+    """Return a name that only this person has, in one of several spellings."""
     names = [person.id, *filter(None, [person.email, person.login])]
     if not twins(made, person):
         names += [person.name(), person.name(comma=True)]

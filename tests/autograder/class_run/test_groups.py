@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -11,7 +10,7 @@ import pytest
 from autograder.course.model import Deadline, LatePolicy
 from autograder.platforms.uploads import Column
 from small import RIGHT, hand_in, make_root
-from small_class import HALF, grade, results
+from small_class import HALF, grade, results, table
 
 ROSTER = """id,name,email,login,group
 1,Ann Lee,ann@x.org,al,team 1
@@ -43,11 +42,6 @@ def submissions(tmp_path: Path) -> Path:
     times = "student,submitted\nann@x.org,2026-10-24T12:00Z\nteam 2,2026-10-24T12:00Z\n"
     (tmp_path / "class/times.csv").write_text(times, encoding="utf-8")
     return tmp_path / "class"
-
-
-def table(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def test_each_member_has_the_grade_of_the_group(

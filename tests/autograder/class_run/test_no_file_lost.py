@@ -18,19 +18,8 @@ from autograder.similarity.run import similarity
 from autograder.submissions.class_list import read_class
 from autograder.submissions.codes import with_codes
 from autograder.submissions.unpack import class_folder
-from small import make_root
-from small_class import everything_in, grade, make_class
+from small_class import everything_in, grade
 from typed import typed
-
-
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    return make_root(tmp_path / "root")
-
-
-@pytest.fixture
-def submissions(tmp_path: Path) -> Path:
-    return make_class(tmp_path / "class")
 
 
 def test_grades_and_pages_never_go_among_other_files(

@@ -17,22 +17,14 @@ from autograder.reports.marks import Mark
 from autograder.reports.report import StudentReport
 from autograder.submissions.class_list import read_class
 from autograder.submissions.codes import with_codes
-from small import RIGHT, WRITTEN, hand_in, make_root
+from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
 from small_class import everything_in, grade, make_class, results, scores
 from typed import typed
 
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    root = make_root(tmp_path / "root")
-    with (root / "chapters/ch90_small/chapter.toml").open("a", encoding="utf-8") as manifest:
-        manifest.write(WRITTEN)
-    return root
-
-
-@pytest.fixture
-def submissions(tmp_path: Path) -> Path:
-    return make_class(tmp_path / "class")
+    return make_root(tmp_path / "root", MANIFEST + WRITTEN)
 
 
 def answer(folder: Path, text: str) -> None:

@@ -23,6 +23,7 @@ from autograder.submissions.class_list import ClassList, Member, read_class
 from autograder.submissions.moodle_worksheet import worksheet_in
 from graded import CHAPTERS, report_of
 from random_class import Person, RandomClass, a_name_of, random_class
+from small_class import table
 
 CLASSES = int(os.environ.get("CLASSES", "260"))
 SEEDS = range(CLASSES)
@@ -45,11 +46,6 @@ def read(made: RandomClass) -> ClassList | None:
     with pytest.raises(ValueError, match=words):
         read_class(made.folder, made.roster)
     return None
-
-
-def rows_of(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return [*csv.DictReader(file)]
 
 
 def read_lines(path: Path) -> list[list[str]]:
@@ -133,12 +129,12 @@ def test_every_grade_reaches_its_student_in_every_file(made: RandomClass) -> Non
     write_gradebook(out, CHAPTERS, reports, people)
     worksheet = worksheet_in(made.folder)
     write_uploads(out, CHAPTERS, people, reports, Column("Lab", 14), worksheet)
-    book = rows_of(out / "gradebook.csv")[1:]
+    book = table(out / "gradebook.csv")[1:]
     assert len(book) == len(people.members)
     totals = {row["student"]: row["total"] for row in book}
-    in_canvas = {row["SIS User ID"]: row["Lab"] for row in rows_of(out / "canvas.csv")[1:]}
-    in_moodle = {row["ID number"]: row["Lab"] for row in rows_of(out / "moodle.csv")}
-    numbers = [row["ID"] for row in rows_of(out / "canvas.csv")[1:] if row["ID"]]
+    in_canvas = {row["SIS User ID"]: row["Lab"] for row in table(out / "canvas.csv")[1:]}
+    in_moodle = {row["ID number"]: row["Lab"] for row in table(out / "moodle.csv")}
+    numbers = [row["ID"] for row in table(out / "canvas.csv")[1:] if row["ID"]]
     assert len({*numbers}) == len(numbers), "Canvas would give two grades to one student"
     if worksheet and (filled := out / "moodle-worksheet.csv").exists():
         in_worksheet = {line[2]: line[worksheet.grade] for line in read_lines(filled)}

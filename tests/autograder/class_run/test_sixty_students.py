@@ -16,7 +16,7 @@ from autograder.course.model import Deadline, LatePolicy
 from autograder.platforms.uploads import Column
 from moodle_sheet import Sheet, download, upload
 from small import RIGHT, make_root
-from small_class import HALF, grade, results
+from small_class import HALF, grade, results, table
 from staging import zip_of
 
 NAMES = [
@@ -126,11 +126,6 @@ def write_tables(folder: Path) -> None:
             row[1] = "2026-10-23T12:00:00+00:00"
     with (folder / "times.csv").open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([["student", "submitted"], *times])
-
-
-def table(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 @pytest.mark.parametrize("platform", ["canvas", "moodle", "gradescope", "github"])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import random
 import zipfile
@@ -13,6 +12,7 @@ import pytest
 from autograder.isolation.probe import best_level
 from autograder.manifest import load_chapters
 from copies import reference
+from small_class import table
 from typed import typed
 from wrong import read_wrong, write_all, write_wrong
 
@@ -111,11 +111,6 @@ def printed(folder: Path, kinds: dict[str, str]) -> list[str]:
     said.append(grade(folder))
     student = next(i for i, kind in kinds.items() if kind == "partial")
     return [*said, grade(folder, "--student", student, "--note", "asked for it")]
-
-
-def table(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def test_everybody_is_accounted_for(printed: list[str], kinds: dict[str, str]) -> None:

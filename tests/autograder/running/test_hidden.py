@@ -53,13 +53,17 @@ def for_students(out: Path) -> str:
     )
 
 
+def write_hidden(folder: Path, checks: str = HIDDEN, probes: str = HIDDEN_PROBES) -> None:
+    """Write an instructor's hidden checks and their probes."""
+    (folder / "ch90_small").mkdir(parents=True)
+    (folder / "ch90_small/test_more.py").write_text(checks, encoding="utf-8")
+    (folder / "ch90_small/hidden_probes.py").write_text(probes, encoding="utf-8")
+
+
 def test_hidden_checks_count_and_tell_students_a_rationale_alone(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    write_hidden(tmp_path / "hidden")
     hand_in(submissions, "dee", RIGHT.replace("return 4 * x", "while True: pass"))
     out = tmp_path / "out"
     grade(submissions, out, root, hidden=tmp_path / "hidden", time_limit=0.7)
@@ -79,10 +83,7 @@ def test_hidden_checks_count_and_tell_students_a_rationale_alone(
 def test_the_instructor_sees_why_a_hidden_check_fails(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    write_hidden(tmp_path / "hidden")
     hand_in(submissions, "eve", RIGHT.replace("return 4 * x", "return 4 * x if x < 2000 else 0"))
     out = tmp_path / "out"
     grade(submissions, out, root, hidden=tmp_path / "hidden")
@@ -106,10 +107,7 @@ def test_gradescope_gets_nothing_of_a_hidden_check_but_its_rationale(
     root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Its results are made on its own machine, from a report that contains the secret."""
-    hidden = root / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    write_hidden(root / "hidden")
     hand_in(tmp_path, "submission", RIGHT.replace("return 4 * x", "return 5 * x"))
     settings = {"chapters": [90], "given": [], "points": {"B90.1": 4, "90.1": 2}, "extra": []}
     settings |= {"earlier": {}, "seed": "1", "deadline": None, "unsafe": not WALLS}
@@ -166,11 +164,8 @@ def test_hidden_probes_do_not_take_the_place_of_public_ones(
 def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
     submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
     fixture = "\n\n@pytest.fixture(autouse=True)\ndef odd():\n    raise OSError('secret fault')\n"
-    (hidden / "test_more.py").write_text(HIDDEN + fixture, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    write_hidden(tmp_path / "hidden", HIDDEN + fixture)
     monkeypatch.setattr(cohort, "check_hidden", lambda _: None)
     out = tmp_path / "out"
     assert grade(submissions, out, root, hidden=tmp_path / "hidden") == 1
@@ -209,12 +204,7 @@ def test_hidden_probes_are_not_where_public_checks_run(
     when: str, submissions: Path, root: Path, tmp_path: Path
 ) -> None:
     """The spy's public checks show what it found, and its hidden checks must not."""
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(
-        HIDDEN_PROBES + '    "secret of a probe"\n', encoding="utf-8"
-    )
+    write_hidden(tmp_path / "hidden", probes=HIDDEN_PROBES + '    "secret of a probe"\n')
     hand_in(
         submissions, "eve", SPY if when == "in a function" else f"{SPY}\nprint(found())\n1 / 0\n"
     )

@@ -19,16 +19,9 @@ from staging import (
     HandIn,
     boxed,
     make_folder,
-    make_zip,
     posix,
     zip_of,
 )
-
-
-@pytest.fixture(params=[make_folder, make_zip])
-def hand_in(request: pytest.FixtureRequest, tmp_path: Path) -> HandIn:
-    """Make a submission of files by path, once as a folder and once as a zip."""
-    return lambda files: request.param(tmp_path, files)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import re
 import stat
 from pathlib import Path
@@ -11,8 +10,8 @@ import pytest
 
 from autograder.platforms.uploads import Column
 from autograder.submissions.unpack import class_folder
-from small import RIGHT, WRITTEN, hand_in, make_root
-from small_class import HALF, everything_in, grade, scores
+from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
+from small_class import HALF, everything_in, grade, scores, table
 from staging import zip_of
 from typed import typed
 
@@ -27,10 +26,7 @@ IDENTITIES = re.compile(r"(?i)jane|\bdoe\b|doejane|bo lee|leebo|moss|zed_|x\.org
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    root = make_root(tmp_path / "root")
-    with (root / "chapters/ch90_small/chapter.toml").open("a", encoding="utf-8") as manifest:
-        manifest.write(WRITTEN)
-    return root
+    return make_root(tmp_path / "root", MANIFEST + WRITTEN)
 
 
 @pytest.fixture
@@ -55,11 +51,6 @@ def submissions(tmp_path: Path) -> Path:
     marks = "student,exercise,points,comment\ndoejane_77,90.2,1,\nu1042,90.2,3,\n"
     (folder / "marks.csv").write_text(marks, encoding="utf-8")
     return folder
-
-
-def table(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def test_a_class_is_graded_under_the_names_of_its_roster(

@@ -85,10 +85,10 @@ def quadruple(x):
 """
 
 
-def make_root(folder: Path) -> Path:
+def make_root(folder: Path, manifest: str = MANIFEST) -> Path:
     """Create the repository, including its reference, in a new folder."""
     for name, text in (
-        ("chapters/ch90_small/chapter.toml", MANIFEST),
+        ("chapters/ch90_small/chapter.toml", manifest),
         ("solutions/ch90_small/small.py", RIGHT),
         ("tests/ch90_small/test_small.py", CHECKS),
     ):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import zipfile
 from pathlib import Path
@@ -40,6 +41,12 @@ def results(out: Path) -> dict[str, dict[str, Any]]:
 
 def scores(out: Path) -> dict[str, float | None]:
     return {student: report["score"] for student, report in sorted(results(out).items())}
+
+
+def table(path: Path) -> list[dict[str, str]]:
+    """Read a CSV file that a run has written, such as gradebook.csv."""
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
 def everything_in(out: Path) -> str:

@@ -25,6 +25,7 @@ TAKES_figures :=
 TAKES_mutants := CH
 TAKES_seeds := CH SEEDS
 TAKES_table :=
+TAKES_claims :=
 TAKES_bench :=
 TAKES_charts := QUICK
 TAKES_choose := SCENE TOLERANCE
@@ -35,7 +36,7 @@ TAKES_contacts := QUICK
 
 .PHONY: grade release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
 .PHONY: bench charts choose limits
-.PHONY: economy soak contacts figures mutants seeds table
+.PHONY: economy soak contacts figures mutants seeds table claims
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
 ASSIGNED = $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
@@ -112,6 +113,9 @@ seeds: .venv/everything ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 
 table: .venv/everything ## copy the measured figures into the pages
 	@$(RUN) tests/strength table
+
+claims: .venv/everything ## measure what the book claims, and write claims.md
+	@$(RUN) tests/reference/claims
 
 bench: .venv/everything ## measure ratios of speed and compare them with their targets
 	@$(RUN) -m studies bench

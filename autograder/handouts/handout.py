@@ -116,7 +116,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
     _copy([root / "chapters" / "README.md"], out / "chapters")
-    _copy([root / "errata.md"], out)
+    _copy([root / "claims.md", root / "errata.md"], out)
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name

@@ -33,7 +33,7 @@ LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-
 # A name of two words or more. A name that begins with one letter, such as v_s, is from a formula.
 NAME = re.compile(r"(?<![\w.\"'{/-])_?[a-z]{2,}_[a-z_0-9]+\b(?!\.(?:py|csv|md))")
 FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/diagnosis/slips.py")
-ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "errata.md"}
+ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "claims.md", "errata.md"}
 
 
 def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:

@@ -154,7 +154,7 @@ def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> Non
         copy_tree(ROOT / folder, root / folder)
     for name in ["Makefile", "pyproject.toml", "requirements.lock", "LICENSE", ".gitignore"]:
         shutil.copyfile(ROOT / name, root / name)
-    for name in ("glossary.md", "errata.md"):
+    for name in ("claims.md", "errata.md", "glossary.md"):
         shutil.copyfile(ROOT / name, root / name)
     later = "ch99_later"
     for folder in ("chapters", "solutions", "tests"):

@@ -1,0 +1,24 @@
+"""Measure all claims of the book, and write claims.md: python tests/reference/claims."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[2]
+ROOT = TESTS.parent
+sys.path[1:1] = [str(TESTS), str(ROOT), str(ROOT / "solutions"), str(ROOT / "chapters")]
+
+
+def main() -> None:
+    """Write the page, and say where it is."""
+    from reference.claims import contacts, motion, springs, turns
+    from reference.claims.ledger import claims_in, page
+
+    claims = list(claims_in(motion, springs, contacts, turns))
+    (ROOT / "claims.md").write_text(page(claims), encoding="utf-8")
+    print(f"measured {len(claims)} claims of the book: claims.md")
+
+
+if __name__ == "__main__":
+    main()

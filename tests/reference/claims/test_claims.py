@@ -1,0 +1,24 @@
+"""Each claim of the book has the verdict that claims.md prints, and the page is up to date."""
+
+from __future__ import annotations
+
+import pytest
+
+from autograder.manifest import ROOT
+from reference.claims import contacts, motion, springs, turns
+from reference.claims.ledger import Claim, claims_in, summary
+
+PAGE = (ROOT / "claims.md").read_text(encoding="utf-8")
+CLAIMS = list(claims_in(motion, springs, contacts, turns))
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.measured.__name__)
+def test_a_claim_has_its_verdict_and_its_entry(claim: Claim) -> None:
+    assert claim.entry() in PAGE, "run make claims, and read what has changed in claims.md"
+
+
+def test_the_page_has_these_claims_and_no_others() -> None:
+    assert [line[4:] for line in PAGE.splitlines() if line.startswith("### ")] == [
+        claim.says for claim in CLAIMS
+    ]
+    assert " ".join(summary(CLAIMS).split()) in " ".join(PAGE.split())

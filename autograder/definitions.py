@@ -7,7 +7,7 @@ never executed.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 
@@ -35,6 +35,41 @@ def read_definitions(file: Path) -> set[str] | None:
         return bound_names(ast.parse(file.read_bytes())) or None
     except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
         return None
+
+
+def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
+    """Find the module of the course from which ``file`` can import ``name``.
+
+    ``file`` is a path such as ch06_springs/springs.py, so only its chapter and earlier ones can
+    define the name. If several chapters do, as for Particle, the latest one counts. If no module
+    defines the name, return an empty string.
+    """
+    chapter = file.partition("/")[0]
+    found = ""
+    for folder in folders:
+        for path in sorted(folder.glob("ch[0-9][0-9]_*/*.py")):
+            module = f"{path.parent.name}.{path.stem}"
+            is_earlier = found.partition(".")[0] < path.parent.name <= chapter
+            own = f"{path.parent.name}/{path.name}" == file
+            if is_earlier and not own and name in _defined_at_the_top(path):
+                found = module
+    return found
+
+
+def _defined_at_the_top(file: Path) -> set[str]:
+    """List the functions, classes and constants that a file defines, but not what it imports."""
+    try:
+        tree = ast.parse(file.read_bytes())
+    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
+        return set()
+    found = set()
+    for node in tree.body:
+        match node:
+            case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+                found.add(name)
+            case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
+                found.add(name)
+    return found
 
 
 def bound_names(tree: ast.Module) -> set[str]:

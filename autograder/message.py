@@ -54,7 +54,9 @@ class Message:
         got: What the student's code returned or raised.
         wanted: The value that ``got`` must match, to within ``tolerance``. If the tolerance is 0,
             the two must be equal.
-        where: A line of the student's code.
+        where: A line of the student's code, in the chapter that is checked.
+        inside: The line of an earlier chapter's function, called by that line, that raised the
+            error.
         likely: The most likely mistake.
         other: A second possible mistake.
         read: The section of the book or lesson that helps.
@@ -69,6 +71,7 @@ class Message:
     wanted: str = ""
     tolerance: float | None = None
     where: Place | None = None
+    inside: Place | None = None
     likely: str = ""
     other: str = ""
     read: str = ""
@@ -90,11 +93,11 @@ class Message:
             for field in fields(self)
             if isinstance(value := getattr(self, field.name), str) and value
         }
-        if self.where:
-            where = self.where
-            values["where"] = Place(
-                change(where.file), where.line, change(where.function), change(where.source)
-            )
+        for name, place in (("where", self.where), ("inside", self.inside)):
+            if place:
+                texts = (change(text) for text in (place.file, place.function, place.source))
+                file, function, source = texts
+                values[name] = Place(file, place.line, function, source)
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
@@ -109,6 +112,7 @@ class Message:
             ("got", self.got),
             ("wanted", self.wanted + self._how_close),
             ("where", str(self.where or "")),
+            ("inside", str(self.inside or "")),
         ]
         rows += [("likely", self.likely), ("or", self.other), ("read", self.read)]
         rows += [("printed", self.printed)] if printed else []

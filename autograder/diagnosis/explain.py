@@ -8,10 +8,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.checks.asked import about, short_numbers
+from autograder.definitions import module_that_defines
 from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
 from autograder.diagnosis.missing import file_of
 from autograder.diagnosis.nearest import explain_unknown
-from autograder.diagnosis.slips import PERHAPS, slip_of
+from autograder.diagnosis.nothing import explain_none
+from autograder.diagnosis.slips import PERHAPS, POWER, slip_of, wrong_arguments
 from autograder.message import ExpectationError, Kind, Message, Place
 
 ESCAPED = re.compile(
@@ -41,24 +43,27 @@ def explain_exception(
     own = written or fault.frames
     if isinstance(error, AssertionError) and not own:
         return error.message if isinstance(error, ExpectationError) else Message(text_of(error))
-    where = own[-1] if own else None
+    deepest = own[-1] if own else None
     if isinstance(error, NotImplementedError):
         says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
         named = EXERCISE.match(says)
         return Message(
             f"{Kind.UNWRITTEN.value}: {says}",
-            where=where,
+            where=deepest,
             kind=Kind.UNWRITTEN,
             exercise=named[1] if named else "",
         )
     # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
-    where = where and _with_source(where, engine_folders)
-    likely, other = _likely(fault.first_line, cause, fault, where.source if where else "")
+    where = _in_first_chapter(own)
+    where, deepest = (place and _with_source(place, engine_folders) for place in (where, deepest))
+    line = deepest.source if deepest else ""
+    likely, other = _likely(fault, cause, line, _course_import(fault, deepest, engine_folders))
     return Message(
         called=short_numbers(about.call),
         got=fault.first_line,
         where=where,
+        inside=None if deepest == where else deepest,
         likely=likely,
         other=other,
         read=read,
@@ -88,7 +93,7 @@ def explain_import(
         written = [frame for frame in fault.frames if frame.file not in complete]
         if own := written or fault.frames:
             where = _with_source(own[-1], engine_folders)
-    likely, _ = _likely(text, "", fault)
+    likely, _ = _likely(fault, course=_course_import(fault, where, engine_folders))
     return Message(title, where=where, likely=likely, kind=Kind.BROKEN)
 
 
@@ -118,23 +123,52 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(text: str, cause: str, fault: Fault, line: str = "") -> tuple[str, str]:
+def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> tuple[str, str]:
     """Guess which mistake caused an exception in a student's code.
 
     Return the most likely mistake and a second possibility. Either may be an empty string.
 
     If the exception clearly comes from a mistake in the use of Python, only that mistake is
-    returned. If this is uncertain, it is returned first, followed by ``cause``, the mistake that
-    the check suggests. Otherwise only ``cause`` is returned. This is also the case if the exception
-    comes from a ``raise`` statement in the student's ``line``.
+    returned. What Python's error proves comes before ``cause``, the mistake that the check
+    suggests, and a guess comes after it. If the exception comes from a ``raise`` statement in the
+    student's ``line``, only ``cause`` is returned. ``course`` is the import that would make an
+    undefined name known.
     """
+    if course:
+        return course, ""
+    text = f"{fault.type}: {fault.text}" if fault.syntax else fault.first_line
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
     if cause and f"raise {text.partition(':')[0]}" in line:
         return cause, ""
+    if text.startswith("TypeError") and "^" in line:
+        return POWER, ""
+    if fact := explain_none(fault.none) if fault.none else wrong_arguments(text):
+        return fact, cause
     perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
-    return (perhaps, cause) if perhaps else (cause, "")
+    return (cause, perhaps) if cause else (perhaps, "")
+
+
+def _in_first_chapter(frames: list[Place]) -> Place | None:
+    """Return the deepest line in the chapter whose code the check called.
+
+    The error itself may come from an earlier chapter's function that this line calls.
+    """
+    chapters = [frame.file.partition("/")[0] for frame in frames]
+    own = [frame for frame, name in zip(frames, chapters, strict=True) if name == chapters[0]]
+    return own[-1] if own else None
+
+
+def _course_import(fault: Fault, place: Place | None, engine_folders: list[Path]) -> str:
+    """Return the import that an undefined name needs, if the course defines the name."""
+    if not (place and fault.unknown and fault.type == "NameError"):
+        return ""
+    module = module_that_defines(fault.unknown.name, place.file, engine_folders)
+    if not module:
+        return ""
+    name = fault.unknown.name
+    return f"{name} is not imported. Write from {module} import {name} at the top of the file."
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:

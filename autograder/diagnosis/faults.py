@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 
 from autograder.diagnosis.nearest import Unknown, unknown_of
+from autograder.diagnosis.nothing import none_in
 from autograder.message import Message, Place
 
 MOST_FRAMES = 50
@@ -53,6 +54,7 @@ class Fault:
         syntax: For a syntax error, the file, the line number and the text that Python could not
             parse.
         unknown: The name that does not exist, if that caused the exception.
+        none: The expression that was None, if that caused the exception and it is known.
     """
 
     type: str
@@ -61,6 +63,7 @@ class Fault:
     syntax: tuple[str, int, str] | None = None
     missing_module: str = ""
     unknown: Unknown | None = None
+    none: str = ""
 
     @property
     def first_line(self) -> str:
@@ -96,7 +99,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
     ]
     missing = (error.name or "") if isinstance(error, ModuleNotFoundError) else ""
     kind, frames = type(error).__name__, frames[-MOST_FRAMES:]
-    return Fault(kind, text, frames, syntax, missing, unknown_of(error))
+    return Fault(kind, text, frames, syntax, missing, unknown_of(error), none_in(error))
 
 
 def text_of(error: BaseException) -> str:

@@ -5,6 +5,8 @@ Each message is recognized by a part of its text.
 
 from __future__ import annotations
 
+import re
+
 NOT_IMPLEMENTED = (
     "Your code returned NotImplemented instead of raising an error. Only an operator such as "
     "__add__ should do that, because Python then raises the TypeError. Any other method must raise "
@@ -23,6 +25,7 @@ NO_KEYBOARD = (
     "Your code waits for keyboard input, but nobody can type anything during a check. Remove the "
     "call to input or breakpoint."
 )
+POWER = "In Python, powers are written with **. The operator ^ is bitwise exclusive or."
 # Some mistakes in Python cause error messages that are hard to understand. We recognize each of
 # them by a part of its message. Since the check itself can only suggest a mistake in the physics,
 # we show our explanation instead.
@@ -65,7 +68,7 @@ SLIPS = (
         "has no setter",
         "Your code assigns to a property that has no setter, so it can only be read.",
     ),
-    ("for ^", "In Python, powers are written with **. The operator ^ is bitwise exclusive or."),
+    ("for ^", POWER),
     (
         "is not defined",
         "Python doesn't know this name. Check its spelling, and make sure that the file imports "
@@ -97,18 +100,13 @@ PERHAPS = (
     ),
     (
         "NoneType",
-        "A value on this line is None. Perhaps a function that should return it has no return "
-        "statement.",
+        "A value on this line is None. Either nothing was assigned to it yet, or it comes from a "
+        "function that has no return statement.",
     ),
     (
         "maximum recursion",
         "A function calls itself too many times. Perhaps an operator or method uses itself, or a "
-        "setter assigns to its own name.",
-    ),
-    (
-        "positional argument",
-        "The number of arguments in the call doesn't match the def line. Perhaps the def line "
-        "lacks self, or the call passes an argument too many.",
+        "property reads or assigns its own name.",
     ),
     (
         "is not callable",
@@ -136,13 +134,42 @@ PERHAPS = (
     ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
     ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
     ("MemoryError", "Your code needs more memory than a check may use. Is a list too long?"),
-    ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z instead."),
+    ("'Vector3' object is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
+    (
+        "object is not iterable",
+        "A list or a tuple is needed here. If there is only one element, put it in brackets, as in "
+        "[contact].",
+    ),
+    (
+        "index out of range",
+        "The index is past the end. The last of n elements has the index n - 1, so a loop that "
+        "reads the elements i and i + 1 must stop one earlier.",
+    ),
     (
         "TypeError",
-        "A value on this line has the wrong type. Check the type of each value on the line. "
-        "Perhaps you forgot the parentheses after a method's name, so the method is never called.",
+        "A value on this line has the wrong type. Check the type of each value on the line.",
     ),
 )
+LACKING = re.compile(r"missing (\d+) required (positional|keyword-only) arguments?: (.+)")
+TOO_MANY = re.compile(r"takes (?:from \d+ to )?(\d+) positional arguments? but (\d+) w")
+
+
+def wrong_arguments(text: str) -> str:
+    """Explain a call whose arguments do not fit the def line, or return an empty string."""
+    if lacking := LACKING.search(text):
+        names = lacking[3].replace("'", "")
+        what = f"The call passes no value for {names}."
+        if lacking[2] == "keyword-only":
+            return f"{what} Pass it by name."
+        return (
+            f"{what} Add it to the call. If you call a method through its class, as in "
+            "Spring.update_force(...), pass self first."
+        )
+    if many := TOO_MANY.search(text):
+        takes, given = int(many[1]), int(many[2])
+        lacks = " Perhaps the def line lacks self." if given == takes + 1 else ""
+        return f"The call passes {given} arguments, but the def line takes {takes}.{lacks}"
+    return ""
 
 
 def slip_of(text: str) -> str:

@@ -6,12 +6,14 @@ is therefore rejected with a BrokenProtocolError.
 
 from __future__ import annotations
 
+import ast
 import builtins
 import re
 from typing import Any
 
 from autograder.diagnosis.faults import Fault, StudentLeft
 from autograder.diagnosis.nearest import MOST_SLOTS, Unknown
+from autograder.diagnosis.nothing import LONGEST as MOST_OF_AN_EXPRESSION
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
 from autograder.message import Place
 from autograder.text.clean import clean
@@ -56,10 +58,11 @@ def exception_of(data: Any) -> BaseException:
             syntax,
             text_of_worker(data["missing_module"], 200),
             _unknown(data["unknown"]),
+            _expression(data["none"]),
         )
         name = data["as"]
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
-    except (KeyError, TypeError, ValueError, OverflowError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError, SyntaxError) as error:
         raise BrokenProtocolError("an exception in an unknown form") from error
     exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
     exception.fault = fault  # type: ignore[attr-defined]
@@ -91,6 +94,14 @@ def _unknown(data: Any) -> Unknown | None:
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
     slots = [text_of_worker(slot, 100) for slot in data["slots"][:MOST_SLOTS]]
     return Unknown(name, of, near, slots, data["module"] is True)
+
+
+def _expression(data: Any) -> str:
+    """Extract the expression that was None, and reject anything that is not one."""
+    text = text_of_worker(data, MOST_OF_AN_EXPRESSION)
+    if text:
+        ast.parse(text, mode="eval")  # raises SyntaxError
+    return text
 
 
 def text_of_worker(value: Any, longest: int) -> str:

@@ -90,6 +90,7 @@ class Server:
             "syntax": fault.syntax,
             "missing_module": fault.missing_module,
             "unknown": fault.unknown and vars(fault.unknown),
+            "none": fault.none,
         }
 
     def refer(self, value: Any) -> dict[str, Any]:

@@ -9,8 +9,11 @@ from pathlib import Path
 import pytest
 
 from autograder.checks.runner import run_checks
+from autograder.definitions import module_that_defines
 from autograder.diagnosis.gone import explain_gone
 from autograder.diagnosis.nearest import nearest
+from autograder.diagnosis.nothing import none_in
+from autograder.diagnosis.slips import wrong_arguments
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Message
 from copies import copy_tree
@@ -53,7 +56,7 @@ def messages(request: pytest.FixtureRequest, tmp_path: Path) -> Messages:
 
 def likely(messages: list[str]) -> str:
     """Return the causes of all the messages of an exercise."""
-    return " ".join(re.findall(r"(?m)^likely +(.*)$", "\n".join(messages)))
+    return " ".join(re.findall(r"(?m)^(?:likely|or) +(.*)$", "\n".join(messages)))
 
 
 def whole(name: str) -> str:
@@ -180,3 +183,110 @@ def test_short_and_special_names_are_near_to_nothing() -> None:
     assert nearest("vx", ["v", "vy"]) == ""
     assert nearest("init", ["__init__"]) == ""
     assert nearest("zebra", ["velocity"]) == ""
+
+
+def where(messages: list[str]) -> str:
+    """Return the lines of the student's code that all the messages of an exercise show."""
+    return " ".join(re.findall(r"(?m)^(?:where|inside) +.*$", "\n".join(messages)))
+
+
+def test_a_name_of_the_course_is_imported_from_its_latest_chapter(messages: Messages) -> None:
+    failed = messages(
+        "ch07_constraints/detectors.py",
+        {r"from ch02_vectors\.vector import Vector3\n": ""},
+    )
+    wanted = "Vector3 is not imported. Write from ch02_vectors.vector import Vector3 at the top"
+    assert wanted in likely(failed["7.5"])
+    assert "Did you mean" not in likely(failed["7.5"])
+
+
+def test_the_latest_chapter_that_defines_a_name_counts() -> None:
+    folders = [ROOT / "chapters"]
+    for name, file, module in (
+        ("Particle", "ch03_laws_of_motion/exercises.py", "ch03_laws_of_motion.particle"),
+        ("Particle", "ch07_constraints/links.py", "ch05_forces.particle"),
+        ("Rod", "ch08_mass_aggregate/bridge.py", "ch07_constraints.links"),
+        ("Rod", "ch06_springs/springs.py", ""),  # a later chapter defines it
+        ("Vector", "ch06_springs/springs.py", ""),
+    ):
+        assert module_that_defines(name, file, folders) == module
+
+
+def test_what_is_none_is_named(messages: Messages) -> None:
+    failed = messages(
+        "ch05_forces/particle.py",
+        {
+            whole("clear_forces"): "    def clear_forces(self):\n        self._gone().x\n\n"
+            "    def _gone(self): ...\n",
+        },
+    )
+    assert "self._gone() returns None. Perhaps the function has no return" in likely(failed["B5.1"])
+
+
+@pytest.mark.parametrize(
+    ("code", "none"),
+    [
+        ("v.x", "v"),
+        ("v.other.x", "v.other"),
+        ("v[0]", "v"),
+        ("v() + 1.0", "v()"),
+        ("2.0 * v", "v"),
+        ("v < 1.0", "v"),
+        ("1.0 < v", "v"),
+        ("-v", "v"),
+        ("v(1)", "v"),
+        ("[0 for _ in v]", "v"),
+        ("1.0 + 'v'", ""),
+    ],
+)
+def test_the_expression_that_was_none(code: str, none: str, tmp_path: Path) -> None:
+    file = tmp_path / "code.py"
+    file.write_text(f"result = {code}\n", encoding="utf-8")
+    value = {"v.other.x": type("V", (), {"other": None}), "v() + 1.0": lambda: None}.get(code)
+    with pytest.raises((TypeError, AttributeError)) as caught:
+        exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), {"v": value})
+    assert none_in(caught.value) == none
+
+
+def test_wrong_numbers_of_arguments() -> None:
+    for code, says in (
+        ("f()", "The call passes no value for a and b."),
+        ("f(1)", "The call passes no value for b."),
+        ("f(1, 2, 3)", "The call passes 3 arguments, but the def line takes 2. Perhaps the def"),
+        ("f(1, 2, 3, 4)", "The call passes 4 arguments, but the def line takes 2."),
+        ("g()", "The call passes no value for c. Pass it by name."),
+    ):
+        there = {"f": lambda a, b: (a, b), "g": lambda *, c: c}
+        with pytest.raises(TypeError) as caught:
+            eval(code, there)
+        assert wrong_arguments(str(caught.value)).startswith(says)
+        assert ("lacks self" in wrong_arguments(str(caught.value))) is (code == "f(1, 2, 3)")
+
+
+def test_a_power_with_a_caret_is_explained_wherever_it_fails(messages: Messages) -> None:
+    failed = messages(
+        "ch03_laws_of_motion/damping.py",
+        {r"(?s)return velocity \*[^\n]*": "return velocity * damping ^ duration + acceleration"},
+    )
+    assert "powers are written with **" in likely(failed["B3.3"])
+    assert "parentheses" not in likely(failed["B3.3"])
+
+
+def test_the_line_of_the_exercise_comes_first_and_the_deepest_second(messages: Messages) -> None:
+    failed = messages(
+        "ch06_springs/springs.py",
+        {r"    direction = offset": "    Vector3().add_scaled(1.0, 2.0)\n    direction = offset"},
+    )
+    lines = where(failed["B6.1"])
+    first = lines.index("where     ch06_springs/springs.py")
+    assert first < lines.index("inside    ch02_vectors/vector.py")
+
+
+def test_the_check_s_cause_comes_before_a_guess(messages: Messages) -> None:
+    failed = messages(
+        "ch02_vectors/vector.py",
+        {whole("magnitude"): "    def magnitude(self):\n        return [self.x][1]\n"},
+    )
+    said = next(message for message in failed["B2.2"] if "index out of range" in message)
+    cause, guess = "likely    The magnitude of a vector", "or        The index is past the end"
+    assert said.index(cause) < said.index(guess)

@@ -1,0 +1,84 @@
+"""Find the expression that was None when Python raised an error.
+
+Python's error only says that something on the line is None. The position of the instruction that
+failed says which expression it was.
+"""
+
+from __future__ import annotations
+
+import ast
+import linecache
+import re
+from itertools import islice
+from types import TracebackType
+
+LONGEST = 60  # characters of an expression
+
+
+def none_in(error: BaseException) -> str:
+    """Return the expression in the student's code whose value was None, such as "self.other".
+
+    If the error has another cause, or if the expression is long or cannot be found, return an empty
+    string.
+    """
+    try:
+        if "NoneType" not in str(error):
+            return ""
+        failed = _failed_code(error.__traceback__)
+        found = _none_part(ast.parse(failed).body[0], str(error))
+        source = ast.unparse(found) if found else ""
+    except Exception:  # a student's error may fail to print, and its source may be missing
+        return ""
+    return source if len(source) <= LONGEST else ""
+
+
+def explain_none(expression: str) -> str:
+    """Explain what it can mean that this expression is None."""
+    if isinstance(ast.parse(expression, mode="eval").body, ast.Call):
+        return (
+            f"{expression} returns None. Perhaps the function has no return statement, or it works "
+            "in place, so that it has no result."
+        )
+    return (
+        f"{expression} is None when this line runs. If it may be None, test for that first. If "
+        "not, find out where it gets its value."
+    )
+
+
+def _failed_code(traceback: TracebackType | None) -> str:
+    """Return the source of the innermost instruction of a traceback, if it is on one line."""
+    while traceback and traceback.tb_next:
+        traceback = traceback.tb_next
+    if traceback is None:
+        return ""
+    code = traceback.tb_frame.f_code
+    place = next(islice(code.co_positions(), traceback.tb_lasti // 2, None))
+    line, last, start, end = place
+    if line is None or line != last or start is None or end is None:
+        return ""
+    text = linecache.getline(code.co_filename, line).encode()
+    return text[start:end].decode()
+
+
+def _none_part(node: ast.stmt | ast.expr, says: str) -> ast.expr | None:
+    """Return the part of an expression or assignment that must be None, by Python's message."""
+    match node:
+        case ast.Expr(value=value):
+            return _none_part(value, says)
+        case ast.BinOp(left=left, right=right) | ast.AugAssign(target=left, value=right):
+            return left if re.search(r": 'NoneType' and", says) else right
+        case ast.Compare(left=left, comparators=[right]):
+            return left if "of 'NoneType'" in says else right
+        case ast.UnaryOp(operand=value) if "unary" in says:
+            return value
+        case ast.Attribute(value=value) if "has no attribute" in says:
+            return value
+        case ast.Subscript(value=value) if "subscriptable" in says or "item assignment" in says:
+            return value
+        case ast.Call(func=value) if "callable" in says:
+            return value
+        case ast.ListComp(generators=[first, *_]) if "iterable" in says:
+            return first.iter
+        case ast.Name() | ast.Call() | ast.Attribute() | ast.Subscript() if "iterable" in says:
+            return node
+    return None

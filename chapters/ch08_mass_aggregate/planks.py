@@ -33,7 +33,7 @@ def nearest_on_segment(point: Vector3, a: Vector3, b: Vector3) -> Vector3:
 
     Book: section 8.2.1.
     """
-    raise NotImplementedError("Exercise G8.2: A ball against the segment of a plank")
+    raise NotImplementedError("Exercise G8.2: Spheres and segments")
 
 
 class Planks:
@@ -67,4 +67,4 @@ class Planks:
 
         Book: section 8.2.1.
         """
-        raise NotImplementedError("Exercise G8.2: A ball against the segment of a plank")
+        raise NotImplementedError("Exercise G8.2: Spheres and segments")

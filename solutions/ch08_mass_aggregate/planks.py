@@ -80,7 +80,5 @@ class Planks:
             depth = self.radius - offset.magnitude()
             if depth >= 0.0:
                 end = min(a, b, key=lambda some: (center - some.position).squared_magnitude())
-                found.append(
-                    Contact(self.ball, end, direction_of(offset), self.restitution, depth)
-                )
+                found.append(Contact(self.ball, end, direction_of(offset), self.restitution, depth))
         return found

@@ -160,13 +160,14 @@ def test_nearest_on_segment_rejects_bad_vectors(name: str) -> None:
 @pytest.mark.exercise("G8.2")
 def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
     about.read = PLANKS
-    for share, nearer in ((0.2, 1), (0.8, 2), (-0.1, 1), (1.1, 2)):
+    for share, over, nearer in ((0.2, 0.0, 1), (0.8, 0.0, 2), (0.0, -0.6, 1), (1.0, 0.6, 2)):
         a, way = components(rng), direction(rng)
         length, radius = positive_number(rng, 2.0, 3.0), positive_number(rng, 0.6, 1.0)
         c, depth = positive_number(rng, 0.1, 0.9), positive_number(rng, 0.05, 0.2)
         b, across = plus(a, way, length), at_right_angle(rng, way)
-        ball = plus(plus(a, way, share * length), across, radius - depth)
-        touched = plus(a, way, min(1.0, max(0.0, share)) * length)
+        touched = plus(a, way, share * length)
+        aside = math.sqrt(1.0 - over**2)  # the ball is beyond an end by the fraction over
+        ball = plus(plus(touched, way, over * (radius - depth)), across, aside * (radius - depth))
         offset = plus(ball, touched, -1.0)
         distance = math.hypot(*offset)
         normal = plus((0.0, 0.0, 0.0), offset, 1.0 / distance)

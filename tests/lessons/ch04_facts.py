@@ -102,7 +102,7 @@ def formula() -> dict[str, float]:
 
 SECTIONS = {
     "A bullet that can be seen": ("5 10 25 60 100 500 0.005 9.81", bullets),
-    "Shots are data": ("5 20 30 90", aims),
+    "Shots are data": ("20 30 90", aims),
     "A grenade": ("0.6 15", burst),
     "Does the shot hit the block?": ("0.5 100 29.5 30.5", hits),
     "Fireworks: rules that light each other": ("5 7 10", slots),

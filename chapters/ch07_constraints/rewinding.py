@@ -16,26 +16,28 @@ from collections.abc import Callable, Sequence
 
 from ch02_vectors.arguments import positive, whole
 from ch05_forces.particle import Particle
-from ch06_springs.integrators import ApplyForces, Integrator, runge_kutta_4
 from ch07_constraints.contacts import VELOCITY_TOLERANCE, Contact, ContactGenerator
 from ch07_constraints.time_division import TooManyImpacts
 
+ApplyForces = Callable[[float], None]
+Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]  # as in chapter 6
 HALVINGS = 44  # they narrow down the time of an impact to 6e-14 of the step
 
 
 def rewinding_step(
+    integrator: Integrator,
     particles: Sequence[Particle],
     apply_forces: ApplyForces,
     detector: ContactGenerator,
     duration: float,
-    integrator: Integrator = runge_kutta_4,
     max_impacts: int = 100,
 ) -> int:
     """Move ``particles`` by one time step, stop at each impact to resolve it, and count the impacts.
 
-    ``detector`` is anything with a ``contacts`` method, such as a GroundPlane or a Cable. Contacts
-    with a negative penetration are ignored. ``apply_forces``, the ``duration`` in s and
-    ``integrator`` are those of chapter 6. Forces that were added by hand act during the whole step.
+    ``integrator`` is one of chapter 6, such as ``runge_kutta_4``, and ``apply_forces`` and the
+    ``duration`` in s are its arguments. ``detector`` is anything with a ``contacts`` method, such
+    as a GroundPlane or a Cable. Contacts with a negative penetration are ignored. Forces that were
+    added by hand act during the whole step.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.

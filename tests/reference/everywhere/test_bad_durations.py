@@ -96,7 +96,7 @@ def followed() -> Entry:
 def rewound() -> Entry:
     bodies = [body()]
     ground = GroundPlane(bodies)
-    return bodies, lambda h: rewinding_step(bodies, lambda _: None, ground, h)
+    return bodies, lambda h: rewinding_step(lax, bodies, lambda _: None, ground, h)
 
 
 def on_ground(bodies: list[Particle]) -> list[GroundPlane]:

@@ -71,7 +71,7 @@ def exact(forces: str) -> tuple[float, int]:
 def rewound(
     integrator: Integrator, p: Particle, forces: Callable[[float], None], g: GroundPlane, h: float
 ) -> int:
-    return rewinding_step([p], forces, g, h, integrator)
+    return rewinding_step(integrator, [p], forces, g, h)
 
 
 def predicted(p: Particle, forces: Callable[[float], None], g: GroundPlane, h: float) -> None:
@@ -142,7 +142,7 @@ def test_a_row_of_touching_balls_passes_the_motion_on() -> None:
     balls = [Particle(Vector3(2.0 * i - (0.25 if i == 0 else 0.0))) for i in range(4)]
     balls[0].velocity.x = 1.0
     pairs = ParticlePairs(balls, 1.0, restitution=1.0)
-    impacts = rewinding_step(balls, lambda _: None, pairs, 1.0)
+    impacts = rewinding_step(runge_kutta_4, balls, lambda _: None, pairs, 1.0)
     assert impacts == 3
     assert [ball.velocity.x for ball in balls] == pytest.approx([0.0, 0.0, 0.0, 1.0], abs=1e-12)
     assert balls[3].position.x == pytest.approx(6.75, abs=1e-12)
@@ -152,7 +152,7 @@ def test_a_cable_stops_a_falling_ball() -> None:
     """The cable of 1 m is taut after sqrt(0.2) s, at sqrt(20) m/s, of which half is left."""
     ball = Particle(acceleration=Vector3(0.0, -10.0))
     cable = AnchoredCable(ball, Vector3(), 1.0, restitution=0.5)
-    assert rewinding_step([ball], lambda _: None, cable, 0.6) == 1
+    assert rewinding_step(runge_kutta_4, [ball], lambda _: None, cable, 0.6) == 1
     rest = 0.6 - 0.2**0.5
     assert ball.position.y == pytest.approx(-1.0 + 5.0**0.5 * rest - 5.0 * rest**2, abs=1e-12)
 
@@ -161,7 +161,12 @@ def test_forces_added_by_hand_act_during_the_whole_step_and_then_no_longer() -> 
     """With 5 N upward, the ball falls with 10 - 5 m/s^2, and lands after sqrt(2 * 0.1 / 5) s."""
     ball = Particle(Vector3(0.0, 0.1), acceleration=Vector3(0.0, -10.0))
     ball.add_force(Vector3(0.0, 5.0))
-    assert rewinding_step([ball], lambda _: None, GroundPlane([ball], restitution=1.0), 0.3) == 1
+    assert (
+        rewinding_step(
+            runge_kutta_4, [ball], lambda _: None, GroundPlane([ball], restitution=1.0), 0.3
+        )
+        == 1
+    )
     landed, speed = 0.2, 1.0
     rest = 0.3 - landed
     assert ball.position.y == pytest.approx(speed * rest - 2.5 * rest**2, abs=1e-12)
@@ -172,7 +177,7 @@ def test_a_ball_at_rest_has_too_many_impacts() -> None:
     ball = Particle(acceleration=Vector3(0.0, -G))
     with pytest.raises(TooManyImpacts) as raised:
         rewinding_step(
-            [ball], lambda _: None, GroundPlane([ball]), 1.0, semi_implicit_euler, max_impacts=5
+            semi_implicit_euler, [ball], lambda _: None, GroundPlane([ball]), 1.0, max_impacts=5
         )
     assert raised.value.impacts == 5
     assert raised.value.time < 1e-9
@@ -184,6 +189,13 @@ def test_an_invalid_argument_changes_nothing() -> None:
     before = copy.copy(ball)
     for duration, limit in ((0.0, 1), (-1.0, 1), (float("nan"), 1), (1.0, 0)):
         with pytest.raises(ValueError, match=r"duration|max_impacts"):
-            rewinding_step([ball], lambda _: None, GroundPlane([ball]), duration, max_impacts=limit)
+            rewinding_step(
+                runge_kutta_4,
+                [ball],
+                lambda _: None,
+                GroundPlane([ball]),
+                duration,
+                max_impacts=limit,
+            )
     assert (ball.position, ball.velocity) == (before.position, before.velocity)
     assert ball.force_accumulator == before.force_accumulator

@@ -165,7 +165,7 @@ SECTIONS = {
     "Damping: slowing down at any frame rate": ("99 0.99 60 120 0.25 15", damping),
     "The step": ("0.5 60", steps),
     "Three short exercises about forces": (
-        "6.67428e-11 100 9.81 6 60 15 20 5.972e24 6,371",
+        "6.67428e-11 100 9.81 6 0.5 60 15 20 5.972e24 6,371",
         forces,
     ),
     "How wrong is a step?": ("10 0.5 60 120 9.81 0.01", errors),

@@ -18,6 +18,7 @@ from expect import (
     expect_close,
     expect_error,
     expect_unchanged,
+    scoped,
     xyz,
 )
 from tables import SMALL, TIMES, ZERO, draw_times, flat, pair_of_lists, shown
@@ -29,6 +30,7 @@ def vectors(rows: list[Components]) -> list[Any]:
     return [Vector3(*row) for row in rows]
 
 
+@scoped
 def motion_of(times: list[float], accelerations: list[Any], *start: Any) -> tuple[Any, Any]:
     """Call add_up_accelerations, and return the components of its positions and velocities."""
     __tracebackhide__ = True
@@ -42,15 +44,15 @@ def motion_of(times: list[float], accelerations: list[Any], *start: Any) -> tupl
 def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     start, h = number(rng, 1.0, 3.0), positive_number(rng, 0.3, 0.9)
-    times = [start, start + h]
+    times = [start, round(start + h, 3)]
     about.call = (
         f"add_up_accelerations({times}, {shown([a])}, position=Vector3{p}, velocity=Vector3{v})"
     )
     about.read = READ
-    places, motions = motion_of(times, vectors([a]), Vector3(*p), Vector3(*v))
     about.cause = (
         "Under a constant acceleration, the position after an interval is p' = p + v h + a h^2 / 2."
     )
+    places, motions = motion_of(times, vectors([a]), Vector3(*p), Vector3(*v))
 
     def moved(half: float) -> list[float]:
         return [x + u * h + half * b * h * h for x, u, b in zip(p, v, a, strict=True)]
@@ -98,6 +100,10 @@ def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
         f"add_up_accelerations({times}, {shown(rows)}, position=Vector3{p}, velocity=Vector3{v})"
     )
     about.read = READ
+    about.cause = (
+        "Each acceleration acts in its own interval, which has its own duration. Update the "
+        "velocity in every interval, and start the next one with the new position and velocity."
+    )
     places, motions = motion_of(times, vectors(rows), Vector3(*p), Vector3(*v))
     # Each acceleration a adds a h to all later velocities, as if it came at the middle of its
     # interval. So a later position gains a h times the time since that middle.
@@ -112,10 +118,6 @@ def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
             wanted_v.append(v[i] + math.fsum(a[i] * h for a, h, _ in past))
             gained = math.fsum(a[i] * h * since for a, h, since in past)
             wanted_p.append(p[i] + v[i] * (times[n] - times[0]) + gained)
-    about.cause = (
-        "Each acceleration acts in its own interval, which has its own duration. Update the "
-        "velocity in every interval, and start the next one with the new position and velocity."
-    )
     expect_close(motions, wanted_v, then="; the velocities", tolerance=SMALL)
     expect_close(places, wanted_p, then="; the positions", tolerance=SMALL)
 

@@ -20,6 +20,7 @@ from expect import (
     expect_exactly,
     expect_unchanged,
     is_plain,
+    scoped,
     xyz,
 )
 from tables import SMALL, TIMES, ZERO, draw_times, flat, pair_of_lists, shown
@@ -31,6 +32,7 @@ def vectors(rows: list[Components]) -> list[Any]:
     return [Vector3(*row) for row in rows]
 
 
+@scoped
 def quotients_of(times: list[float], values: list[Any]) -> tuple[Any, list[float]]:
     """Call difference_quotients, and return its times and the components of its vectors."""
     __tracebackhide__ = True
@@ -48,16 +50,16 @@ def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> No
     rows = [components(rng) for _ in TIMES]
     about.call = f"difference_quotients([0, 0.5, 2.5], {shown(rows)})"
     about.read = READ
+    about.cause = (
+        "In each interval, subtract the vector at its start from the vector at its end, and divide "
+        "the difference by the duration of this interval."
+    )
     _, got = quotients_of(TIMES, vectors(rows))
     changes = [[b - a for a, b in zip(*pair, strict=True)] for pair in pairwise(rows)]
 
     def over(*durations: float) -> list[float]:
         return [n / d for row, d in zip(changes, durations, strict=True) for n in row]
 
-    about.cause = (
-        "In each interval, subtract the vector at its start from the vector at its end, and divide "
-        "the difference by the duration of this interval."
-    )
     mistakes = [
         (over(1.0, 1.0), "You return the changes. Divide each of them by its interval."),
         (over(-0.5, -2.0), "Your quotients have the wrong sign. Subtract the earlier vector."),
@@ -98,11 +100,11 @@ def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     rows = [components(rng) for _ in times]
     about.call = f"difference_quotients({times}, {shown(rows)})"
     about.read = READ
-    got, _ = quotients_of(times, vectors(rows))
     about.cause = (
         "A quotient is the average over its whole interval, so its time is the middle of the "
         "interval: the mean of the two times."
     )
+    got, _ = quotients_of(times, vectors(rows))
     starts, ends = times[:-1], times[1:]
     middles = [math.fsum(pair) / 2.0 for pair in zip(starts, ends, strict=True)]
     durations = [end - start for start, end in zip(starts, ends, strict=True)]
@@ -127,16 +129,16 @@ def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: 
     ]
     about.call = f"difference_quotients({times}, {shown(rows)})"
     about.read = READ
-    middles, got = quotients_of(times, vectors(rows))
     about.cause = (
         "These positions belong to a constant acceleration. Each quotient must then equal the "
         "velocity in the middle of its interval."
     )
+    middles, got = quotients_of(times, vectors(rows))
     # The average velocity is exactly the one at the middle, because the velocity is linear in time.
     halves = [(start + end) / 2.0 for start, end in pairwise(times)]
     wanted = [u + b * t for t in halves for u, b in zip(v, a, strict=True)]
     expect_close(got, wanted, then="; the quotients", tolerance=1e-10)
-    about.call = "the same function on its own results"
+    about.call = f"t, v = difference_quotients({times}, {shown(rows)}); difference_quotients(t, v)"
     about.cause = "Applied to the velocities, your function must give the constant acceleration."
     again = [Vector3(*got[i : i + 3]) for i in range(0, len(got), 3)]
     _, twice = quotients_of(list(middles), again)

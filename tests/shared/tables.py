@@ -40,7 +40,7 @@ def pair_of_lists(result: Any, lengths: tuple[int, int], names: tuple[str, str])
     expect_exactly(are_lists, True, then="; is the result a pair of two lists?")
     for part, length, name in zip(result, lengths, names, strict=True):
         about.cause = f"The list of {name} has {len(part)} elements. It must have {length}."
-        if len(part) == length + 1 and lengths[0] == lengths[1]:
+        if len(part) == length + 1 and "quotients" in names:
             about.cause += " Between n times there are only n - 1 intervals."
         if len(part) == length - 1:
             about.cause += " You leave out the first or the last one."

@@ -176,7 +176,7 @@ def test_sums_over_bad_times_are_refused(times: list[float], why: str) -> None:
         "velocity=Vector3())"
     )
     about.cause = f"{why}. Check the table before you compute anything, and raise ValueError."
-    about.read = "the docstring of calculus.py"
+    about.read = "the docstring in calculus.py"
 
     def attempt(given: list[float]) -> Any:
         return calculus.add_up_accelerations(given, vectors([ZERO, ZERO]), Vector3(), Vector3())
@@ -190,7 +190,7 @@ def test_sums_over_bad_times_are_refused(times: list[float], why: str) -> None:
 def test_sums_without_an_interval_are_refused(times: list[float]) -> None:
     about.call = f"add_up_accelerations({times}, [], position=Vector3(), velocity=Vector3())"
     about.cause = "An interval needs two times. If there are fewer, raise ValueError."
-    about.read = "the docstring of calculus.py"
+    about.read = "the docstring in calculus.py"
     expect_error(
         lambda: calculus.add_up_accelerations(times, [], Vector3(), Vector3()),
         ValueError,
@@ -214,7 +214,7 @@ def test_sums_of_bad_vectors_are_refused(bad: float) -> None:
             f"A component of {name} is {bad}, so raise ValueError. finite_vector() in arguments.py "
             "checks a vector and raises the error for you."
         )
-        about.read = "the docstring of calculus.py"
+        about.read = "the docstring in calculus.py"
 
         def attempt(rows: list[Components]) -> Any:
             acceleration, *start = vectors(rows)

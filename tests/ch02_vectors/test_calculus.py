@@ -186,7 +186,7 @@ def test_quotients_of_bad_times_are_refused(times: list[float], why: str) -> Non
     rows = [ZERO, (1.0, 2.0, 3.0), (2.0, 2.0, 2.0)]
     about.call = f"difference_quotients({times}, {shown(rows)})"
     about.cause = f"{why}. Check the table before you compute anything, and raise ValueError."
-    about.read = "the docstring of calculus.py"
+    about.read = "the docstring in calculus.py"
     expect_error(
         lambda: calculus.difference_quotients(times, vectors(rows)),
         ValueError,
@@ -201,7 +201,7 @@ def test_quotients_of_fewer_than_two_points_are_refused(count: int) -> None:
     times, rows = [0.0][:count], [ZERO][:count]
     about.call = f"difference_quotients({times}, {shown(rows)})"
     about.cause = "An interval needs two times. If there are fewer, raise ValueError."
-    about.read = "the docstring of calculus.py"
+    about.read = "the docstring in calculus.py"
     expect_error(
         lambda: calculus.difference_quotients(times, vectors(rows)),
         ValueError,
@@ -221,7 +221,7 @@ def test_quotients_of_bad_vectors_are_refused(bad: float) -> None:
             f"A component is {bad}, so raise ValueError. finite_vector() in arguments.py checks "
             "a vector and raises the error for you."
         )
-        about.read = "the docstring of calculus.py"
+        about.read = "the docstring in calculus.py"
         expect_error(
             lambda rows=rows: calculus.difference_quotients(TIMES, vectors(rows)),
             ValueError,

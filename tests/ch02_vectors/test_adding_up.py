@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from ch02_vectors import calculus
+from ch02_vectors.tables import SMALL, TIMES, ZERO, draw_times, flat, pair_of_lists, shown
 from ch02_vectors.vector import Vector3
 from draw import Components, components, number, positive_number
 from expect import (
@@ -21,7 +22,6 @@ from expect import (
     scoped,
     xyz,
 )
-from tables import SMALL, TIMES, ZERO, draw_times, flat, pair_of_lists, shown
 
 READ = "book 2.2.2, Eq. 2.8 and 2.9; the docstring of add_up_accelerations"
 

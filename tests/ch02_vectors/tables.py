@@ -1,4 +1,4 @@
-"""Tables of times and vectors for the checks of B2.12 and B2.13."""
+"""Draw and compare the tables of times and vectors in the checks of B2.12 and B2.13."""
 
 from __future__ import annotations
 

@@ -147,11 +147,11 @@ def filmed_motion() -> Picture:
         axes.plot(at[: len(upward)], upward[: len(at)], "o", color=BLACK, ms=3, label="measured")
         axes.set(xlabel="time, s", ylabel=label)
         axes.grid(alpha=0.3)
-        axes.legend()
         off = max((abs(y - wanted) for y, wanted in zip(upward, exact, strict=False)), default=0.0)
         kind, unit = label.rsplit(", ", 1)
         axes.set_title(f"The {kind.split()[0]} is off\nby at most {off:.2g} {unit}")
         rows += [(label, *row) for row in zip(at, upward, exact, strict=False)]
+    all_axes[0].legend(loc="lower center")
     return Picture(figure, ("quantity", "time, s", "measured", "exact"), rows)
 
 

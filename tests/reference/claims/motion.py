@@ -92,6 +92,30 @@ def constant_acceleration() -> str:
 
 
 @claim(
+    "2.2.1",
+    "A negative acceleration slows a body down",
+    predict="A ball is thrown upward at 5 m/s. Gravity gives it an acceleration of -9.81 m/s² "
+    "all the time, if +Y points up. Is it slower after 0.25 s than at the start? And after 1.25 s?",
+    verdict="It holds if the velocity is positive",
+)
+def negative_acceleration() -> str:
+    ball = Particle(velocity=Vector3(0.0, 5.0), acceleration=DOWN)
+    speeds = []
+    for _ in range(2):
+        for _ in range(15 if not speeds else 60):
+            ball.integrate(FRAME)
+        speeds.append(ball.velocity.magnitude())
+    assert math.isclose(speeds[0], 5.0 - G * 0.25, rel_tol=1e-12)
+    assert math.isclose(speeds[1], G * 1.25 - 5.0, rel_tol=1e-12)
+    assert speeds[0] < 5.0 < speeds[1]
+    return (
+        f"After 0.25 s it still rises, at {speeds[0]:.1f} m/s. After 1.25 s it falls at "
+        f"{speeds[1]:.1f} m/s, which is faster than at the start. A body slows down if its "
+        "velocity and its acceleration point in opposite directions."
+    )
+
+
+@claim(
     "3.3.1",
     "You can leave out the term a h²/2, because it is tiny in a short step",
     predict="A stone falls for one second in steps of 1/60 s, without the term. By how much is "

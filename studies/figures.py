@@ -27,6 +27,7 @@ PLOTS = (
     "ch02_vectors/addition",
     "ch02_vectors/projection",
     "ch02_vectors/cross_product",
+    "ch02_vectors/filmed_motion",
     "ch03_laws_of_motion/trajectories",
     "ch03_laws_of_motion/integration_error",
     "ch03_laws_of_motion/damping_comparison",

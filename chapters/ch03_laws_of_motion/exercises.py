@@ -130,22 +130,25 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Measure how much the book's two damping equations differ, as an average over several runs.
+    """Measure how much uneven frames separate the book's two damping equations, in m/s.
 
     Each run is a list of step durations in s. In each run, two particles start with the same
-    ``velocity`` in m/s and make the same steps with the same damping. One of them follows Eq. 3.5,
-    and the other follows Eq. 3.6. The difference of a run is the length of the difference between
-    their final velocities. Return the mean over all ``runs``, in m/s.
+    ``velocity`` in m/s and make the same steps. The first one follows Eq. 3.6 and keeps the
+    fraction ``damping`` of its velocity per second. The second one follows Eq. 3.5 and keeps the
+    fraction ``damping ** mean`` in every step, where ``mean`` is the mean duration of all steps of
+    all runs. So both lose equally much if all steps are equally long. The difference of a run is
+    the length of the difference between the final velocities. Return the mean over all runs.
 
     Raises:
-        ValueError: if there are no runs, if the damping is negative or not finite, or if a duration
-            is not positive and finite.
+        ValueError: if there are no runs, a run has no steps, the damping is negative or not finite,
+            or a duration is not positive and finite.
 
     Exercise 3.5b.
 
     >>> gravity = Vector3(0, -10, 0)
-    >>> difference = damping_difference(Vector3(), gravity, 0.99, [[0.5, 0.5], [0.25] * 4])
-    >>> round(difference, 6)
-    0.068181
+    >>> damping_difference(Vector3(), gravity, 0.25, [[0.5, 0.5]])
+    0.0
+    >>> damping_difference(Vector3(), gravity, 0.25, [[0.5, 1.5], [1.0, 1.0]])
+    0.3125
     """
     raise NotImplementedError("Exercise 3.5b: How far apart the two damping equations end")

@@ -6,7 +6,7 @@ points to the left of an observer who faces along Z. Angles are in radians.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
@@ -99,17 +99,6 @@ def grenade_after(shot: Shot) -> list[Shot]:
     raise NotImplementedError("Exercise 4.1: A grenade")
 
 
-def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """Return the shots that remain after ``shot`` has moved from ``start`` by one time step.
-
-    First call ``strike_first``, which checks if the shot has hit one of the ``targets`` on its
-    path, and pushes the target. If so, the shot disappears, so return an empty list. If a grenade
-    has hit nothing, return the result of ``grenade_after``. For any other shot, return a list that
-    contains only the shot, or an empty list if ``is_spent`` is True for it.
-    """
-    raise NotImplementedError("Exercise B4.3: Shots in flight")
-
-
 class BallisticRange:
     """A shooting range on which you can fire shots at target blocks.
 
@@ -139,10 +128,14 @@ class BallisticRange:
     def update(self, duration: float) -> None:
         """Advance the targets and the shots by one time step, and remove shots that are spent.
 
-        ``duration`` is in s. First the targets move. Then each shot moves, its age increases by the
-        duration, and it is replaced by the shots that ``what_is_left`` returns. Pass
-        ``what_is_left`` a copy of the position that the shot had before the move. A reference is
-        not enough, because ``integrate`` changes the vector itself.
+        ``duration`` is in s. First the targets move. Then each shot moves, and its age increases by
+        the duration. In exercise B4.3, remove every shot that is spent now. You add two more rules
+        in later exercises:
+
+        - In exercise 4.1, replace each grenade by the shots that ``grenade_after`` returns.
+        - In exercise 4.3c, call ``strike_first`` with the path of each shot before anything else,
+          and remove a shot that has hit a target. Pass a copy of the position that the shot had
+          before its move, because ``integrate`` changes the vector itself.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.

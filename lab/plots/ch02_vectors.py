@@ -8,14 +8,17 @@ own bugs. To draw the plots, run `make plot CH=2`.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
+from ch02_vectors.calculus import difference_quotients
+from ch02_vectors.recordings import thrown_ball
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, Picture, arrow, arrow_3d, axes_3d
-from studies.readings import angle_between, cross, dot, is_drawable, numbers
+from studies.readings import angle_between, cross, dot, is_drawable, number, numbers
 
 COLUMNS = ("vector", "x", "y", "z")
 
@@ -122,7 +125,48 @@ def basis() -> Picture:
     return Picture(figure, COLUMNS, rows)
 
 
-PLOTS = (addition, projection, cross_product, basis)
+def filmed_motion() -> Picture:
+    """Plot the heights of a filmed ball, and the velocities and accelerations computed from them.
+
+    The camera rounds the heights to 1 mm, and each difference makes this error larger.
+    """
+    start, speed, gravity = 1.5, 6.0, 9.81  # the motion that was filmed, in m, m/s and m/s^2
+    times, positions = thrown_ball()
+    middles, velocities = _rates(times, positions)
+    inner, accelerations = _rates(middles, velocities)
+    panels = (
+        ("height, m", times, positions, [start + speed * t - gravity * t * t / 2.0 for t in times]),
+        ("velocity upward, m/s", middles, velocities, [speed - gravity * t for t in middles]),
+        ("acceleration upward, m/s^2", inner, accelerations, [-gravity] * len(inner)),
+    )
+    figure, all_axes = pyplot.subplots(1, 3, figsize=(12, 4), layout="constrained")
+    rows: list[tuple[object, ...]] = []
+    for axes, (label, at, vectors, exact) in zip(all_axes, panels, strict=True):
+        upward = [numbers(v)[1] for v in vectors]
+        axes.plot(at, exact, color=GRAY, lw=5, alpha=0.5, label="exact")
+        axes.plot(at[: len(upward)], upward[: len(at)], "o", color=BLACK, ms=3, label="measured")
+        axes.set(xlabel="time, s", ylabel=label)
+        axes.grid(alpha=0.3)
+        off = max((abs(y - wanted) for y, wanted in zip(upward, exact, strict=False)), default=0.0)
+        kind, unit = label.rsplit(", ", 1)
+        axes.set_title(f"The {kind.split()[0]} is off\nby at most {off:.2g} {unit}")
+        rows += [(label, *row) for row in zip(at, upward, exact, strict=False)]
+    all_axes[0].legend(loc="lower center")
+    return Picture(figure, ("quantity", "time, s", "measured", "exact"), rows)
+
+
+PLOTS = (addition, projection, cross_product, basis, filmed_motion)
+
+
+def _rates(
+    times: Sequence[float], vectors: Sequence[Vector3]
+) -> tuple[list[float], Sequence[Vector3]]:
+    """Call the student's difference_quotients. If it fails, there is nothing to draw."""
+    try:
+        middles, quotients = difference_quotients(times, vectors)
+        return [number(time) for time in middles], list(quotients)
+    except (ArithmeticError, AttributeError, TypeError, ValueError):
+        return [], []
 
 
 def _product_length(angle: float) -> float:

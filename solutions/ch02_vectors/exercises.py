@@ -110,11 +110,10 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 
 
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
-    """Remove from the unit vector ``b`` the part that points along the unit vector ``a``.
+    """Compute c = a . b, the vector d = b - c a, and the angle between ``a`` and d.
 
-    That part is the projection of ``b`` onto ``a``, which is c a with c = a . b. The rest of ``b``
-    is d = b - c a. Return c, d, and the angle in radians between ``a`` and d, which should be a
-    right angle. The numbers in the example differ from the book's.
+    Both ``a`` and ``b`` are unit vectors, and the angle is in radians. Return c, d and the angle.
+    The lesson asks what this does to ``b``. The numbers in the example differ from the book's.
 
     Raises:
         ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or
@@ -123,7 +122,7 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     Exercise 2.6.
 
     >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
-    >>> c, d, round(angle, 6)  # 90 degrees
+    >>> c, d, round(angle, 6)
     (0.6, Vector3(0.0, 0.8, 0.0), 1.570796)
     """
     for name, v in (("a", a), ("b", b)):

@@ -1,4 +1,4 @@
-"""Compute the exact state of a damped spring at any time, without time steps (book 6.3).
+"""Compute the exact state of a damped spring at any time, without time steps (book 6.3.2).
 
 Use this module to check an integrator, or to replace a spring that is too stiff for the time steps.
 """

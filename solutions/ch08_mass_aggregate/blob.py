@@ -1,4 +1,4 @@
-"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2).
+"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2.3).
 
 A bond is a soft spring between two particles. It breaks when it is stretched too far, and heals
 when its ends come close again. A blob can therefore split in two and merge later.

@@ -1,4 +1,4 @@
-"""A rope bridge made of planks and cables, and a heavy ball that rolls over it (book 8.2).
+"""A rope bridge made of planks and cables, and a heavy ball that rolls over it (book 8.2.1).
 
 The dimensions of the bridge are in bridge_plan.py.
 """

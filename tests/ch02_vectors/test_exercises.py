@@ -34,7 +34,7 @@ def test_split_the_vector_of_the_book() -> None:
         "Return a pair: the length of v, and a new vector of length 1 that points in the same "
         "direction."
     )
-    about.read = "book 2.1"
+    about.read = "book 2.1.2"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
         about.cause = (
@@ -79,7 +79,7 @@ def test_split_returns_the_length_and_the_direction(rng: Random) -> None:
         "Return a pair: the length of v, and a new vector of length 1 that points in the same "
         "direction."
     )
-    about.read = "book 2.1"
+    about.read = "book 2.1.2"
     magnitude, unit = exercises.split(v)
     length = math.sqrt(dot(a, a))
     expect_close(magnitude, length, then="; the first result, the length")

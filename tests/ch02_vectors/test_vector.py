@@ -128,7 +128,7 @@ def test_magnitude_is_the_length(rng: Random) -> None:
         cause="The magnitude of a vector is its length, sqrt(x^2 + y^2 + z^2). Check your formula "
         "against it.",
     )
-    about.read = "book 2.1"
+    about.read = "book 2.1.2"
     got = Vector3(*a).magnitude()
     mistakes = [
         (length**2, "You return the squared length. Take its square root."),
@@ -154,7 +154,7 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
         cause="The squared magnitude is x^2 + y^2 + z^2, without a square root. Check your formula "
         "against it.",
     )
-    about.read = "book 2.1"
+    about.read = "book 2.1.2"
     got = Vector3(*a).squared_magnitude()
     mistakes = [
         (
@@ -193,7 +193,7 @@ def test_the_zero_vector_has_the_length_zero() -> None:
         cause="All three components are zero, so the length must be zero too. Return 0.0 without "
         "an error.",
     )
-    about.read = "book 2.1"
+    about.read = "book 2.1.2"
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
 
 
@@ -224,7 +224,7 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
         "After this call, v must have length 1 and its old direction. Divide each of its three "
         "components by its length."
     )
-    about.read = "book 2.1.3"
+    about.read = "book 2.1.2"
     v.normalize()
     x = a[0] / length
     y = a[1] / math.hypot(x, a[1], a[2])
@@ -294,7 +294,7 @@ def test_the_zero_vector_stays_zero() -> None:
         "You divide by the length, which is 0 here. Test for a length of 0.0 before you divide, so "
         "that the result is the zero vector."
     )
-    about.read = "book 2.1.3"
+    about.read = "book 2.1.2"
     expect_close(xyz(v.normalized()), ZERO)
     about.call = "v = Vector3(0, 0, 0); v.normalize()"
     v.normalize()

@@ -148,7 +148,7 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
         "Half a drift, a kick and another half drift must give the exact position p + v h + a h^2 "
         "/ 2. Check that each call continues from the current position and velocity."
     )
-    about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
+    about.read = "book 2.2.2, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
     p.kick(h)
     p.drift(h / 2.0)

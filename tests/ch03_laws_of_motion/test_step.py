@@ -33,7 +33,7 @@ def a_particle(
 @pytest.mark.exercise("B3.4")
 def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
-    about.read = "book 3.3.2, Eq. 2.7; errata.md"
+    about.read = "book 3.3.1, Eq. 2.7; errata.md"
     for h in (draw_frame(rng), 3, 0.001):  # a long step lasts a whole number of seconds, an int
         words, p = a_particle(x, v, a)
         about.call = f"{words}; p.integrate({h}); p.position"
@@ -72,7 +72,7 @@ def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.integrate({h}); p.velocity"
     about.cause = "A step must change the velocity exactly once, to v' = v + a h."
-    about.read = "book 3.3.2, Eq. 2.8"
+    about.read = "book 3.3.1, Eq. 2.8"
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
     mistakes = [
@@ -259,7 +259,7 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
         "The exact fall is 125 m, but explicit Euler must fall 0.41667 m less, because each step "
         "uses the velocity before it. Check the order of the position and the velocity."
     )
-    about.read = "book 3.3.2, Eq. 2.7 and 2.8"
+    about.read = "book 3.3.1, Eq. 2.7 and 2.8"
     got = probes.position_after_fall(10.0, 1.0 / 60.0, 300)
     # -a t^2 / 2 + a t h / 2; 300 roundings of numbers up to 125.
     wanted = (0.0, -125.0 + 10.0 * 5.0 / 60.0 / 2.0, 0.0)

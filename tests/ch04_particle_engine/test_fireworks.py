@@ -64,7 +64,7 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
         "The ages are not spread evenly between min_age and max_age. Draw a new age for each "
         "firework with random.uniform(min_age, max_age)."
     )
-    about.read = "the docstring of make_firework; book 4.2.1"
+    about.read = "the docstring of make_firework; book 4.2.2"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
     if min(ages) < 0.5:
         about.cause = (
@@ -86,7 +86,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         f"a rule with velocities from {low} to {high}; random = Random({seed}); "
         f"make_firework(rule, random), called {MANY} times"
     )
-    about.read = "the docstring of make_firework; book 4.2.1"
+    about.read = "the docstring of make_firework; book 4.2.2"
     made = probes.lit(FIRST, seed, MANY)
     columns: dict[str, list[float]] = {}
     for i, axis in enumerate("XYZ"):

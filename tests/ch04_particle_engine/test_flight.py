@@ -195,8 +195,10 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
 def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
     about.read = "the docstring of update; book 4.1.2"
     h = 1.0 / 32.0
-    flight = [by_the_law(1.5, 30.0, -20.0, 0.99, h, n)[0] for n in range(200)]
-    landed = next(n for n, y in enumerate(flight) if y < 0.0)
+    flights = (by_the_law(1.5, 30.0, -20.0, 0.99, h, n)[0] for n in range(200))
+    landed = next(n for n, y in enumerate(flights) if y < 0.0)
+    falls = (by_the_law(1.5, 0.0, -1.0, 0.99, h, n)[0] for n in range(200))
+    fallen = next(n for n, y in enumerate(falls) if y < 0.0)
     reach = [by_the_law(0.0, 100.0, 0.0, 0.99, h, n)[0] for n in range(200)]
     past = next(n for n, z in enumerate(reach) if z > 200.0)
     for name, frame, wanted, cause in (
@@ -206,6 +208,12 @@ def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
             landed,
             "Call is_spent after integrate, so that the shot disappears in the update in which it "
             "falls below y = 0.",
+        ),
+        (
+            "pistol",
+            h,
+            fallen,
+            "Only a grenade bounces. Remove any other shot as soon as it falls below y = 0.",
         ),
         (
             "laser",

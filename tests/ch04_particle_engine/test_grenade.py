@@ -253,7 +253,8 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     about.call += f"for i in range({frames}): r.update(0.25)"
     about.cause = (
         "Your grenade disappears before its fuse has burned down, perhaps because it falls below "
-        "the ground. Call bounce before is_spent."
+        "the ground. In update, call grenade_after for each grenade, which calls bounce before "
+        "is_spent."
     )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
@@ -301,6 +302,8 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
             "The 12 shots of your burst still have the type grenade. Give each of them the type "
             "fragment."
         )
+    if "grenade" in types and "fragment" in types:
+        about.cause = "The grenade is still there. In update, replace the grenade by its fragments."
     kinds = " and ".join(sorted({str(type) for type in types}))
     shown = f"{len(types)} shot{'s' * (len(types) != 1)}{' of type ' * bool(types)}{kinds}"
     holds = types == ("fragment",) * 12

@@ -128,7 +128,7 @@ def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
 
 # 4.2 Two types of your own
 
-READ = "the docstring of own_types; book 4.2.1"
+READ = "the docstring of own_types; book 4.2.2"
 
 
 @pytest.mark.exercise("4.2")

@@ -211,8 +211,9 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         "r.update(0.05) 5 times; "
     )
     about.cause = (
-        "Copy the position of the shot before integrate changes it, because what_is_left needs the "
-        "start of the path. Remove a shot that has hit a block."
+        "The shot has passed through the block. Call strike_first in update for each shot. Copy "
+        "the position before integrate changes it, because strike_first needs the start of the "
+        "path."
     )
     about.read = "the docstring of update"
     block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)
@@ -231,9 +232,10 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     for _ in range(2):
         at.update(0.05)
     expect_exactly(block.hits, 1, then="block.hits")
+    about.cause = "You keep the shot in flight. Remove a shot that has hit a block."
     expect_exactly(len(at.shots), 0, then="the number of shots in flight")
     about.cause = (
-        "The block must gain the momentum that the shot has after its step. Call what_is_left "
+        "The block must gain the momentum that the shot has after its step. Call strike_first "
         "after integrate."
     )
     speed = block.particle.velocity.z
@@ -255,8 +257,8 @@ def test_on_the_range_each_shot_hits_the_first_block_on_its_path() -> None:
         "fireball to the side and a laser are fired; r.update(0.1)"
     )
     about.cause = (
-        "Both lasers hit the block at z = 8, and the fireball hits none. Test every shot against "
-        "all targets, and remove only the shots that hit one."
+        "Both lasers hit the block at z = 8, and the fireball hits none. In update, call "
+        "strike_first for every shot with all targets, and remove only the shots that hit one."
     )
     about.read = "the docstring of update"
     blocks = [

@@ -72,7 +72,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     expect_close(got, wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
     about.cause = "The position must move with the velocity from before the step, as in chapter "
     about.cause += "3. Don't change the position in kick, because drift moves it."
-    about.read = "book 3.3.2, the docstring of kick, errata.md"
+    about.read = "book 3.3.1, the docstring of kick, errata.md"
     slips = {
         "The position moved with the new velocity. It must move with the old one, so drift "
         "before you kick.": [wanted[i] * h for i in range(3)],

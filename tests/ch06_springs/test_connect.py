@@ -280,7 +280,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
 
 @pytest.mark.exercise("B6.3")
 def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
-    about.read = "book 3.2, and the docstring of Connection.update_force"
+    about.read = "book 3.2.3, and the docstring of Connection.update_force"
     bodies = [(components(rng), components(rng), positive_number(rng, 1.0)) for _ in range(8)]
     about.call = "8 particles, each joined to all others by connect(registry, a, b, "
     about.call += "stiffness=2.0, rest_length=3.0, damping=0.5); 200 steps of "

@@ -149,8 +149,9 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.call = f"p at {place}; s = FakeStiffSpring(anchor=Vector3(), stiffness=1e6, "
     about.call += "damping=200); 300 times s.update_force(p, 1/60) and a step of semi-implicit "
     about.call += "Euler"
-    about.cause = "A real spring explodes if k h^2 / m is above 4, and here it is 278. The faked "
-    about.cause += "spring must come to rest anyway, so check that you use its damping."
+    about.cause = "An ordinary Spring explodes with semi-implicit Euler if k h^2 / m is above 4, "
+    about.cause += "and here it is 278. The faked spring must come to rest anyway, so check that "
+    about.cause += "you use its damping."
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
     left = math.hypot(*ends[-1])

@@ -15,7 +15,7 @@ from draw import components, direction, positive_number
 from expect import about, blame, expect_close, expect_unchanged, expect_vector, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
-READ = "book 6.2.1, Eq. 6.1 and 6.2, and the docstring of spring_force"
+READ = "book 6.1 and 6.2.1, Eq. 6.1 and 6.2, and the docstring of spring_force"
 
 
 def hooke(

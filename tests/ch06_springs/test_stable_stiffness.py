@@ -87,7 +87,7 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
             expect_close(
                 size,
                 wanted,
-                then=f"{share} k N/m; the largest eigenvalue of the step",
+                then=f"{share} k N/m; the factor by which each step multiplies the swings",
                 tolerance=1e-12,
             )
 

@@ -16,8 +16,8 @@ from impacts import of_mass
 
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
-PART = "book 7.1.1, Eq. 7.2, and the docstring of Contact.separating_velocity"
-AFTER = "book 7.2.3, Eq. 7.3, and the docstring of Contact.velocity_after"
+PART = "book 7.1.3, Eq. 7.4, and the docstring of Contact.separating_velocity"
+AFTER = "book 7.1.2, 7.2.3, and the docstring of Contact.velocity_after"
 REST = "book 7.2.3, E-26, and the docstring of Contact.velocity_after"
 G = 9.81
 

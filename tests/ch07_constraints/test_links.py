@@ -197,8 +197,8 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
     other, end = (-1, "the anchor") if anchored else (1, "b")
     back = (-n[0], -n[1], -n[2])
-    both = "You returned two contacts, as the book's text suggests, but one of them does nothing "
-    both += "(E-9). Return only the contact that pulls or pushes."
+    both = "You returned two contacts, as the book's text asks (E-9). This Rod follows the book's "
+    both += "listing, so return only the contact that pulls or pushes. TwoSidedRod has two."
     none = "The rod has exactly the right length and needs no contact. Return an empty list."
     pulls = f"stretched and pulls a toward {end}. Return a contact whose normal points from a to "
     pulls += f"{end}."

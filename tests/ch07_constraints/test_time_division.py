@@ -27,7 +27,7 @@ from expect import (
 )
 
 ZERO = (0.0, 0.0, 0.0)
-READ = "book 7.3, and the docstring of time_division_step"
+READ = "book 7.3.2, and the docstring of time_division_step"
 DOWN = (0.0, -10.0, 0.0)
 FRAME = 1.0 / 60.0
 
@@ -199,7 +199,7 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
 
 @pytest.mark.exercise("B7.12")
 def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
-    about.read = "book 7.3; simultaneous impacts are resolved one after the other"
+    about.read = "book 7.3.2; simultaneous impacts are resolved one after the other"
     speed = positive_number(rng, 0.5, 3.0)  # slow enough that a late exchange shows
     for count in (1, 2, 3):
         speeds = [speed if i < count else 0.0 for i in range(5)]

@@ -15,7 +15,7 @@ from expect import about, blame, cause_of, expect_between, expect_close, expect_
 
 LINKS = "the docstring of links_of"
 NEAREST = "the docstring of Deck.nearest"
-DECK = "book 8.2, and the docstring of Deck.contacts"
+DECK = "book 8.2.1, and the docstring of Deck.contacts"
 UP = (0.0, 1.0, 0.0)
 # The bridge of bridge_plan.py: six rows of two ends, 2 m apart, at a height of 4 m.
 START = [(2.0 * (i // 2) - 5.0, 4.0, 2.0 * (i % 2) - 1.0) for i in range(12)]

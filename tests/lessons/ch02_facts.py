@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from ch02_vectors.calculus import add_up_accelerations, difference_quotients
 from ch02_vectors.exercises import (
     angle_by_scalar_product,
     angles_by_vector_product,
@@ -11,6 +12,7 @@ from ch02_vectors.exercises import (
     position_after,
     remove_projection,
 )
+from ch02_vectors.recordings import BALL_RATE, thrown_ball
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
 
 
@@ -93,6 +95,51 @@ def at_work() -> dict[str, float]:
     }
 
 
+def fallen(time: float) -> float:
+    return 5 * time * time
+
+
+def average(duration: float) -> float:
+    """Return the average velocity of the falling ball in an interval that begins after 1 s."""
+    times = [1.0, 1.0 + duration]
+    return difference_quotients(times, [Vector3(0, fallen(t)) for t in times])[1][0].y
+
+
+def sum_of_bars(duration: float) -> float:
+    """Add up v h over 2 s, with the velocity at the start of each interval."""
+    return sum(10 * i * duration * duration for i in range(round(2 / duration)))
+
+
+def motion() -> dict[str, float]:
+    times = [0.0, 1.0, 2.0]
+    middles, velocities = difference_quotients(times, [Vector3(0, -fallen(t)) for t in times])
+    _, accelerations = difference_quotients(middles, velocities)
+    (_, _, end), (_, _, last) = add_up_accelerations(
+        times, [Vector3(10), Vector3(10)], Vector3(), Vector3()
+    )
+    assert (end.x, last.x, accelerations[0].y) == (20, 20, -10)
+    assert sum_of_bars(1) == 10
+    assert sum_of_bars(1e-3) > 19.9
+    film = thrown_ball()
+    rate = len(film[0]) - 1  # of a film of 1 s
+    assert rate == BALL_RATE
+    noisy = sorted({round(-a.y, 6) for a in difference_quotients(*difference_quotients(*film))[1]})
+    assert noisy == [7.2, 10.8, 14.4]
+    return {
+        "1.05": fallen(1.1) - fallen(1),
+        "0.1005": fallen(1.01) - fallen(1),
+        "15": average(1),
+        "10.5": average(0.1),
+        "10.05": average(0.01),
+        "1.5": middles[1],
+        "0.06": 2 * 0.5e-3 * rate,
+        "7.2": 4 * 0.5e-3 * rate**2,
+        "10.8": noisy[1],
+        "14.4": noisy[2],
+        "20": end.x,
+    }
+
+
 SECTIONS = {
     "One arrow, three numbers": ("7", dict),
     "How long is it?": ("6 10 100", lengths),
@@ -103,5 +150,6 @@ SECTIONS = {
     "The cross product: a direction that both are perpendicular to": ("180 90", cross_products),
     "Three perpendicular axes": ("", basis),
     "Bad arguments": ("", dict),
+    "How a motion changes": ("5 10 0.5 0.1 0.01 60 9.81", motion),
     "Put the vectors to work": ("5 7 10 1.0000000000000002", at_work),
 }

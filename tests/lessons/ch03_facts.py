@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import math
 
+from ch02_vectors.calculus import difference_quotients
+from ch02_vectors.recordings import BALL_RATE, thrown_ball
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.damping import damp_per_frame
-from ch03_laws_of_motion.exercises import gravity_between, stepping_error
+from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
+from ch03_laws_of_motion.exercises import (
+    damping_difference,
+    gravity_between,
+    random_frames,
+    stepping_error,
+)
 from ch03_laws_of_motion.particle import Particle
 
 
@@ -61,6 +68,31 @@ def steps() -> dict[str, float]:
     }
 
 
+EARTH, RADIUS = 5.972e24, 6371e3  # kg and m
+ROUNDING = 1 / math.sqrt(12)  # mm, the standard deviation of an error that is up to 0.5 mm
+
+
+def errors_of(film: tuple[list[float], list[Vector3]]) -> float:
+    """Return the root-mean-square error of the accelerations in a film under 9.81 m/s^2."""
+    _, accelerations = difference_quotients(*difference_quotients(*film))
+    return math.sqrt(sum((a.y + 9.81) ** 2 for a in accelerations) / len(accelerations))
+
+
+def uncertainties() -> dict[str, float]:
+    """Compute how uncertain the accelerations of the filmed ball are, and compare with the film."""
+    times, positions = thrown_ball()
+    single = math.sqrt(6) * ROUNDING / 1000 * BALL_RATE**2  # 1, -2 and 1 times an error
+    longer = single / 100
+    duration = times[-1] - 1 / BALL_RATE  # between the middles of the first and the last interval
+    mean = 2 * ROUNDING / 1000 * BALL_RATE / duration  # four positions of equal weight
+    assert 0.7 < errors_of((times, positions)) / single < 1.1
+    assert 0.5 < errors_of((times[::10], positions[::10])) / longer < 1.1
+    return {"0.29": ROUNDING, "0.71": math.sqrt(6) * ROUNDING, "2.5": single} | {
+        "0.035": mean,
+        "0.025": longer,
+    }
+
+
 def forces() -> dict[str, float]:
     grain = gravity_between(100, 100, 1) / 9.81 / 2650  # m^3 of quartz, of 2,650 kg/m^3
     slow, fast = (Particle(velocity=Vector3(speed), mass=2) for speed in (3, 6))
@@ -69,6 +101,22 @@ def forces() -> dict[str, float]:
         "0.4": 1000 * (6 * grain / math.pi) ** (1 / 3),  # mm
         "9": slow.kinetic_energy(),
         "36": fast.kinetic_energy(),
+        "9.8": gravity_between(EARTH, 1, RADIUS),
+        "32": RADIUS * (1 / math.sqrt(0.99) - 1) / 1000,  # km
+    } | uncertainties()
+
+
+def uneven() -> dict[str, float]:
+    runs = [random_frames(1 / 60, 0.5, 1, seed) for seed in range(100)]
+    counts = [len(frames) for frames in runs]
+    start = Vector3(10)
+    equal = [[1 / 60] * 60]
+    assert damping_difference(start, Vector3(), 0.5, equal) < 1e-12
+    return {
+        "57": min(counts),
+        "65": max(counts),
+        "0.088": damping_difference(start, Vector3(), 0.5, runs),
+        "5": damp_per_second(start, Vector3(), 0.5, 1).x,
     }
 
 
@@ -116,8 +164,11 @@ SECTIONS = {
     "Momentum: what stays": ("50 1.6", skaters),
     "Damping: slowing down at any frame rate": ("99 0.99 60 120 0.25 15", damping),
     "The step": ("0.5 60", steps),
-    "Three short exercises about forces": ("6.67428e-11 100 9.81 6", forces),
+    "Three short exercises about forces": (
+        "6.67428e-11 100 9.81 6 0.5 60 15 20 5.972e24 6,371",
+        forces,
+    ),
     "How wrong is a step?": ("10 0.5 60 120 9.81 0.01", errors),
-    "Frames that do not arrive on time": ("10 60", dict),
+    "Frames that do not arrive on time": ("10 60 50 99 0.5", uneven),
     "Summary": ("10 20 25 60", growth),
 }

@@ -26,6 +26,7 @@ def bullets() -> dict[str, float]:
         "0.025": gravity,
         "0.2": gravity * (100 / 25) ** 2 / 2,
         "0.0981": slowed_gravity(9.81, 10),
+        "14": 25 * math.sqrt(2 * 1.5 / 9.81),
     }
 
 
@@ -101,11 +102,11 @@ def formula() -> dict[str, float]:
 
 
 SECTIONS = {
-    "A bullet that can be seen": ("5 10 25 60 100 500 0.005 9.81", bullets),
-    "Shots are data": ("5 20 30 90", aims),
+    "A bullet that can be seen": ("1.5 5 10 25 60 100 500 0.005 9.81", bullets),
+    "Shots are data": ("20 30 90", aims),
     "A grenade": ("0.6 15", burst),
     "Does the shot hit the block?": ("0.5 100 29.5 30.5", hits),
     "Fireworks: rules that light each other": ("5 7 10", slots),
     "A wheel that throws sparks": ("0.5 8 13 14 50 60", wheel),
-    "When you need no step at all": ("10 45 60 0.4", formula),
+    "When you need no step at all": ("10 45 60 600 0.4", formula),
 }

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from ch02_vectors.calculus import difference_quotients
+from ch02_vectors.recordings import FILTERS_MASS, falling_filters
 from ch02_vectors.vector import Vector3
 from ch05_forces.closed_form import drag_limits, quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, Gravity, InverseSquareGravity, drag_force
@@ -49,6 +51,27 @@ def drags() -> dict[str, float]:
         "31.6": terminal_speed(2 * 10, 0, 0.02),
         "0.762": math.tanh(1),
         "15.2": speed,
+    } | filters()
+
+
+def filters() -> dict[str, float]:
+    """Find the drag of the filmed filters, with and without the right law."""
+    times, positions = falling_filters()
+    assert (times[-1], FILTERS_MASS) == (1.0, 0.003)
+    _, (velocity,) = difference_quotients(times[30::30], positions[30::30])
+    u, weight = -velocity.y, FILTERS_MASS * 9.81
+    behind = u * u / 9.81  # v = u (1 - e^(-g t / u)), and e^(-g t / u) is 0.004 after 1 s
+    fallen = positions[0].y - positions[-1].y
+    linear = u - behind * (1 - math.exp(-9.81 / u))
+    assert abs(quadratic_fall(FILTERS_MASS, 9.81, weight / u**2, 1)[1] - fallen) < 0.003
+    assert fallen - linear > 0.09
+    return {
+        "1.75": u,
+        "0.0294": weight,
+        "0.0096": weight / u**2,
+        "0.0168": weight / u,
+        "0.312": 1.75**2 / 9.81,
+        "1.44": linear,
     }
 
 
@@ -94,7 +117,7 @@ def orbits() -> dict[str, float]:
 
 SECTIONS = {
     "Forces add up": ("9.81 20 30 40 60 80 500", sums),
-    "Drag": ("30 120 10 20 0.1 0.02", drags),
+    "Drag": ("30 120 10 20 0.1 0.02 0.003 9.81", drags),
     "When drag explodes": ("5 10 15 20 25 0.1", explosions),
     "Four forces of your own": ("100", orbits),
     "Project: a sniper range": ("10 50 90 100 200", dict),

@@ -7,13 +7,16 @@ import math
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.blob import Bond, spread
 from ch08_mass_aggregate.bridge import Bridge, Deck, links_of
 from ch08_mass_aggregate.bridge_plan import PLANK_MASS, make_rows
-from ch08_mass_aggregate.cube import cube_rods, fewest_rods
+from ch08_mass_aggregate.cube import ITERATIONS, Cube, cube_rods, fewest_rods
 from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.fixed_step import FixedStep
-from ch08_mass_aggregate.tilting_platform import balancing_mass
+from ch08_mass_aggregate.friction import FrictionContact, FrictionGround
+from ch08_mass_aggregate.planks import Planks, nearest_on_segment
+from ch08_mass_aggregate.tilting_platform import TiltingPlatform, balancing_mass
 from ch08_mass_aggregate.trebuchet import STEP, Trebuchet, my_design
 from ch08_mass_aggregate.wheel import Wheel, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
@@ -99,7 +102,115 @@ def wheels() -> dict[str, float]:
             wheel.step(1 / rate)
         return spin(wheel.hub, wheel.rim)
 
-    return {"8.41": spun(60), "9.87": spun(960)}
+    middle, light, heavy = (
+        Particle(mass=math.inf),
+        Particle(Vector3(3)),
+        Particle(Vector3(-1), mass=3),
+    )
+    inertia = 0.0
+    for particle in (light, heavy):
+        particle.velocity = Vector3(0, 2 * particle.position.x)
+        inertia += particle.mass * particle.position.squared_magnitude()
+    turning = spin(middle, [light, heavy]) * inertia
+    light.position, heavy.position = Vector3(1.5), Vector3(-0.5)
+    smaller = inertia / 4
+    assert smaller == 1.5**2 + 3 * 0.5**2
+    assert 0.115 < cube_loses() < 0.125  # "12 %"
+    return {
+        "8.41": spun(60),
+        "9.87": spun(960),
+        "6": light.velocity.y,
+        "12": inertia,
+        "24": turning,
+        "8": turning / smaller,
+    }
+
+
+def cube_loses() -> float:
+    """Return the fraction of its angular momentum that a free cube at 3 rad/s loses in 2 s."""
+    cube = Cube()
+    center = sum((p.position for p in cube.particles), Vector3()) / 8
+    for particle in cube.particles:
+        particle.acceleration, particle.damping = Vector3(), 1.0
+        particle.velocity = Vector3(0, 0, 3).cross(particle.position - center)
+    world = ParticleWorld(cube.particles, cube.rods, iterations=ITERATIONS)
+    before = angular_momentum(cube.particles)
+    for _ in range(120):
+        world.step(1 / 60)
+    return 1 - angular_momentum(cube.particles) / before
+
+
+def angular_momentum(particles: list[Particle]) -> float:
+    """Return the Z component of the angular momentum about the center of mass."""
+    center = sum((p.position for p in particles), Vector3()) / len(particles)
+    return sum((p.position - center).cross(p.velocity).z * p.mass for p in particles)
+
+
+def planks() -> dict[str, float]:
+    ball, a, b = Particle(Vector3(0.3, 4.4, 0.5)), Vector3(0, 4, -1), Vector3(0, 4, 1)
+    found = Planks(ball, 0.6, [(Particle(a), Particle(b))]).contacts()
+    normal = found[0].normal
+    assert abs(normal.z) < 1e-12
+    nearest = nearest_on_segment(ball.position, a, b)
+    return {
+        "0.75": (nearest.z + 1) / 2,
+        "0.5": (ball.position - nearest).magnitude(),
+        "0.1": found[0].penetration,
+        "0.6": normal.x,
+        "0.8": normal.y,
+    }
+
+
+def friction() -> dict[str, float]:
+    h = 1 / 60
+    body = Particle(velocity=Vector3(3), mass=2)
+    contact = FrictionContact(body, None, Vector3(0, 1), friction=0.5)
+    stop = contact.friction_impulse(1000).magnitude()
+    pressed = 2 * 9.81 * h
+    rubbed = contact.friction_impulse(pressed).magnitude()
+    one, two, three = pushed(0.3, 1 / 60, 3)
+    creep = 100 * (three - two)
+    fine = pushed(0.3, 1 / 120, 3)
+    assert abs(100 * (fine[2] - fine[1]) / creep - 0.5) < 0.05
+    return {
+        "0.327": pressed,
+        "0.1635": rubbed,
+        "6": stop,
+        "0.08175": rubbed / 2,
+        "0.61": 3 / (0.5 * 9.81),
+        "26.6": math.degrees(math.atan(0.5)),
+        "8.2": 100 * 9.81 * math.sin(math.radians(30)) * h,
+        "3.60": pushed(0.0, 1 / 60, 2)[1],
+        "0.65": one,
+        "0.68": 2**2 / (2 * 0.3 * 9.81),
+        "2.1": creep,
+    }
+
+
+def pushed(coefficient: float, step: float, seconds: int) -> list[float]:
+    """Push a freed platform; return how far its center of mass slid after each second."""
+    platform = TiltingPlatform()
+    platform.put_weight(4, -3)
+    for _ in range(round(2 / step)):
+        platform.step(step)
+    platform.free_pivot()
+    particles = platform.particles
+    generators = platform.world.contact_generators
+    for i, generator in enumerate(generators):
+        if isinstance(generator, GroundPlane):
+            generators[i] = FrictionGround(particles, coefficient)
+    for particle in particles:
+        particle.velocity = Vector3(2)
+
+    def center() -> float:
+        return sum(p.mass * p.position.x for p in particles) / sum(p.mass for p in particles)
+
+    start, slid = center(), []
+    for _ in range(seconds):
+        for _ in range(round(1 / step)):
+            platform.step(step)
+        slid.append(center() - start)
+    return slid
 
 
 def throws() -> dict[str, float]:
@@ -148,6 +259,8 @@ SECTIONS = {
     "How many rods make a body rigid?": ("8", rods),
     "A wheel": ("10 60 960", wheels),
     "Project: a trebuchet": ("45 9.81", throws),
+    "Going further: spheres and segments": ("0.3 0.4 1.5 4.4", planks),
+    "Going further: friction": ("0.3 0.5 0.6 9.81 30 60 120", friction),
     "Going further: let sleeping balls lie": ("30", at_rest),
     "Summary": ("6 18", dict),
 }

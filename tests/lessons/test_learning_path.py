@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT, Chapter, load_chapters
 from lessons.doable import lost
 from lessons.lesson import lesson_of, minutes_of
 
@@ -31,6 +31,10 @@ def rows(table: str) -> list[list[str]]:
 
 
 SPINE = [number for row in rows(WHOLE) for number in ids(row[0])]
+SPINE_OF = {
+    int(number): ids(cell)
+    for number, cell in re.findall(r"(?m)^\| \[(\d)\]\(.+?\) \| (.+?) \|", WHOLE)
+}
 TEN_HOURS = [number for row in rows(SHORT) for number in ids(row[0])]
 
 
@@ -55,6 +59,31 @@ def test_what_an_exercise_needs_is_on_the_path_before_it(path: list[str]) -> Non
         path.index(n) < path.index(number) for number in path for n in EXERCISES[number].needs
     )
     assert sorted(TEN_HOURS, key=order.index) == TEN_HOURS
+
+
+def short_list(chapter: Chapter) -> list[str]:
+    """Return the exercises that a lesson recommends to a student with little time, if any."""
+    found = re.search(
+        r"If you have only [^.]+? do exercises (.+?)\.\s", " ".join(lesson_of(chapter.name).split())
+    )
+    words = found[1] if found else ""
+    for first, last in re.findall(r"B\d\.(\d+) to B\d\.(\d+)", words):
+        numbers = range(int(first), int(last) + 1)
+        between = ", ".join(f"B{chapter.number}.{number}" for number in numbers)
+        words = words.replace(f"B{chapter.number}.{first} to B{chapter.number}.{last}", between)
+    return re.findall(r"B?\d\.\d+[a-d]?", words)
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_what_a_short_list_needs_is_in_the_list(chapter: Chapter) -> None:
+    short = short_list(chapter)
+    for number in short:
+        needs = {
+            need for need in EXERCISES[number].needs if need in {e.id for e in chapter.exercises}
+        }
+        assert needs <= {*short}, number
+    if chapter.number == 9:
+        assert sorted(short) == sorted(SPINE_OF[9])
 
 
 @pytest.mark.slow

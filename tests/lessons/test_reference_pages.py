@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
 
@@ -13,13 +14,21 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.adaptive import adaptive
-from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch06_springs.integrators import (
+    Integrator,
+    explicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+)
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import Rod, TwoSidedRod
+from ch07_constraints.rod_tensions import RodTensions
+from ch07_constraints.sequential_impulses import SequentialImpulses
 from lessons.lesson import agrees
 from studies.accuracy.scenes.links import double_pendulum
+from studies.accuracy.scenes.nets import swinging
 from studies.runs.constraints import (
     Link,
     Resolve,
@@ -213,3 +222,63 @@ def test_the_loss_of_runge_kutta_depends_on_the_step() -> None:
     assert said in " ".join(page.split())
     assert kept_by_runge_kutta(38) == pytest.approx(0.9, abs=0.003)
     assert kept_by_runge_kutta(60) == pytest.approx(0.99, abs=0.003)
+
+
+def test_a_correction_keeps_a_fast_double_pendulum_together() -> None:
+    text = " ".join(
+        (ROOT / "chapters/ch07_constraints/reference.md").read_text(encoding="utf-8").split()
+    )
+    assert "after 20 to 24 s." in text
+    assert "the rods are accurate to 0.2 mm for a minute" in text
+    worst, end = {}, {}
+    for correction in (0.0, 5.0):
+        bobs = [Particle(Vector3(x), acceleration=Vector3(0, -9.81)) for x in (0.5, 1.0)]
+        rods, worst[correction], end[correction] = (
+            RodTensions(bobs, Vector3(), correction),
+            0.0,
+            60.0,
+        )
+        for i in range(3600):
+            try:
+                runge_kutta_4(bobs, rods.update_forces, FRAME)
+            except ValueError:  # a force is not finite
+                end[correction] = i * FRAME
+                break
+            ends = bobs[0].position, bobs[1].position - bobs[0].position
+            wrong = max(abs(one.magnitude() - 0.5) for one in ends)
+            worst[correction] = max(worst[correction], wrong)
+    # With starts that differ by 1e-12 to 0.1 degrees, it takes 19.8 to 23.5 s, and 0.19 to 0.20 mm.
+    assert 19 < end[0.0] < 25
+    assert end[5.0] == 60
+    assert worst[5.0] == pytest.approx(0.0002, abs=0.00003)
+
+
+@pytest.mark.parametrize("length", [0.1, 1.0])
+def test_sequential_impulses_stretch_a_rope_with_a_heavy_weight(length: float) -> None:
+    text = " ".join(
+        (ROOT / "chapters/ch07_constraints/reference.md").read_text(encoding="utf-8").split()
+    )
+    assert "twice as long as it should be, and after 20 s it is still a fifth too long" in text
+    joints = [Particle(Vector3(0, -length * i), acceleration=Vector3(0, -10)) for i in range(6)]
+    joints[0].mass, joints[-1].mass = math.inf, 100
+    rope = SequentialImpulses(joints, [TwoSidedRod(*pair, length) for pair in pairwise(joints)])
+    excess = []
+    for _ in range(1200):
+        rope.step(FRAME)
+        excess.append(math.dist([*joints[0].position], [*joints[-1].position]) - 5 * length)
+    assert excess[30] == pytest.approx(0.5, rel=0.05)
+    assert excess[-1] == pytest.approx(0.1, rel=0.05)
+
+
+def test_the_errors_of_the_nets() -> None:
+    text = " ".join(
+        (ROOT / "chapters/ch07_constraints/reference.md").read_text(encoding="utf-8").split()
+    )
+    said = "- 4e-5 by `DirectNet`, with one step in each 60 Hz frame; - 6e-9 by `SmoothNet`"
+    assert said in text
+    assert "- 1.9e-4 by `SmoothNet` with one step in twelve frames" in text
+    scene = swinging()
+    direct, smooth, long_steps = (scene.error(model.run(1)) for model in scene.models[:3])
+    assert direct == pytest.approx(4e-5, rel=0.1)
+    assert smooth == pytest.approx(6e-9, rel=0.1)
+    assert long_steps == pytest.approx(1.9e-4, rel=0.02)

@@ -79,15 +79,16 @@ def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
 @pytest.mark.usefixtures("strength")
 def test_the_checks_of_a_chapter_are_strong_and_fair_enough(chapter: Chapter) -> None:
     """A figure from before a change counts as not measured."""
-    from kept import kept
+    from kept import SOLUTIONS, mutants_of, seeds_of
 
-    mutants = kept("mutants", chapter)
+    mutants = mutants_of(chapter)
     assert mutants, f"a check or the reference has changed: run make mutants CH={chapter.number}"
     assert mutants["killed"] / mutants["of"] >= 0.97
-    for solution in ("reference", "second solution"):
-        pythons = kept(f"seeds of {solution}", chapter)
-        assert pythons, f"a check or the {solution} has changed: run make seeds CH={chapter.number}"
-        assert min(pythons.values()) >= 1000
+    for solution in SOLUTIONS:
+        for file, pythons in seeds_of(solution, chapter).items():
+            said = f"{file} or the {solution} has changed: run make seeds CH={chapter.number}"
+            assert pythons, said
+            assert min(pythons.values()) >= 1000
 
 
 @pytest.mark.usefixtures("strength")
@@ -112,13 +113,54 @@ def test_an_old_figure_is_dropped_and_a_new_one_does_not_keep_it(
     chapter = CHAPTERS[0]
     monkeypatch.setattr(kept, "FILE", tmp_path / "figures.json")
     monkeypatch.setattr(kept, "of_checks", lambda *_: "before")
-    kept.keep("mutants", chapter, killed=1)
-    kept.keep("mutants", chapter, of=1)
-    assert kept.kept("mutants", chapter) == {"killed": 1, "of": 1}
+    kept.keep_mutants(chapter, killed=1, of=1)
+    assert kept.mutants_of(chapter) == {"killed": 1, "of": 1}
     monkeypatch.setattr(kept, "of_checks", lambda *_: "after")
-    assert kept.kept("mutants", chapter) == {}
-    kept.keep("mutants", chapter, killed=2)
-    assert kept.kept("mutants", chapter) == {"killed": 2}
+    assert kept.mutants_of(chapter) == {}
+    kept.keep_mutants(chapter, killed=2)
+    assert kept.mutants_of(chapter) == {"killed": 2}
+
+
+@pytest.mark.usefixtures("strength")
+def test_the_seeds_of_a_file_of_checks_are_kept_until_it_changes(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    import kept
+
+    chapter = CHAPTERS[0]
+    changed: set[str] = set()
+    monkeypatch.setattr(kept, "FILE", tmp_path / "figures.json")
+    monkeypatch.setattr(kept, "of_check_file", lambda check, *_: str(check.name in changed))
+    one, other = kept.files_of_checks(chapter)[:2]
+    for check in (one, other):
+        kept.keep_seeds("reference", chapter, check, "3.11", 1000)
+    kept.keep_seeds("reference", chapter, one, "3.12", 1000)
+    found = kept.seeds_of("reference", chapter)
+    assert found[one.name] == {"3.11": 1000, "3.12": 1000}
+    assert [name for name in found if found[name]] == [one.name, other.name]
+    changed.add(one.name)
+    found = kept.seeds_of("reference", chapter)
+    assert [name for name in found if found[name]] == [other.name]
+    kept.keep_seeds("reference", chapter, one, "3.12", 1000)
+    assert kept.seeds_of("reference", chapter)[one.name] == {"3.12": 1000}
+
+
+@pytest.mark.usefixtures("strength")
+def test_a_file_of_checks_changes_with_what_it_imports(tmp_path: Path) -> None:
+    """The check imports a module of the solution, which imports another one."""
+    from fingerprint import of_check_file
+
+    chapter, check = CHAPTERS[0], tmp_path / "test_it.py"
+    check.write_text("from ch02_vectors.one import f\n", encoding="utf-8")
+    folder = tmp_path / chapter.name
+    folder.mkdir()
+    for name, text in (("one", "from ch02_vectors import two"), ("two", ""), ("three", "")):
+        (folder / f"{name}.py").write_text(text, encoding="utf-8")
+    before = of_check_file(check, chapter, tmp_path)
+    (folder / "three.py").write_text("f = 3", encoding="utf-8")
+    assert of_check_file(check, chapter, tmp_path) == before
+    (folder / "two.py").write_text("f = 2", encoding="utf-8")
+    assert of_check_file(check, chapter, tmp_path) != before
 
 
 def test_what_is_measured_is_committed() -> None:
@@ -132,7 +174,8 @@ def test_a_figure_that_was_never_measured_is_a_dash(monkeypatch: pytest.MonkeyPa
     import table
 
     monkeypatch.setattr(table, "run_checks", lambda *_, **__: [])
-    monkeypatch.setattr(table, "kept", lambda *_: {})
+    monkeypatch.setattr(table, "mutants_of", lambda _: {})
+    monkeypatch.setattr(table, "seeds_of", lambda *_: {"test_it.py": {}})
     assert [cell for cell in table.row(CHAPTERS[0]) if cell == "-"] == ["-"] * 4
 
 

@@ -6,7 +6,7 @@ import ast
 import hashlib
 import io
 import tokenize
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -21,6 +21,38 @@ def of_checks(chapter: Chapter, solution: Path) -> str:
     checks = sorted((ROOT / "tests" / chapter.name).glob("*.py"))
     modules = [solution / chapter.name / file for file in chapter.edited_files]
     return fingerprint([*checks, *shared_by_checks(ROOT), *modules])
+
+
+def of_check_file(check: Path, chapter: Chapter, solution: Path) -> str:
+    """Return the fingerprint of one file of checks and of the modules that it uses.
+
+    These are the modules that it imports, directly or not, from the chapter's checks, from the
+    helpers of all checks and from the chapter's solution.
+    """
+    folders = [ROOT / "tests" / chapter.name, ROOT / "tests/shared", solution / chapter.name]
+    found: set[Path] = set()
+    left = [check, ROOT / "tests/conftest.py"]
+    while left:
+        file = left.pop()
+        if file not in found:
+            found.add(file)
+            files = (
+                folder / f"{name}.py" for name in _imports(file, chapter) for folder in folders
+            )
+            left += [file for file in files if file.is_file()]
+    return fingerprint(sorted(found))
+
+
+def _imports(file: Path, chapter: Chapter) -> Iterator[str]:
+    """Yield the names of the modules that a file imports, without the chapter's name."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        match node:
+            case ast.ImportFrom(module=str(module), names=names) if module == chapter.name:
+                yield from (name.name for name in names)
+            case ast.ImportFrom(module=str(module)):
+                yield module.removeprefix(f"{chapter.name}.")
+            case ast.Import(names=names):
+                yield from (name.name.removeprefix(f"{chapter.name}.") for name in names)
 
 
 def fingerprint(files: Iterable[Path]) -> str:

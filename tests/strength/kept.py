@@ -1,7 +1,8 @@
 """The measured figures of each chapter, in one committed file from which the table is made.
 
 Each figure is kept with a fingerprint of what it was measured on. Once that has changed, the figure
-is old, and counts as not measured.
+is old, and counts as not measured. The figures of the mutants are kept by chapter, and those of the
+seeds by file of checks, because runs with many seeds take long.
 """
 
 from __future__ import annotations
@@ -11,38 +12,64 @@ from pathlib import Path
 from typing import Any
 
 from autograder.manifest import ROOT, Chapter
-from fingerprint import of_checks
+from fingerprint import of_check_file, of_checks
 
 FOLDER = ROOT / "build" / "strength"  # lets a measurement resume; not committed
 FILE = Path(__file__).with_name("figures.json")
-SECOND = ROOT / "sample_class" / "ada"
-MEASURED_ON = {  # each name of figures, and the solution that they were measured on
-    "mutants": ROOT / "solutions",
-    "seeds of reference": ROOT / "solutions",
-    "seeds of second solution": SECOND,
-}
+SOLUTIONS = {"reference": ROOT / "solutions", "second solution": ROOT / "sample_class" / "ada"}
 
 
-def kept(name: str, chapter: Chapter) -> dict[str, Any]:
-    """Return the figures of this name, or an empty dict if none of them is valid."""
-    figures = dict(_read().get(name, {}).get(chapter.name, {}))
-    is_old = figures.pop("measured on", "") != _now(name, chapter)
-    return {} if is_old else figures
+def mutants_of(chapter: Chapter) -> dict[str, int]:
+    """Return how many mutants there are and were killed, or an empty dict if that is not known."""
+    return _valid(_read().get("mutants", {}).get(chapter.name, {}), _now(chapter))
 
 
-def keep(name: str, chapter: Chapter, **figures: Any) -> None:
-    """Add figures of this name. New ones replace older ones."""
+def keep_mutants(chapter: Chapter, **figures: int) -> None:
+    """Keep the figures of a chapter's mutants in place of older ones."""
     everything = _read()
-    before = everything.setdefault(name, {}).get(chapter.name, {})
-    now = _now(name, chapter)
-    same = before if before.get("measured on") == now else {}
-    everything[name][chapter.name] = same | figures | {"measured on": now}
-    FILE.write_text(json.dumps(everything, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    everything.setdefault("mutants", {})[chapter.name] = figures | {"measured on": _now(chapter)}
+    _write(everything)
 
 
-def _now(name: str, chapter: Chapter) -> str:
-    return of_checks(chapter, MEASURED_ON[name])
+def seeds_of(solution: str, chapter: Chapter) -> dict[str, dict[str, int]]:
+    """Return the number of seeds by Python for each file of checks, if its figures are valid."""
+    known = _read().get(f"seeds of {solution}", {}).get(chapter.name, {})
+    return {
+        check.name: _valid(known.get(check.name, {}), _now_of(check, chapter, solution))
+        for check in files_of_checks(chapter)
+    }
+
+
+def keep_seeds(solution: str, chapter: Chapter, check: Path, python: str, seeds: int) -> None:
+    """Keep with how many seeds a file of checks has passed on a Python, or 0 if it has not."""
+    everything = _read()
+    files = everything.setdefault(f"seeds of {solution}", {}).setdefault(chapter.name, {})
+    now = _now_of(check, chapter, solution)
+    files[check.name] = _valid(files.get(check.name, {}), now) | {python: seeds, "measured on": now}
+    _write(everything)
+
+
+def files_of_checks(chapter: Chapter) -> list[Path]:
+    return sorted((ROOT / "tests" / chapter.name).glob("test_*.py"))
+
+
+def _valid(figures: dict[str, Any], now: str) -> dict[str, Any]:
+    if figures.get("measured on") != now:
+        return {}
+    return {name: value for name, value in figures.items() if name != "measured on"}
+
+
+def _now(chapter: Chapter) -> str:
+    return of_checks(chapter, SOLUTIONS["reference"])
+
+
+def _now_of(check: Path, chapter: Chapter, solution: str) -> str:
+    return of_check_file(check, chapter, SOLUTIONS[solution])
 
 
 def _read() -> dict[str, Any]:
     return dict(json.loads(FILE.read_text(encoding="utf-8"))) if FILE.exists() else {}
+
+
+def _write(everything: dict[str, Any]) -> None:
+    FILE.write_text(json.dumps(everything, indent=1, sort_keys=True) + "\n", encoding="utf-8")

@@ -30,7 +30,7 @@ from autograder.checks.arrange import shared_by_checks
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
 from fingerprint import fingerprint
-from kept import FOLDER, keep
+from kept import FOLDER, keep_mutants
 from ready import Ready
 
 SHARE = 0.97  # least fraction killed of the mutants that differ from the reference
@@ -222,5 +222,5 @@ def _print_result(
         markup=False,
         soft_wrap=True,
     )
-    keep("mutants", chapter, killed=killed, of=others_of, same=len(same))
+    keep_mutants(chapter, killed=killed, of=others_of, same=len(same))
     return share >= SHARE and not unlisted and not others

@@ -6,7 +6,7 @@ from rich.console import Console
 
 from autograder.checks.runner import run_checks
 from autograder.manifest import ROOT, Chapter, load_chapters
-from kept import kept
+from kept import SOLUTIONS, mutants_of, seeds_of
 from pages import with_text
 from sample import sample_table
 from wrong import read_wrong
@@ -61,7 +61,7 @@ def table_of(rows: list[list[str]]) -> str:
 def row(chapter: Chapter) -> list[str]:
     """Return the cells of a chapter's row."""
     checks = run_checks(chapter, [ROOT / "solutions", ROOT / "chapters"], seed="1")
-    mutants = kept("mutants", chapter)
+    mutants = mutants_of(chapter)
     killed = same = "-"
     if mutants:
         share = 100.0 * mutants["killed"] / mutants["of"]
@@ -74,11 +74,15 @@ def row(chapter: Chapter) -> list[str]:
         killed,
         str(same),
         str(len(read_wrong(chapter))),
-        *(_held(chapter, name) for name in ("seeds of reference", "seeds of second solution")),
+        *(_held(chapter, solution) for solution in SOLUTIONS),
     ]
 
 
-def _held(chapter: Chapter, name: str) -> str:
-    """Return the number of seeds that passed on every listed Python, and these Pythons."""
-    pythons = kept(name, chapter)
-    return f"{min(pythons.values())} on {', '.join(sorted(pythons))}" if pythons else "-"
+def _held(chapter: Chapter, solution: str) -> str:
+    """Return the number of seeds that all checks have passed, and on which Pythons."""
+    by_file = seeds_of(solution, chapter).values()
+    pythons = set.intersection(*(set(found) for found in by_file))
+    if not pythons:
+        return "-"
+    least = min(found[python] for found in by_file for python in pythons)
+    return f"{least} on {', '.join(sorted(pythons))}"

@@ -54,7 +54,7 @@ ${before}${body}
 </div>
 <footer>
 <p id="offline" role="status"></p>
-<p>What you write stays in this browser. <a href="index.html#your-work">Your work</a> · <a href="errata.html">Mistakes in the book</a> · <a href="commands.html">Commands and files</a></p>
+<p>What you write stays in this browser. <a href="index.html#your-work">Your work</a> · <a href="claims.html">Claims of the book</a> · <a href="errata.html">Mistakes in the book</a> · <a href="commands.html">Commands and files</a></p>
 </footer>
 </body>
 </html>

@@ -11,6 +11,7 @@ export function pageOf(file) {
   return {
     "chapters/README.md": "commands.html",
     "glossary.md": "glossary.html",
+    "claims.md": "claims.html",
     "errata.md": "errata.html",
     "learning_path.md": "learning_path.html",
     "README.md": "index.html",

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from itertools import pairwise
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import explicit_euler, semi_implicit_euler
 from ch07_constraints.bouncing_ball import heights_in_frames
-from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
@@ -24,6 +25,14 @@ RATES = [30, 60, 120, 240, 480]
 
 def no_forces(duration: float) -> None:
     """Add no forces, because gravity is already part of each particle's acceleration."""
+
+
+class OneContact(ContactResolver):
+    """A resolver for a scene with a single contact. It needs only exercises B7.1 to B7.4."""
+
+    def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
+        for contact in contacts:
+            contact.resolve(duration)
 
 
 def rises(scene: Bounce) -> int:
@@ -64,7 +73,7 @@ class Bounce(Scene):
     def build(self) -> None:
         self.ball = Particle(Vector3(0.0, self.HEIGHT), acceleration=Vector3(0.0, -G))
         self.ground = GroundPlane([self.ball], restitution=self.restitution)
-        self.view_of_contacts = ContactView(ContactResolver())
+        self.view_of_contacts = ContactView(OneContact())
         rest = heights_in_frames(self.HEIGHT, 0.0, self.restitution, FRAME, self.LONGEST, G)
         self.heights = [self.HEIGHT, *rest]
         self.ended = ""

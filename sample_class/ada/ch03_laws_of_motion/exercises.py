@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial, reduce
-from itertools import repeat
+from itertools import chain, repeat
 from operator import index
 from random import Random
 from statistics import fmean
@@ -80,17 +80,24 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Exercise 3.5b: mean distance in m/s between the velocities that Eq. 3.5 and 3.6 lead to."""
+    """Exercise 3.5b: mean distance in m/s between the velocities that Eq. 3.5 and 3.6 lead to.
+
+    Eq. 3.5 gets the factor that a frame of average length loses by Eq. 3.6.
+    """
     _require_vectors(velocity=velocity, acceleration=acceleration)
     if not 0 <= _number("damping", damping) < math.inf:
         raise ValueError(f"damping should be finite and at least 0; it is {damping!r}")
-    if len(runs) == 0:
-        raise ValueError(f"runs should hold one run or more; it is {runs!r}")
+    if min(map(len, runs), default=0) == 0:
+        raise ValueError(f"runs should hold one run or more, and none without frames: {runs!r}")
+    frames = list(chain.from_iterable(runs))
+    for frame in frames:
+        _require_positive(frame=frame)
 
-    def end(equation: Callable[..., Vector3], run: Sequence[float]) -> Vector3:
-        return reduce(lambda v, h: equation(v, acceleration, damping, h), run, velocity)
+    def end(equation: Callable[..., Vector3], kept: float, run: Sequence[float]) -> Vector3:
+        return reduce(lambda v, h: equation(v, acceleration, kept, h), run, velocity)
 
-    by_frame, by_second = partial(end, damp_per_frame), partial(end, damp_per_second)
+    by_frame = partial(end, damp_per_frame, damping ** fmean(frames))
+    by_second = partial(end, damp_per_second, damping)
     return fmean((by_frame(run) - by_second(run)).magnitude() for run in runs)
 
 

@@ -1,4 +1,4 @@
-"""A blob: particles that bonds pull together, which give way, break and heal (book 8.2)."""
+"""A blob: particles that bonds pull together, which give way, break and heal (book 8.2.3)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A rope bridge: planks on cables, and a heavy ball that walks over them (book 8.2).
+"""A rope bridge: planks on cables, and a heavy ball that walks over them (book 8.2.1).
 
 bridge_plan.py has the numbers and places of what it is made of.
 """

@@ -1,4 +1,4 @@
-"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.2; mini-project 8.1).
+"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.1; mini-project 8.1).
 
 Seen from the side it is a V of rods: a pivot at the ground, and two ends above it, of which the
 right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods.

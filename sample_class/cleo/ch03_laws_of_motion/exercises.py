@@ -39,11 +39,13 @@ def random_frames(mean, jitter, total, seed):
 
 
 def damping_difference(velocity, acceleration, damping, runs):
+    frames = [frame for run in runs for frame in run]
+    mean = sum(frames) / len(frames)
     total = 0.0
     for frames in runs:
         first = second = velocity
         for frame in frames:
-            first = damp_per_frame(first, acceleration, damping, frame)
+            first = damp_per_frame(first, acceleration, damping**mean, frame)
             second = damp_per_second(second, acceleration, damping, frame)
         total += abs(first.magnitude() - second.magnitude())
     return total / len(runs)

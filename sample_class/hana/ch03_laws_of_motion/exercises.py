@@ -51,13 +51,17 @@ def random_frames(mean, jitter, total, seed):
 
 
 def damping_difference(velocity, acceleration, damping, runs):
-    if not runs:
+    if not runs or not all(runs):
         raise ValueError("runs must not be empty")
+    number = sum(len(frames) for frames in runs)
+    mean = sum(positive("frame", frame) for frames in runs for frame in frames) / number
+    if not finite("damping", damping) >= 0:
+        raise ValueError("damping must not be negative")
     total = 0.0
     for frames in runs:
         first = second = velocity
         for frame in frames:
-            first = damp_per_frame(first, acceleration, damping, frame)
+            first = damp_per_frame(first, acceleration, damping**mean, frame)
             second = damp_per_second(second, acceleration, damping, frame)
         total += (first - second).magnitude()
     return total / len(runs)

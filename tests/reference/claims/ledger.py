@@ -87,8 +87,8 @@ def summary(claims: list[Claim]) -> str:
     fails = sum(c.verdict == "It fails" for c in claims)
     return (
         f"Of these {len(claims)} claims, {holds} hold, {len(claims) - holds - fails} hold if a "
-        f"condition is met, and {fails} fail. We chose claims that you can measure, and among them "
-        "those that surprise, so these numbers say nothing about the rest of the book."
+        f"condition is met, and {fails} fail. We chose claims that you can measure, and among "
+        "them those that surprise, so these numbers say nothing about the rest of the book."
     )
 
 

@@ -49,8 +49,8 @@ def energy(stiffness: float, state: tuple[float, float]) -> float:
 @claim(
     "6.3.1",
     "A soft spring behaves normally, but is slightly stiffer than it should be",
-    predict="Simulate a spring of 10 N/m with 1 kg by the book's step, at 60 steps per second. How "
-    "large is its energy after a minute? Does it swing too fast or too slowly?",
+    predict="Simulate a spring of 10 N/m with 1 kg by the book's step, at 60 steps per second. "
+    "How large is its energy after a minute? Does it swing too fast or too slowly?",
     verdict="It fails",
     erratum="E-37",
 )
@@ -67,16 +67,16 @@ def soft_spring() -> str:
     return (
         f"After a minute the energy has grown by a factor of {grown:,.0f}. The spring swings too "
         f"slowly, by {100.0 * -slow:.2f} %. It is semi-implicit Euler that makes a spring "
-        "slightly stiffer: it "
-        f"swings too fast, by {100.0 * fast:.3f} %, and its energy never drifts."
+        f"slightly stiffer: it swings too fast, by {100.0 * fast:.3f} %, and its energy never "
+        "drifts."
     )
 
 
 @claim(
     "6.3.1",
     "A spring that is too stiff for the time step explodes",
-    predict="By what factor does one second multiply the amplitude of a spring of 10,000 N/m with "
-    "1 kg and the book's step, at 60 steps per second?",
+    predict="By what factor does one second multiply the amplitude of a spring of 10,000 N/m "
+    "with 1 kg and the book's step, at 60 steps per second?",
     verdict="It holds",
 )
 def stiff_spring() -> str:
@@ -101,8 +101,7 @@ def stiff_spring() -> str:
     "6.3.1",
     "Several smaller updates in each frame do not help much",
     predict="Divide each frame at 60 Hz into four steps. How much stiffer may a spring then be "
-    "with "
-    "semi-implicit Euler?",
+    "with semi-implicit Euler?",
     verdict="It fails",
     erratum="E-38",
 )
@@ -122,12 +121,10 @@ def substeps() -> str:
     ]
     assert grown[0] > 1e4 * grown[1]
     return (
-        f"{stable[1] / stable[0]:.0f} times as stiff: {stable[1]:,.0f} instead of {stable[0]:,.0f} "
-        "N/m with 1 kg. The book's step gains too. On a spring of 100 N/m, it multiplies the "
-        "energy "
-        f"within 10 s by {grown[0]:.1e} with one step per frame, by {grown[1]:.0f} with four, "
-        "and by "
-        f"{grown[2]:.1f} with 16."
+        f"{stable[1] / stable[0]:.0f} times as stiff: {stable[1]:,.0f} instead of "
+        f"{stable[0]:,.0f} N/m with 1 kg. The book's step gains too. On a spring of 100 N/m, it "
+        f"multiplies the energy within 10 s by {grown[0]:.1e} with one step per frame, by "
+        f"{grown[1]:.0f} with four, and by {grown[2]:.1f} with 16."
     )
 
 
@@ -135,8 +132,7 @@ def substeps() -> str:
     "6.3.2",
     "A faked spring puts the particle where the real spring would put it at the end of the frame",
     predict="A faked spring of 400 N/m moves 1 kg, which starts at rest, with semi-implicit "
-    "Euler at "
-    "60 steps per second. Is the position right after one step? And after ten?",
+    "Euler at 60 steps per second. Is the position right after one step? And after ten?",
     verdict="It holds if you look at the first step only",
 )
 def faked_spring() -> str:
@@ -148,9 +144,9 @@ def faked_spring() -> str:
     assert errors[0] < 1e-12
     assert errors[1] > 0.1
     return (
-        "After one step the position is exact. After ten it is wrong by "
-        f"{errors[1]:.2f} of the amplitude, because the step leaves a velocity that the real "
-        "particle would not have at that position, and the next frame starts with it."
+        f"After one step the position is exact. After ten it is wrong by {errors[1]:.2f} of the "
+        "amplitude, because the step leaves a velocity that the real particle would not have at "
+        "that position, and the next frame starts with it."
     )
 
 
@@ -170,10 +166,8 @@ def stiffness_of_a_fake() -> str:
         assert slower[-1] > 1.3
     return (
         f"Always looser. With 1 kg at 60 steps per second, it swings {slower[0]:.2f} times too "
-        "slowly "
-        f"at 1 N/m and {slower[2]:.2f} times too slowly at 3,600 N/m. A factor of 1.41 is the "
-        "root of "
-        "2, so the faked spring is half as stiff as it should be."
+        f"slowly at 1 N/m and {slower[2]:.2f} times too slowly at 3,600 N/m. A factor of 1.41 is "
+        "the root of 2, so the faked spring is half as stiff as it should be."
     )
 
 
@@ -181,8 +175,7 @@ def stiffness_of_a_fake() -> str:
     "6.3.2",
     "With damping and an anchor at rest, a faked spring never gains speed",
     predict="Fake a spring of 400 N/m with 1 kg and a damping of 1 N s/m, and use the book's "
-    "step at "
-    "60 steps per second. Does it come to rest within 5 s?",
+    "step at 60 steps per second. Does it come to rest within 5 s?",
     verdict="It fails",
     erratum="E-22",
 )
@@ -201,8 +194,9 @@ def damped_fake() -> str:
 @claim(
     "6.3.2",
     "A faked spring is wrong when other forces act too",
-    predict="A weight of 1 kg hangs at rest from a faked spring of 1,000 N/m with a damping of 20 "
-    "N s/m, at 60 steps per second. A real spring would stretch by 9.8 mm. How far does this one?",
+    predict="A weight of 1 kg hangs at rest from a faked spring of 1,000 N/m with a damping of "
+    "20 N s/m, at 60 steps per second. A real spring would stretch by 9.8 mm. How far does this "
+    "one?",
     verdict="It holds",
 )
 def fake_and_gravity() -> str:
@@ -217,8 +211,7 @@ def fake_and_gravity() -> str:
     assert abs(sag / real - 1.0) > 0.1
     return (
         f"By {sag * 1000:.1f} mm, which is {sag / real:.2f} times as far. The faked force takes "
-        "the "
-        "particle to a goal that was computed as if nothing else pulled."
+        "the particle to a goal that was computed as if nothing else pulled."
     )
 
 
@@ -245,9 +238,8 @@ def buoyancy() -> str:
     "6.3",
     "Collisions by stiff springs are spongy, or they explode",
     predict="Drop 1 kg from 1 m onto ground that pushes like a spring, with semi-implicit Euler "
-    "at 60 "
-    "steps per second. How deep does it sink on ground of 500 N/m? How high does it climb from "
-    "ground of 50,000 N/m?",
+    "at 60 steps per second. How deep does it sink on ground of 500 N/m? How high does it climb "
+    "from ground of 50,000 N/m?",
     verdict="It holds",
 )
 def penalty_ground() -> str:
@@ -265,6 +257,6 @@ def penalty_ground() -> str:
     assert deep[0] > 0.1
     assert high[1] > 2.0
     return (
-        f"On ground of 500 N/m it sinks in by {deep[0] * 100:.0f} cm. From ground of 50,000 N/m it "
-        f"climbs to {high[1]:.0f} m within 3 s, although a real ball would not climb above 1 m."
+        f"On ground of 500 N/m it sinks in by {deep[0] * 100:.0f} cm. From ground of 50,000 N/m "
+        f"it climbs to {high[1]:.0f} m within 3 s, although a real ball would not climb above 1 m."
     )

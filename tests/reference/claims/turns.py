@@ -28,8 +28,8 @@ def angle_between(a: Quaternion, b: Quaternion) -> float:
 @claim(
     "9.1.3",
     "Every cut through the center of mass leaves equal masses on both sides",
-    predict="Cut a triangle of sheet metal through its center of mass, parallel to one side. What "
-    "fraction of the mass is in the smaller part?",
+    predict="Cut a triangle of sheet metal through its center of mass, parallel to one side. "
+    "What fraction of the mass is in the smaller part?",
     verdict="It fails",
     erratum="E-32",
 )
@@ -42,8 +42,8 @@ def cut() -> str:
     counted = sum(y > height for _, y in sheet) / len(sheet)
     assert abs(counted - smaller) < 0.02  # four times the spread of such a count
     return (
-        f"{100.0 * smaller:.0f} % of the mass. What is equal on both sides is "
-        "the sum of mass times distance from the cut."
+        f"{100.0 * smaller:.0f} % of the mass. What is equal on both sides is the sum of mass "
+        "times distance from the cut."
     )
 
 
@@ -51,8 +51,7 @@ def cut() -> str:
     "9.2.1",
     "The order of two rotations matters",
     predict="Rotate by 90° about X and by 90° about Y, in both orders. How large is the angle "
-    "between "
-    "the two results? And if both angles are 1°?",
+    "between the two results? And if both angles are 1°?",
     verdict="It holds",
 )
 def order() -> str:
@@ -65,19 +64,17 @@ def order() -> str:
         assert math.isclose(math.degrees((one * other.inv()).magnitude()), apart[-1], rel_tol=1e-9)
     assert apart[0] > 90.0
     return (
-        f"{apart[0]:.0f}° for two quarter turns, but only {apart[1]:.3f}° for two rotations by 1°. "
-        "Small rotations nearly commute. That is why an angular velocity can be a vector, "
-        "although a "
-        "rotation cannot."
+        f"{apart[0]:.0f}° for two quarter turns, but only {apart[1]:.3f}° for two rotations by "
+        "1°. Small rotations nearly commute. That is why an angular velocity can be a vector, "
+        "although a rotation cannot."
     )
 
 
 @claim(
     "9.2.1",
     "Three Euler angles cannot describe every orientation",
-    predict="Draw 1,000 orientations at random. How many of them have no Euler angles? What goes "
-    "wrong "
-    "when the second angle approaches 90°?",
+    predict="Draw 1,000 orientations at random. How many of them have no Euler angles? What "
+    "goes wrong when the second angle approaches 90°?",
     verdict="It fails",
     erratum="E-33",
 )
@@ -123,8 +120,8 @@ def unit_length() -> str:
 @claim(
     "9.4.11",
     "If you normalize the quaternion after each step, you can update it by Eq. 9.5",
-    predict="An object rotates once per second. After one second in 60 steps with normalizing, how "
-    "many degrees is it off? And at ten turns per second?",
+    predict="An object rotates once per second. After one second in 60 steps with normalizing, "
+    "how many degrees is it off? And at ten turns per second?",
     verdict="It holds if the object rotates slowly enough for the step",
 )
 def normalized_steps() -> str:
@@ -144,9 +141,8 @@ def normalized_steps() -> str:
     assert lag[0] < 1.0 < 90.0 < lag[1]
     return (
         f"It lags behind by {lag[0]:.2f}° after one slow turn, and by {lag[1]:.0f}° after ten "
-        "turns "
-        "in the same time. Normalizing corrects the length, but not the angle. The error per step "
-        "grows with the cube of the angle of the step."
+        "turns in the same time. Normalizing corrects the length, but not the angle. The error "
+        "per step grows with the cube of the angle of the step."
     )
 
 
@@ -175,8 +171,7 @@ def rotate_by_product() -> str:
     "9.4.3",
     "The inverse of a rotation matrix is its transpose",
     predict="Multiply a rotation matrix by its transpose. How far is the product from the "
-    "identity? "
-    "And if an update has stretched one entry of the matrix by 1 %?",
+    "identity? And if an update has stretched one entry of the matrix by 1 %?",
     verdict="It holds if the matrix is a rotation",
 )
 def transpose() -> str:
@@ -188,8 +183,7 @@ def transpose() -> str:
     assert _from_identity(stretched @ stretched.inverse()) < 1e-14
     return (
         "For a rotation matrix the product is the identity except for rounding. After the change "
-        "an "
-        f"entry of it is wrong by {off[1]:.3f}, and only the general inverse still works."
+        f"an entry of it is wrong by {off[1]:.3f}, and only the general inverse still works."
     )
 
 
@@ -200,9 +194,8 @@ def _from_identity(m: Matrix3) -> float:
 @claim(
     "9.4.2",
     "One product of matrices does the work of two transformations, one after the other",
-    predict="A point goes through two transformations of 12 numbers each. Is the result the same "
-    "if "
-    "you multiply the matrices first? In which order?",
+    predict="A point goes through two transformations of 12 numbers each. Is the result the "
+    "same if you multiply the matrices first? In which order?",
     verdict="It holds",
 )
 def product_of_transforms() -> str:
@@ -219,6 +212,5 @@ def product_of_transforms() -> str:
     assert swapped > 0.1
     return (
         "The product (second × first) gives the same point except for rounding. In the other "
-        "order, "
-        f"the point of our example ends up {swapped:.1f} m away."
+        f"order, the point of our example ends up {swapped:.1f} m away."
     )

@@ -18,6 +18,7 @@ from ch04_particle_engine.display import Display, tick
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, Payload
 from ch05_forces.particle import Particle
 from ch06_springs.adaptive import adaptive
+from ch06_springs.camera import SpringCamera
 from ch06_springs.integrators import ApplyForces
 from ch07_constraints.angle_chain import AngleChain
 from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum
@@ -28,6 +29,7 @@ from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import AnchoredCable
+from ch07_constraints.rewinding import rewinding_step
 from ch07_constraints.sequential_impulses import SequentialImpulses
 from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.smooth_net import SmoothNet
@@ -86,6 +88,17 @@ def by_angles(made: Any) -> Entry:
     return made, made.step
 
 
+def followed() -> Entry:
+    camera = SpringCamera(Vector3(1.0))
+    return camera, lambda duration: camera.follow(Vector3(), duration)
+
+
+def rewound() -> Entry:
+    bodies = [body()]
+    ground = GroundPlane(bodies)
+    return bodies, lambda h: rewinding_step(lax, bodies, lambda _: None, ground, h)
+
+
 def on_ground(bodies: list[Particle]) -> list[GroundPlane]:
     return [GroundPlane(bodies, height=1.0)]
 
@@ -134,6 +147,8 @@ def ended_game() -> BallGame:
 ENTRIES: dict[str, Callable[[], Entry]] = {
     "Display": clicks,
     "adaptive": lambda: integrated(adaptive(1e-6)),
+    "SpringCamera": followed,
+    "rewinding_step": rewound,
     "Contact.resolve": lambda: resolved(Contact.resolve),
     "ContactResolver": lambda: resolved(lambda c, h: ContactResolver().resolve_contacts([c], h)),
     "HeapResolver": lambda: resolved(lambda c, h: HeapResolver().resolve_contacts([c], h)),

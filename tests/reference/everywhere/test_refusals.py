@@ -31,6 +31,7 @@ from ch05_forces.forces import (
 from ch05_forces.particle import Particle
 from ch05_forces.sniper import Wind
 from ch06_springs.adaptive import adaptive
+from ch06_springs.camera import SpringCamera
 from ch07_constraints.angle_chain import AngleChain
 from ch07_constraints.angle_pendulum import DoublePendulum
 from ch07_constraints.angle_rope import AngleRope
@@ -41,6 +42,7 @@ from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from ch07_constraints.reaction import ReactionForce
 from ch07_constraints.rod_tensions import RodTensions
 from ch07_constraints.sequential_impulses import SequentialImpulses
 from ch07_constraints.small_steps import SmallSteps
@@ -140,6 +142,9 @@ VALUES: dict[str, list[Refused]] = {
     "ch06_springs": [
         ("tolerance", 0.0, adaptive),
         ("tolerance", INF, adaptive),
+        ("position", NOWHERE, SpringCamera),
+        ("target", NOWHERE, lambda x: SpringCamera(UP).follow(x, 1.0)),
+        *(("omega", x, lambda x: SpringCamera(UP, x)) for x in (0.0, NAN, INF)),
     ],
     "ch07_constraints": [
         ("bounce_height", -0.1, lambda x: restitution_of_drop(1.0, x)),
@@ -162,6 +167,8 @@ VALUES: dict[str, list[Refused]] = {
         ("iterations", 0, lambda x: ContactResolver(x)),
         ("duration", 0.0, lambda x: Contact(A, None, UP).resolve(x)),
         ("iterations", 0, lambda x: SequentialImpulses([], [], x)),
+        ("height", NAN, ReactionForce),
+        *(("radius", x, lambda x: ReactionForce(0.0, x)) for x in (-1.0, INF)),
         ("compliance", -1.0, lambda x: SmallSteps([], [], x)),
         ("compliance", INF, lambda x: SmallSteps([], [], x)),
         ("particles[0]", INF, lambda x: DirectChain(chain(x, 1.0), Vector3())),

@@ -31,6 +31,12 @@ SAYS: dict[str, tuple[str, ...]] = {
     "ch02_vectors/basis": (
         "right-handed basis, with angles of 90°, 90°, 90°\nand lengths of 1, 1, 1",
     ),
+    # Two positions are wrong by up to 0.5 mm each, 60 times per second: 0.06 m/s, and then four.
+    "ch02_vectors/filmed_motion": (
+        r"height is off\nby at most 0.000[45]\d? m",
+        r"velocity is off\nby at most 0.0[45]\d* m/s",
+        r"acceleration is off\nby at most [456]\.\d m/s",
+    ),
     # A velocity loses 1 - (1 - D) / -ln D, and D is 0.5^(1/4) at 15 Hz and 0.5^4 at 240 Hz.
     "ch03_laws_of_motion/damping_comparison": (
         "8 % at 15 Hz, 66 % at 240 Hz",

@@ -64,10 +64,10 @@ check: $(READY) ## check everything, a chapter (CH=3) or an exercise (EX=2.5)
 	@$(RUN) -m autograder check $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--exercise,EX) $(call option,--given,GIVEN) $(call option,--seed,SEED) $(DIAGNOSIS)
 
 hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)
-	@$(RUN) -m autograder hint $(or $(call typed,EX),$(error name an exercise: make hint EX=2.5)) $(call option,--count,N) $(call option,--given,GIVEN)
+	@$(RUN) -m autograder hint $(call typed,EX) $(call option,--count,N) $(call option,--given,GIVEN)
 
 reset: $(READY) ## restore a stub (EX=2.5) or its file (WHOLE=1); keep a copy
-	@$(RUN) -m autograder reset $(or $(call typed,EX),$(error name an exercise: make reset EX=2.5)) $(call option,--engine,ENGINE) $(if $(WHOLE),--whole) $(call option,--given,GIVEN)
+	@$(RUN) -m autograder reset $(call typed,EX) $(call option,--engine,ENGINE) $(if $(WHOLE),--whole) $(call option,--given,GIVEN)
 
 lab: $(READY) ## run scenes with your engine in the browser (SCENE=one-spring)
 	@$(RUN) -m lab serve $(call typed,SCENE) $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(SETTINGS) $(if $(filter 0,$(OPEN)),--no-browser)

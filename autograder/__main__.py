@@ -71,13 +71,13 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         )
 
     command = commands.add_parser("hint", help="show hints for an exercise")
-    command.add_argument("exercise", help="the exercise, such as 2.5 or B2.3")
+    command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
     command.add_argument("--count", type=int, default=1, help="how many hints to show (default: 1)")
     command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_hint)
 
     command = commands.add_parser("reset", help="restore the stub of an exercise")
-    command.add_argument("exercise", help="the exercise, such as 2.5 or B2.3")
+    command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
     command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
     command.add_argument(
         "--whole", action="store_true", help="restore the whole file of the exercise"
@@ -122,7 +122,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
     """
     from autograder.student.reset import reset
 
-    chapter, exercise = find_exercise(arguments.exercise, load_chapters())
+    chapter, exercise = named_exercise("reset", arguments.exercise)
     refuse_given(chapter, exercise, arguments.given)
     print(reset(chapter, exercise, find_engine(arguments.engine)[0], whole=arguments.whole))
     return 0
@@ -130,7 +130,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 def run_hint(arguments: argparse.Namespace) -> int:
     """Print the first few hints for an exercise, and then the command that shows the next one."""
-    chapter, exercise = find_exercise(arguments.exercise, load_chapters())
+    chapter, exercise = named_exercise("hint", arguments.exercise)
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
     print(f"{exercise.id} {exercise.title}")
@@ -141,6 +141,20 @@ def run_hint(arguments: argparse.Namespace) -> int:
         more = "1 more hint" if left == 1 else f"{left} more hints"
         print(f"  {more}. For the next one: {following}")
     return 0
+
+
+def named_exercise(what: str, wanted: str) -> tuple[Chapter, Exercise]:
+    """Look up the exercise that a command is for, and ask for its number if it is not named.
+
+    Raises:
+        ValueError: There is no such exercise, or none is named.
+    """
+    if not wanted:
+        raise ValueError(
+            f"Which exercise? Add its number, as in {line_of(what, EX='B2.3')}. To see which "
+            f"exercises are open: {line_of('check')}"
+        )
+    return find_exercise(wanted, load_chapters())
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:

@@ -166,6 +166,8 @@ def judge(run: Run) -> Ending:
             with contextlib.closing(process.lines(run.limit, run.deadline)) as lines:
                 for line in lines:
                     run.hear(line)
+                    if run.restarts:
+                        break
         except SilentError:
             silent = True
         stack = stack_file.read_text(encoding="utf-8", errors="replace")

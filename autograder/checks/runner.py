@@ -125,6 +125,7 @@ class Run:
         self.deadline = time.monotonic() + order.limits.run
         self.current: events.Importing | events.Started | None = None  # what the process is doing
         self.finished = False
+        self.restarts = False  # whether the process must end, to skip checks that would hang too
         self.hung: set[str] = set()  # exercises with a check that hung
         self.loops: list[str] = []  # the functions in which checks hung
         self.stderr = ""
@@ -170,7 +171,7 @@ class Run:
 
         If the process hangs or dies during a check, that check fails.
         """
-        self.current = None
+        self.current, self.restarts = None, False
         ending = self.judge(self)
         self.stderr = ending.stderr
         if self.finished or self.current is None or time.monotonic() > self.deadline:
@@ -218,6 +219,8 @@ class Run:
                 self.on_verdict(len(self.verdicts), len(self.checks))
             case events.Decided():
                 self._decide(event)
+                if event.message.kind is Kind.HUNG:  # it used up its memory
+                    self.restarts = self._note_hang(self.checks[event.name].exercise)
             case events.Ended():
                 self.finished, self.current = doing is None, doing
 
@@ -277,18 +280,26 @@ class Run:
                 self._decide(events.Decided(name, "failed", why))
         self.finished = True
 
-    def _note_hang(self, exercise: str) -> None:
+    def _note_hang(self, exercise: str) -> bool:
         """Record that a check hung, and skip the exercise's other checks if they may hang too.
 
-        If a check of a prerequisite has hung as well, the other checks would probably get stuck in
-        the same loop. They are therefore marked as failed without being run.
+        At home, the first check that hangs is enough, so that the student can fix the loop at once.
+        In a sandbox, each check may still earn its points. There, the others are skipped only if a
+        check of a prerequisite has hung as well, because they would probably get stuck in the same
+        loop. Checks that are skipped count as failed. Return True if any was skipped.
         """
-        if self.hung & needs_of(self.order.chapter, exercise):
-            why = Message("not run: another check of this exercise did not finish")
-            for name, check in self.checks.items():
-                if name not in self.verdicts and check.exercise == exercise:
-                    self._decide(events.Decided(name, "failed", why))
+        at_home = self.order.behind is None
+        skipped = []
+        if at_home or self.hung & needs_of(self.order.chapter, exercise):
+            checks = self.checks.items()
+            skipped = [
+                n for n, check in checks if check.exercise == exercise and n not in self.verdicts
+            ]
+        why = Message("not run: another check of this exercise did not finish")
+        for name in skipped:
+            self._decide(events.Decided(name, "failed", why))
         self.hung.add(exercise)
+        return bool(skipped)
 
 
 def _rejected(order: Order) -> dict[str, Message]:

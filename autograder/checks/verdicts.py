@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+import traceback
 from collections.abc import Generator
 from dataclasses import replace
 from functools import partial
@@ -138,6 +139,13 @@ class Recorder:
         self.engine.start(hidden=self._is_hidden(item))
         try:
             return (yield)
+        except MemoryError as error:
+            # What used up the memory is still referred to by the traceback.
+            traceback.clear_frames(error.__traceback__)
+            used_up = MemoryError()
+            fault = getattr(error, "fault", None) or fault_of(error, self.engine.engine)
+            used_up.fault = fault  # type: ignore[attr-defined]
+            raise used_up from None
         except KeyboardInterrupt as error:  # from student code; pytest would end the run
             left = StudentLeft(str(error))
             left.fault = fault_of(error, self.engine.engine)

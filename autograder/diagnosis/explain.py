@@ -67,6 +67,7 @@ def explain_exception(
         likely=likely,
         other=other,
         read=read,
+        kind=Kind.HUNG if fault.type == "MemoryError" else Kind.FAILED,
     )
 
 

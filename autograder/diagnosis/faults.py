@@ -99,7 +99,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
     ]
     missing = (error.name or "") if isinstance(error, ModuleNotFoundError) else ""
     kind, frames = type(error).__name__, frames[-MOST_FRAMES:]
-    return Fault(kind, text, frames, syntax, missing, unknown_of(error), none_in(error))
+    return Fault(kind, text, frames, syntax, missing, unknown_of(error), none_in(error, text))
 
 
 def text_of(error: BaseException) -> str:

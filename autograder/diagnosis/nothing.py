@@ -15,19 +15,19 @@ from types import TracebackType
 LONGEST = 60  # characters of an expression
 
 
-def none_in(error: BaseException) -> str:
+def none_in(error: BaseException, says: str) -> str:
     """Return the expression in the student's code whose value was None, such as "self.other".
 
-    If the error has another cause, or if the expression is long or cannot be found, return an empty
+    ``says`` is the text of the error. If it has another cause, or if the expression is long or cannot be found, return an empty
     string.
     """
     try:
-        if "NoneType" not in str(error):
+        if "NoneType" not in says:
             return ""
         failed = _failed_code(error.__traceback__)
-        found = _none_part(ast.parse(failed).body[0], str(error))
+        found = _none_part(ast.parse(failed).body[0], says)
         source = ast.unparse(found) if found else ""
-    except Exception:  # a student's error may fail to print, and its source may be missing
+    except Exception:  # the source may be missing or have changed
         return ""
     return source if len(source) <= LONGEST else ""
 

@@ -32,6 +32,11 @@ POWER = "In Python, powers are written with **. The operator ^ is bitwise exclus
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
     (
+        "MemoryError",
+        "Your code needs more memory than a check may use. Does a loop never end, while a list in "
+        "it gets longer and longer?",
+    ),
+    (
         "SystemExit",
         "Your code stops the Python interpreter, so the check cannot continue. Remove the call to "
         "sys.exit, exit or quit.",
@@ -133,7 +138,6 @@ PERHAPS = (
     ("unindent does not match", "Indent this line to match the block that it belongs to."),
     ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
     ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
-    ("MemoryError", "Your code needs more memory than a check may use. Is a list too long?"),
     ("'Vector3' object is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
     (
         "object is not iterable",

@@ -18,8 +18,8 @@ LONGEST = 60  # characters of an expression
 def none_in(error: BaseException, says: str) -> str:
     """Return the expression in the student's code whose value was None, such as "self.other".
 
-    ``says`` is the text of the error. If it has another cause, or if the expression is long or cannot be found, return an empty
-    string.
+    ``says`` is the text of the error. If it has another cause, or if the expression is long or
+    cannot be found, return an empty string.
     """
     try:
         if "NoneType" not in says:

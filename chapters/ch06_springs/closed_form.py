@@ -20,6 +20,14 @@ def damped_spring_state(
     - If c^2 = 4 k m, it returns to 0 as quickly as it can without oscillating (critically damped).
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
+    With s = c / (2 m) and g = sqrt(|s^2 - k / m|), the position is
+
+        x = e^(-s t) (x0 C + (v0 + s x0) S)
+
+    where C = cos(g t) and S = sin(g t) / g if the body is under-damped, C = 1 and S = t if it is
+    critically damped, and C = cosh(g t) and S = sinh(g t) / g if it is over-damped. The velocity is
+    the derivative of this position.
+
     If the stiffness is 0, the body feels no spring force. It keeps moving in its direction, and
     only the damping slows it down. The book covers only the under-damped case (erratum E-23),
     and its equation lacks the mass (erratum E-40).

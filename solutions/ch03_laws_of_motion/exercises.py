@@ -124,8 +124,9 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
     """Draw random frame durations in s, to imitate a game whose frame rate varies.
 
     Each duration is drawn uniformly between mean * (1 - jitter) and mean * (1 + jitter). The last
-    duration is shortened so that the sum equals ``total``, except for rounding. The same ``seed``
-    gives the same durations.
+    duration is shortened so that the sum equals ``total``, except for rounding. A rest below 1e-12
+    of the total is only a rounding error, so do not make a frame of it. The same ``seed`` gives the
+    same durations.
 
     Raises:
         ValueError: if the mean or the total is not positive and finite, or if the jitter is

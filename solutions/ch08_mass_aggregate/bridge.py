@@ -44,7 +44,9 @@ def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
     - An AnchoredCable joins each end to its anchor, ``anchor_of(end)``. Its length is
       ``support_length(row)``, where ``row`` is the index of the row.
 
-    All cables have a restitution of 0.
+    All cables have a restitution of 0. Import the classes from ``ch07_constraints.links``, and
+    ``WIDTH``, ``CABLE_LENGTH``, ``anchor_of`` and ``support_length`` from
+    ``ch08_mass_aggregate.bridge_plan``.
     """
     links: list[ContactGenerator] = [Rod(a, b, WIDTH) for a, b in rows]
     for row, following in pairwise(rows):

@@ -120,11 +120,17 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
     The student can then write the exercise again from scratch.
     """
-    from autograder.student.reset import reset
+    from autograder.student.reset import question, reset
 
     chapter, exercise = named_exercise("reset", arguments.exercise)
     refuse_given(chapter, exercise, arguments.given)
-    print(reset(chapter, exercise, find_engine(arguments.engine)[0], whole=arguments.whole))
+    engine = find_engine(arguments.engine)[0]
+    if sys.stdin.isatty():
+        asked = question(chapter, exercise, engine, whole=arguments.whole)
+        if input(f"{asked} (y/n) ").strip().lower() not in ("y", "yes"):
+            print("Nothing was changed.")
+            return 1
+    print(reset(chapter, exercise, engine, whole=arguments.whole))
     return 0
 
 

@@ -82,7 +82,14 @@ def reset(
     return "\n".join(done)
 
 
-def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
+def question(
+    chapter: Chapter,
+    exercise: Exercise,
+    engine: Path,
+    copies: Path = COPIES,
+    *,
+    whole: bool = False,
+) -> str:
     """Return the question that asks a student to confirm the reset of an exercise.
 
     The question lists the functions to reset, their files, and the folder for the copy.
@@ -90,8 +97,8 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
     Raises:
         ValueError: The exercise cannot be reset, for example because a file is unreadable.
     """
-    changes = planned(chapter, exercise, engine)
-    names = ", ".join(name for change in changes for name in change.names)
+    changes = planned(chapter, exercise, engine, whole=whole)
+    names = "all exercises" if whole else ", ".join(n for change in changes for n in change.names)
     files = " and ".join(str(_short(change.file)) for change in changes)
     if any(change.gone for change in changes):
         does = (

@@ -6,10 +6,12 @@ import ast
 import shutil
 from pathlib import Path
 from subprocess import CompletedProcess
+from types import SimpleNamespace
 
 import libcst
 import pytest
 
+from autograder.__main__ import main
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.student.put_back import put_back
@@ -250,3 +252,21 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
 
 def autograder(root: Path, *arguments: str) -> CompletedProcess[str]:
     return typed("autograder", *arguments, cwd=root, PYTHONPATH=str(root))
+
+
+@pytest.mark.parametrize(("answer", "says", "code"), [("n", "Nothing was", 1), ("y", "stub", 0)])
+def test_a_student_in_a_terminal_is_asked_first(
+    answer: str,
+    says: str,
+    code: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The stubs of this repository are untouched, so that a yes changes nothing either."""
+    asked: list[str] = []
+    monkeypatch.setattr("sys.stdin", SimpleNamespace(isatty=lambda: True))
+    monkeypatch.setattr("builtins.input", lambda text: asked.append(text) or answer)
+    monkeypatch.setattr("sys.argv", ["autograder", "reset", "B2.2"])
+    assert main() == code
+    assert "Reset B2.2 Length? This replaces your code for" in asked[0]
+    assert says in capsys.readouterr().out

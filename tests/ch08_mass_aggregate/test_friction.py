@@ -88,8 +88,8 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
         got, after = impulse(a, other, n, mu, j)
         either = max(mu * j, stop)
         too_much = (
-            "This impulse is mu j, the most that friction can do. But friction never does more than "
-            "stop the sliding, which takes less here. Return the smaller one of the two."
+            "This impulse is mu j, the most that friction can do. But friction never does more "
+            "than stop the sliding, which takes less here. Return the smaller one of the two."
             if much > 1.0
             else "This impulse stops the sliding at once. But friction can do no more than mu j, "
             "which is less here. Return the smaller one of the two."

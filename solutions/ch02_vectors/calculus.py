@@ -28,6 +28,9 @@ def difference_quotients(
     average accelerations. Return the times in the middle of the intervals, and the quotients. Both
     lists are one shorter than ``times``, and you can pass them to this function again.
 
+    Raises:
+        ValueError: as the top of this file says, if there are fewer than two times, for example.
+
     Book 2.2.1. Exercise B2.12.
 
     >>> positions = [Vector3(0, 0, 0), Vector3(1, 2, 0), Vector3(5, -2, 0)]
@@ -51,7 +54,10 @@ def add_up_accelerations(
     ``accelerations`` has one vector in m/s^2 for each interval, in which the acceleration is
     constant. ``position`` in m and ``velocity`` in m/s belong to the first time. In an interval of
     duration h, p' = p + v h + a h^2 / 2 and v' = v + a h. Return the positions and the velocities.
-    Both lists have as many vectors as ``times``, and begin with the given ones.
+    Both lists have as many vectors as ``times``, and begin with copies of the given ones.
+
+    Raises:
+        ValueError: as the top of this file says, if there are fewer than two times, for example.
 
     Book 2.2.2, Eq. 2.8 and 2.9. Exercise B2.13.
 

@@ -69,7 +69,8 @@ class Planks:
         that is nearer to this center, or the first one if both are equally near. The normal points
         from the nearest point of the plank to the center of the ball. The penetration is the radius
         minus the distance between these two points. If the distance is 0, the normal is +Y, as
-        ``direction_of`` returns it. There is a contact if the penetration is 0 or more.
+        ``direction_of`` of ``ch07_constraints.contacts`` returns it. There is a contact if the
+        penetration is 0 or more.
 
         Book: section 8.2.1.
         """

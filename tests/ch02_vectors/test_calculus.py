@@ -59,7 +59,7 @@ def pair_of_lists(result: Any, lengths: tuple[int, int], names: tuple[str, str])
     are_lists = is_pair and all(isinstance(part, (tuple, list)) for part in result)
     expect_exactly(are_lists, True, then="; is the result a pair of two lists?")
     for part, length, name in zip(result, lengths, names, strict=True):
-        about.cause = f"The list of {name} has {len(part)} elements. It must have {length}."
+        about.cause = f"The list of {name} has the length {len(part)}, but it must have {length}."
         if len(part) == length + 1 and "quotients" in names:
             about.cause += " Between n times there are only n - 1 intervals."
         if len(part) == length - 1:
@@ -246,6 +246,11 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
         ([*p, *moved(1.5)], "You use the new velocity. Take v from the start of the interval."),
         ([*p, *moved(-0.5)], "You subtract the last term. Add a h^2 / 2."),
         ([*moved(0.5), *p], "Your list begins with the last position. Begin with the first."),
+        (
+            [*moved(0.5), *moved(0.5)],
+            "Both positions are the same vector, which you change after you have put it into the "
+            "list. Put in a copy, or compute a new vector.",
+        ),
         (
             [*p, *(b * h * h / 2.0 + x for x, b in zip(p, a, strict=True))],
             "You leave out the term v h. The body also moves with its velocity.",

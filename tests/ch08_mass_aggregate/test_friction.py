@@ -87,11 +87,17 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
         about.cause += "one of mu j and the impulse that stops the sliding."
         got, after = impulse(a, other, n, mu, j)
         either = max(mu * j, stop)
+        too_much = (
+            "This impulse is mu j, the most that friction can do. But friction never does more "
+            "than stop the sliding, which takes less here. Return the smaller one of the two."
+            if much > 1.0
+            else "This impulse stops the sliding at once. But friction can do no more than mu j, "
+            "which is less here. Return the smaller one of the two."
+        )
         mistakes = [
             (plus(ZERO, wanted, -1.0), "Your friction pushes the particle in the direction in "
                                        "which it slides. It must point against the sliding."),
-            (plus(ZERO, v, -either / speed), "You take the larger impulse. Friction is limited by "
-             "mu j, and it never does more than stop the sliding."),
+            (plus(ZERO, v, -either / speed), too_much),
             (plus(ZERO, v, -min(j, stop) / speed), "You leave out the coefficient of friction."),
             (plus(ZERO, v, -mu * j), "You multiply by the sliding velocity. Multiply by its "
                                      "direction, a unit vector."),

@@ -176,6 +176,11 @@ def test_a_wrong_submission_is_caught(
     write_wrong(chapter, [wrong], waiting.top)
     exercise = exercise_of(chapter, wrong)
     verdicts = waiting.run([wrong.edit], [exercise.id])
+    if wrong.caught_by not in [verdict.name for verdict in verdicts]:
+        # A later exercise adds to this function, and its check catches the mistake.
+        everything = waiting.run([wrong.edit], [e.id for e in chapter.exercises])
+        later = next(v.exercise for v in everything if v.name == wrong.caught_by)
+        verdicts = waiting.run([wrong.edit], [later])
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
     assert wrong.caught_by in [verdict.name for verdict in failed]
     first = failed[0]

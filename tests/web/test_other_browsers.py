@@ -69,7 +69,8 @@ def test_a_wrong_answer_is_explained_and_a_right_one_is_told(
 
 def test_the_solutions_of_a_chapter_earn_all_points(student: Student) -> None:
     student.visit(f"{CHAPTER.name}.html")
-    for exercise, file in (("B2.1", "vector.py"), ("B2.11", "exercises.py")):
+    files = (("B2.1", "vector.py"), ("B2.11", "exercises.py"), ("B2.12", "calculus.py"))
+    for exercise, file in files:
         student.write(student.turn(exercise), SOLUTIONS[f"{CHAPTER.name}/{file}"])
     whole = student.panel("[data-whole]", "button")
     assert student.check(whole, "Check the whole chapter").startswith("All checks pass")

@@ -27,7 +27,8 @@ visitor = pytest.fixture(site_page.visitor)
 
 CHAPTERS = load_chapters()
 PAGES = [
-    *("index.html", "lab.html", "glossary.html", "errata.html", "learning_path.html"),
+    *("index.html", "lab.html", "glossary.html", "claims.html", "errata.html"),
+    "learning_path.html",
     "commands.html",
     *(f"{chapter.name}.html" for chapter in CHAPTERS),
     *(f"{chapter.name}_reference.html" for chapter in CHAPTERS),

@@ -28,10 +28,7 @@ HURRIED = 0.25  # once a function has hung twice, later checks get only this par
 
 @dataclass(frozen=True)
 class Limits:
-    """The time limits, in seconds, for a single check and for all checks of a chapter together.
-
-    The limit for a single check is generous, because most checks finish within milliseconds.
-    """
+    """The time limits, in seconds, for a single check and for all checks of a chapter together."""
 
     check: float = 3.0
     run: float = 90.0
@@ -144,8 +141,7 @@ class Run:
     def limit(self) -> float:
         """The number of seconds that the next check may take.
 
-        The limit becomes shorter once a function has hung twice. Otherwise the student would have
-        to wait for the same endless loop to time out again and again.
+        The limit becomes shorter once a function has hung twice, to save the student time.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
@@ -281,25 +277,19 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> bool:
-        """Record that a check hung, and skip the exercise's other checks if they may hang too.
+        """Record that a check hung, and skip the exercise's other checks, which then fail.
 
-        At home, the first check that hangs is enough, so that the student can fix the loop at once.
-        In a sandbox, each check may still earn its points. There, the others are skipped only if a
-        check of a prerequisite has hung as well, because they would probably get stuck in the same
-        loop. Checks that are skipped count as failed. Return True if any was skipped.
+        In a sandbox, where they may still earn points, they are skipped only if a check of a
+        prerequisite has hung too. Return True if any was skipped.
         """
-        at_home = self.order.behind is None
-        skipped = []
-        if at_home or self.hung & needs_of(self.order.chapter, exercise):
-            checks = self.checks.items()
-            skipped = [
-                n for n, check in checks if check.exercise == exercise and n not in self.verdicts
-            ]
-        why = Message("not run: another check of this exercise did not finish")
-        for name in skipped:
-            self._decide(events.Decided(name, "failed", why))
+        before = len(self.verdicts)
+        if self.order.behind is None or self.hung & needs_of(self.order.chapter, exercise):
+            why = Message("not run: another check of this exercise did not finish")
+            for name, check in self.checks.items():
+                if name not in self.verdicts and check.exercise == exercise:
+                    self._decide(events.Decided(name, "failed", why))
         self.hung.add(exercise)
-        return bool(skipped)
+        return len(self.verdicts) > before
 
 
 def _rejected(order: Order) -> dict[str, Message]:

@@ -72,7 +72,7 @@ class Progress:
         """Describe the student's progress in a chapter, as in "3 of 8 exercises work".
 
         An exercise works if its physics checks pass. Once all exercises work, the robust checks
-        count too, as in "8 of 8 exercises work, 3 complete".
+        count too, as in "8 of 8 work, 3 complete".
         """
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
@@ -80,7 +80,7 @@ class Progress:
         done, what = sum(result.works for result in results), "exercises work"
         if done == of:
             complete = sum(result.status == "passed" for result in results)
-            what = "are complete" if complete == of else f"{what}, {complete} complete"
+            what = "are complete" if complete == of else f"work, {complete} complete"
         return f"Chapter {chapter.number} {bar(done, of)} {done} of {of} {what}"
 
     def _results(self, chapter: Chapter) -> Sequence[Result]:

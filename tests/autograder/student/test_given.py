@@ -144,7 +144,7 @@ def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Pa
     marked = verdicts(engine, ["B3.2"])
     hung = [verdict for verdict in marked.values() if verdict.message.kind is Kind.HUNG]
     assert "3 seconds" in hung[0].message.title
-    assert "0.75 seconds" in hung[2].message.title, "the third is not waited for so long"
+    assert len(hung) == 1, "the other checks of the exercise are not waited for"
     assert not [verdict for verdict in marked.values() if verdict.status == "inherited"]
     done = check(engine, "--exercise", "B3.2")
     assert "Chapter 2 fails some of its own checks, which may explain some of the" in done.stdout

@@ -77,8 +77,8 @@ def velocity_verlet(
     """Make one velocity Verlet step, which uses the mean of the old and the new acceleration.
 
     First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. Here a and b are the
-    accelerations at the old and the new position. If a force depends on the velocity, use the
-    estimate v + a h to compute b. Forces added by hand before the step count in both a and b.
+    accelerations at the old and the new position. For forces that depend on the velocity, use
+    v + a h in b. Forces that were added by hand before the step count in both a and b.
 
     The method has order 2. It evaluates the forces twice, because b may change between two steps,
     for example in a contact. It is symplectic if d = 1 and no force depends on the velocity. It is

@@ -62,7 +62,6 @@ class GroundPlane:
 
         In each contact, ``other`` is None, the normal is (0, 1, 0), and the penetration is the
         depth of the sphere's lowest point below the ground. Immovable particles have no contacts.
-        Import ``Vector3`` from ``ch02_vectors.vector``.
         """
         raise NotImplementedError("Exercise 7.5: A detector for the ground")
 

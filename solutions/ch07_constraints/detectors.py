@@ -75,7 +75,6 @@ class GroundPlane:
 
         In each contact, ``other`` is None, the normal is (0, 1, 0), and the penetration is the
         depth of the sphere's lowest point below the ground. Immovable particles have no contacts.
-        Import ``Vector3`` from ``ch02_vectors.vector``.
         """
         found = []
         for particle in self.particles:

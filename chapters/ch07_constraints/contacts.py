@@ -193,8 +193,7 @@ class ContactResolver:
 
         Stop after ``limit`` resolutions, or when no contact closes faster than
         ``VELOCITY_TOLERANCE``. If several contacts are equally fast, take the first. This phase
-        ignores penetrations. The list may be empty. You may assume that at least one particle of
-        every contact can move.
+        ignores penetrations. The list may be empty. At least one particle of each contact can move.
 
         Returns:
             The number of resolutions.

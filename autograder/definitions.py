@@ -31,10 +31,8 @@ def read_definitions(file: Path) -> set[str] | None:
 
     Return None if the file defines nothing, is missing, or is not valid Python.
     """
-    try:
-        return bound_names(ast.parse(file.read_bytes())) or None
-    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
-        return None
+    tree = _tree_of(file)
+    return (bound_names(tree) or None) if tree else None
 
 
 def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
@@ -58,18 +56,23 @@ def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
 
 def _defined_at_the_top(file: Path) -> set[str]:
     """List the functions, classes and constants that a file defines, but not what it imports."""
-    try:
-        tree = ast.parse(file.read_bytes())
-    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
-        return set()
+    tree = _tree_of(file)
     found = set()
-    for node in tree.body:
+    for node in tree.body if tree else []:
         match node:
             case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
                 found.add(name)
             case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
                 found.add(name)
     return found
+
+
+def _tree_of(file: Path) -> ast.Module | None:
+    """Parse a student's file. Return None if it is missing or not valid Python."""
+    try:
+        return ast.parse(file.read_bytes())
+    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
+        return None
 
 
 def bound_names(tree: ast.Module) -> set[str]:

@@ -137,7 +137,7 @@ def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> 
     """
     if course:
         return course, ""
-    text = f"{fault.type}: {fault.text}" if fault.syntax else fault.first_line
+    text = fault.first_line
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""

@@ -1,8 +1,8 @@
 """Three recorded motions, from which you can find the laws behind them.
 
 Nobody has filmed them. The tables are simulated, but they contain what a camera would measure: the
-times of its pictures in s, and positions that are rounded to 1 mm. Each function returns the times
-and the positions of one motion, as new lists. The positions are vectors in m, and +Y points up.
+times of its pictures in s, and positions that are rounded to 1 mm. Each function returns two new
+lists for one motion: its times, and its positions as vectors in m. +Y points up.
 
 The time t is 0 in the first picture. Before rounding, the positions follow these formulas:
 

@@ -14,7 +14,7 @@ from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE
 
 
 class ReactionForce:
-    """A force generator by which level ground at ``height`` m carries spheres that rest on it.
+    """A force generator that holds up spheres on level ground at ``height`` m.
 
     If a sphere of ``radius`` m touches the ground and does not move up, the force cancels the part
     of its acceleration that points into the ground. Some things it cannot do:

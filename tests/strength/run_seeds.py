@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter
-from kept import FILE, SOLUTIONS, keep_seeds, seeds_of
+from kept import FILE, SOLUTIONS, files_of_checks, keep_seeds, seeds_of
 
 
 def run_seeds(chapters: list[Chapter], seeds: int, jobs: int) -> bool:
@@ -22,8 +22,8 @@ def run_seeds(chapters: list[Chapter], seeds: int, jobs: int) -> bool:
     for solution in SOLUTIONS:
         for chapter in chapters:
             known = seeds_of(solution, chapter)
-            names = [name for name, found in known.items() if found.get(python, 0) < seeds]
-            checks = [ROOT / "tests" / chapter.name / name for name in names]
+            files = files_of_checks(chapter)
+            checks = [file for file in files if known[file.name].get(python, 0) < seeds]
             print(
                 f"{solution}, chapter {chapter.number}, {seeds} seeds, Python {python}: "
                 f"{len(checks)} of {len(known)} files of checks, the others have not changed",

@@ -8,7 +8,7 @@ from autograder.diagnosis.explain import explain_hang
 
 TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 # The first message makes the engine import the scene. That takes a second, or several if the
-# computer is busy or slow.
+# computer is busy or slow. In the browser, so does every message that loads a scene.
 FIRST_LIMIT = 8.0  # s
 
 

@@ -90,6 +90,11 @@ SLIPS = (
         "the docstring, because callers pass this argument by name.",
     ),
     (
+        "maximum recursion",
+        "A function calls itself too many times. Perhaps an operator or method uses itself, or a "
+        "property reads or assigns its own name.",
+    ),
+    (
         "and 'method'",
         "Your code uses a method as if it were the method's result. Add parentheses after the "
         "name to call it.",
@@ -107,11 +112,6 @@ PERHAPS = (
         "NoneType",
         "A value on this line is None. Either nothing was assigned to it yet, or it comes from a "
         "function that has no return statement.",
-    ),
-    (
-        "maximum recursion",
-        "A function calls itself too many times. Perhaps an operator or method uses itself, or a "
-        "property reads or assigns its own name.",
     ),
     (
         "is not callable",

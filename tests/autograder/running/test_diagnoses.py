@@ -282,6 +282,14 @@ def test_the_line_of_the_exercise_comes_first_and_the_deepest_second(messages: M
     assert first < lines.index("inside    ch02_vectors/vector.py")
 
 
+def test_a_method_that_calls_itself_is_named_instead_of_the_physics(messages: Messages) -> None:
+    failed = messages(
+        "ch02_vectors/vector.py",
+        {whole("magnitude"): "    def magnitude(self):\n        return self.magnitude()\n"},
+    )
+    assert likely(failed["B2.2"]).startswith("A function calls itself too many times.")
+
+
 def test_the_check_s_cause_comes_before_a_guess(messages: Messages) -> None:
     failed = messages(
         "ch02_vectors/vector.py",

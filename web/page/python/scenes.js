@@ -55,14 +55,15 @@ export class Scenes {
 
 // Send a message, and return a promise of its answers or of the reason why there are none.
 function attempt(interpreter, link, message) {
-  const {hung, left, limit} = interpreter.words;
+  const {hung, left, limits} = interpreter.words;
+  const kind = message.kind === "load" ? "load" : "other";
   return new Promise((resolve) => {
     const finish = (end) => {
       clearTimeout(timer);
       interpreter.hear = () => undefined;
       resolve(end);
     };
-    const timer = setTimeout(() => finish({kind: "hung", why: hung}), 1000 * (limit + MORE));
+    const timer = setTimeout(() => finish({kind: "hung", why: hung[kind]}), 1000 * (limits[kind] + MORE));
     interpreter.hear = (end) => finish(["left", "crashed"].includes(end.kind) ? {kind: "left", why: left} : end);
     interpreter.send({kind: "scene", link, message});
   });

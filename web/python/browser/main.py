@@ -9,7 +9,7 @@ from typing import Any
 from autograder.checks.runner import GraderError
 from autograder.diagnosis.explain import explain_hang
 from autograder.manifest import ROOT
-from lab.broken_off import TIME_LIMIT, why_it_broke_off
+from lab.broken_off import FIRST_LIMIT, TIME_LIMIT, why_it_broke_off
 from web.python.browser.checks import check
 from web.python.browser.folder import Folder
 from web.python.browser.page import post
@@ -24,8 +24,9 @@ links: dict[int, Link] = {}
 def start() -> None:
     """Prepare Python for running student code, and tell the page that it is ready.
 
-    The message also contains two explanations for students, which the page shows when Python can no
-    longer answer. One is for an endless loop, and the other is for a process that has ended.
+    The message also contains the explanations for students that the page shows when Python can no
+    longer answer: for an endless loop while a scene loads or runs, and for a process that has
+    ended.
     """
     os.chdir(ROOT)
     watchdog.install()
@@ -33,9 +34,12 @@ def start() -> None:
     compile_once()
     post(
         "ready",
-        hung=str(explain_hang("", TIME_LIMIT, [])),
         left=why_it_broke_off("", []),
-        limit=TIME_LIMIT,
+        limits={"load": FIRST_LIMIT, "other": TIME_LIMIT},
+        hung={
+            "load": str(explain_hang("", FIRST_LIMIT, [])),
+            "other": str(explain_hang("", TIME_LIMIT, [])),
+        },
     )
 
 

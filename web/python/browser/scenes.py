@@ -18,7 +18,7 @@ from autograder.accepted_files import rejected_modules
 from autograder.at_home.students_code import graded_files
 from autograder.diagnosis.given import with_given
 from autograder.manifest import load_chapters
-from lab.broken_off import TIME_LIMIT, why_it_broke_off
+from lab.broken_off import FIRST_LIMIT, TIME_LIMIT, why_it_broke_off
 from lab.host import Host, Message
 from studies.engine import rejected
 from studies.reason import reason
@@ -50,13 +50,15 @@ class Link:
         A message that loads a scene also contains the student's files, from which the engine is
         built.
         """
+        limit = TIME_LIMIT
         try:
             if message.get("kind") == "load":
+                limit = FIRST_LIMIT
                 if why := NOT_HERE.get(message.get("peer", "")):
                     return [{"kind": "stopped", "why": why}]
                 self._choose(message.pop("files"), message.pop("given"))
-            watchdog.explain = lambda stack: {"why": why_it_broke_off(stack, self.engine)}
-            watchdog.start(TIME_LIMIT)
+            watchdog.explain = lambda stack: {"why": why_it_broke_off(stack, self.engine, limit)}
+            watchdog.start(limit)
             with self._at_work():
                 return self.host.receive(message)
         except (ValueError, OSError) as error:  # for example, a chapter that cannot be given

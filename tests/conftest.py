@@ -24,7 +24,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
-        "markers", "exercise(id, weight=1): the exercise of the manifest that a check belongs to"
+        "markers",
+        "exercise(id, weight=1, asks=words): the exercise of the manifest that a check belongs to, "
+        "and the words of the course that demand what it checks",
     )
     config.addinivalue_line(
         "markers", "robust: the check is about bad arguments, overflow or NaN, not the physics"

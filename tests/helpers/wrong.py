@@ -29,6 +29,7 @@ class Wrong:
     replace: Sequence[str] = ()
     body: str = ""
     says: str = ""  # words in the first message, if its numbers reveal the mistake
+    usual: str = ""  # words of the lesson, if it names this mistake as a usual one
     opens: str = ""  # the function that the screen points to, if it is a different one
 
 

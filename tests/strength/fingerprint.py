@@ -13,8 +13,6 @@ from pathlib import Path
 from autograder.checks.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter
 
-DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef
-
 
 def of_checks(chapter: Chapter, solution: Path) -> str:
     """Return the fingerprint of a chapter's checks and of the modules of a solution."""
@@ -56,7 +54,10 @@ def _imports(file: Path, chapter: Chapter) -> Iterator[str]:
 
 
 def fingerprint(files: Iterable[Path]) -> str:
-    """Return a hash of the code in Python files, without docstrings, comments and layout."""
+    """Return a hash of the code in Python files.
+
+    Docstrings, comments, layout and the words of the course that checks quote don't count.
+    """
     digest = hashlib.sha256()
     for file in files:
         digest.update(_code(file.read_text(encoding="utf-8")).encode())
@@ -65,12 +66,14 @@ def fingerprint(files: Iterable[Path]) -> str:
 
 @cache
 def _code(source: str) -> str:
-    """Return a module's tokens in a row, without docstrings and comments."""
-    docstrings = {
-        (node.body[0].lineno, node.body[0].col_offset)
-        for node in ast.walk(ast.parse(source))
-        if isinstance(node, DOCUMENTED) and ast.get_docstring(node) is not None
-    }
+    """Return a module's tokens in a row, without docstrings, comments and quoted words."""
+    dropped = set()
+    for node in ast.walk(ast.parse(source)):
+        match node:
+            case ast.Module() | ast.ClassDef() | ast.FunctionDef() if ast.get_docstring(node):
+                dropped.add((node.body[0].lineno, node.body[0].col_offset))
+            case ast.keyword(arg="asks", value=words):
+                dropped.add((words.lineno, words.col_offset))
     tokens = tokenize.generate_tokens(io.StringIO(source).readline)
-    kept = [t.string for t in tokens if t.type != tokenize.COMMENT and t.start not in docstrings]
+    kept = [t.string for t in tokens if t.type != tokenize.COMMENT and t.start not in dropped]
     return "".join("".join(kept).split())

@@ -1,7 +1,7 @@
 """What the reference refuses: the message names the argument and shows its value.
 
-Functions that students write have robust checks in tests/chNN_name/. This file has what these
-checks leave out: arguments.py, and the constructors and modules that are given.
+Only one exercise of each chapter checks that students refuse bad arguments. The reference refuses
+them everywhere, and this file tests where.
 """
 
 from __future__ import annotations

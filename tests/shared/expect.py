@@ -24,6 +24,7 @@ from autograder.message import ExpectationError, Message
 # Correct answers that were computed in another order differ by a few rounding errors, each about
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
+LONGEST_LIST = 12  # such as a Matrix4; of a longer list, only a part is shown
 NAN = (
     "Your code accepted NaN. Every comparison with NaN is False, so x < 0.0 does not find it. "
     "Check instead that the number is valid: math.isfinite(x), or 0.0 < x < math.inf."
@@ -95,7 +96,7 @@ def expect_close(
     if not _are_numbers(got_numbers, len(wanted_numbers)) or not all(
         abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
     ):
-        _complain(*_told(got, wanted), words, tolerance)
+        _complain(*_compared(got, wanted, tolerance), words, tolerance)
 
 
 def expect_between(
@@ -124,7 +125,7 @@ def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
     if is_plain(got) and got == wanted:  # such as 1 and 1.0, which print alike
         came, right = (f"{value!r}, of type {type(value).__name__}" for value in (got, wanted))
         _complain(came, right, words)
-    _complain(*_told(got, wanted), words)
+    _complain(*_compared(got, wanted), words)
 
 
 def expect_that(holds: bool, got: str, wanted: str, **words: Unpack[Words]) -> None:
@@ -294,6 +295,25 @@ def _as_tuple(value: Any) -> tuple[Any, ...]:
 
 def _are_numbers(values: tuple[Any, ...], count: int) -> bool:
     return len(values) == count and all(type(value) in (int, float) for value in values)
+
+
+def _compared(got: Any, wanted: Any, tolerance: float = 0.0) -> list[str]:
+    """Return two values as texts. Long lists are replaced by the first elements that differ."""
+    lists = [value for value in (got, wanted) if type(value) in (tuple, list)]
+    if len(lists) < 2 or max(map(len, lists)) <= LONGEST_LIST:
+        return _told(got, wanted)
+    texts = [f"{len(value)} elements" for value in lists]
+    for place, pair in enumerate(zip(got, wanted, strict=False)):
+        if _differ(*pair, tolerance):
+            items = _told(*pair)
+            return [f"{t}, where [{place}] is {i}" for t, i in zip(texts, items, strict=True)]
+    return texts
+
+
+def _differ(got: Any, wanted: Any, tolerance: float) -> bool:
+    if _are_numbers((got, wanted), 2):
+        return not abs(got - wanted) <= tolerance
+    return not (is_plain(got) and got == wanted)
 
 
 def _told(*values: Any) -> list[str]:

@@ -48,3 +48,18 @@ def test_words_can_stand_for_numbers() -> None:
     message = said(lambda: expect_unchanged("v", (1.0, 2.0), (1.0, 3.0)))
     assert message.got == "v is (1, 2) after the call"
     assert message.wanted == "v is still (1, 3)"
+
+
+def test_of_long_lists_only_the_first_difference_is_shown() -> None:
+    right = [0.25 * i for i in range(90)]
+    nearly = [*right[:17], right[17] + 1e-9, right[18] + 1.0, *right[19:]]
+    message = said(lambda: expect_close(nearly, right, tolerance=1e-6, unit="m"))
+    assert message.got == "90 elements, where [18] is 5.5 m"
+    assert message.wanted == "90 elements, where [18] is 4.5 m"
+    message = said(lambda: expect_exactly(right[:40], right))
+    assert (message.got, message.wanted) == ("40 elements", "90 elements")
+    pairs = [(i, "up") for i in range(20)]
+    message = said(lambda: expect_exactly([*pairs[:5], (5, "down"), *pairs[6:]], pairs))
+    assert message.got == "20 elements, where [5] is (5, 'down')"
+    message = said(lambda: expect_close(None, right))
+    assert message.got == "None"

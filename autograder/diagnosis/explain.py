@@ -45,14 +45,7 @@ def explain_exception(
         return error.message if isinstance(error, ExpectationError) else Message(text_of(error))
     deepest = own[-1] if own else None
     if isinstance(error, NotImplementedError):
-        says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
-        named = EXERCISE.match(says)
-        return Message(
-            f"{Kind.UNWRITTEN.value}: {says}",
-            where=deepest,
-            kind=Kind.UNWRITTEN,
-            exercise=named[1] if named else "",
-        )
+        return _unwritten(fault, deepest)
     # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
     where = _in_first_chapter(own)
@@ -84,6 +77,8 @@ def explain_import(
         title = f"{file} is missing: it was not handed in, was renamed, or is in another folder"
         return Message(title, kind=Kind.BROKEN)
     text, where = fault.first_line, None
+    if fault.type == "NotImplementedError":  # the module calls a stub while it is imported
+        return _unwritten(fault, fault.frames[-1] if fault.frames else None)
     if fault.syntax:
         text = fault.text
         source, line, words = fault.syntax
@@ -117,6 +112,14 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
             except (ValueError, OSError):
                 continue  # not a valid file name on any system
     return hung
+
+
+def _unwritten(fault: Fault, where: Place | None) -> Message:
+    """Build the message for a stub that the student has not written yet."""
+    says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
+    named = EXERCISE.match(says)
+    title, exercise = f"{Kind.UNWRITTEN.value}: {says}", named[1] if named else ""
+    return Message(title, where=where, kind=Kind.UNWRITTEN, exercise=exercise)
 
 
 def _unescaped(text: str) -> str:

@@ -282,6 +282,18 @@ def test_the_line_of_the_exercise_comes_first_and_the_deepest_second(messages: M
     assert first < lines.index("inside    ch02_vectors/vector.py")
 
 
+def test_a_stub_that_a_module_calls_is_not_written_yet(messages: Messages) -> None:
+    stub = "    def __mul__(self, scalar):\n        raise NotImplementedError('Exercise B2.3: x')\n"
+    failed = messages(
+        "ch02_vectors/vector.py",
+        {whole("__mul__"): stub, r"\Z": "\n\nGRAVITY = Vector3(0.0, -1.0, 0.0) * 9.81\n"},
+    )
+    every = [message for messages in failed.values() for message in messages]
+    other = [m for m in every if "not written yet: Exercise B2.3" not in m]
+    assert every
+    assert other == []
+
+
 def test_a_method_that_calls_itself_is_named_instead_of_the_physics(messages: Messages) -> None:
     failed = messages(
         "ch02_vectors/vector.py",

@@ -29,6 +29,8 @@ DIAGNOSIS := ; status=$$?; test $$status -eq 1 || exit $$status
 # What each command takes: another variable on the command line is an error, and not silence.
 TAKES_watch := CH GIVEN ENGINE SEED
 TAKES_check := CH EX GIVEN ENGINE SEED
+TAKES_debug := EX GIVEN ENGINE SEED
+TAKES_python := CH GIVEN ENGINE
 TAKES_hint := EX N GIVEN
 TAKES_reset := EX WHOLE GIVEN ENGINE
 TAKES_plot := CH GIVEN ENGINE
@@ -39,7 +41,7 @@ TAKES_help :=
 TAKES_help-all :=
 
 .DEFAULT_GOAL := help
-.PHONY: help help-all watch check hint reset lab plot demo setup
+.PHONY: help help-all watch check debug python hint reset lab plot demo setup
 
 LIST := -e 's/^\([a-z-]*\): .*\#\# /  make \1|/p'
 ALIGN := awk -F'|' 'NF == 1 {print "\n" $$0} NF > 1 {printf "%-17s  %s\n", $$1, $$2}'
@@ -62,6 +64,12 @@ watch: $(READY) ## check your current exercise whenever you save a file (CH=3)
 
 check: $(READY) ## check everything, a chapter (CH=3) or an exercise (EX=2.5)
 	@$(RUN) -m autograder check $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--exercise,EX) $(call option,--given,GIVEN) $(call option,--seed,SEED) $(DIAGNOSIS)
+
+debug: $(READY) ## stop in your function where a check fails (EX=2.5)
+	@$(RUN) -m autograder debug $(call typed,EX) $(call option,--engine,ENGINE) $(call option,--given,GIVEN) $(call option,--seed,SEED) $(DIAGNOSIS)
+
+python: $(READY) ## try your engine in an interpreter (CH=2)
+	@$(RUN) -m autograder python $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN)
 
 hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)
 	@$(RUN) -m autograder hint $(call typed,EX) $(call option,--count,N) $(call option,--given,GIVEN)

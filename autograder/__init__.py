@@ -15,3 +15,10 @@ The following terms have a fixed meaning throughout the autograder:
   chapter. A check is *blocked* if its exercise builds on another one that still fails.
 - *Handout*: The folder that an instructor gives to students, without the reference.
 """
+
+import sys
+from pathlib import Path
+
+# In .venv, chapters/ is on the path, so that students can run their files and scripts. The commands
+# choose an engine themselves, which must not be mixed with that one.
+sys.path[:] = [entry for entry in sys.path if Path(entry).name != "chapters"]

@@ -10,6 +10,7 @@ import sys
 from autograder.checks.runner import GraderError
 from autograder.commands import command as line_of
 from autograder.commands import find_engine, prepare, sentence
+from autograder.diagnosis.given import with_given
 from autograder.manifest import (
     Chapter,
     Exercise,
@@ -45,7 +46,7 @@ def main() -> int:
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the command-line options of the student commands: check, watch, hint and reset."""
+    """Define the command-line options of the student commands, such as check and watch."""
     check_command = commands.add_parser("check", help="check your work")
     check_command.add_argument("--exercise", help="check only this exercise, such as 2.5 or B2.3")
     check_command.add_argument(
@@ -69,6 +70,19 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         command.add_argument(
             "--seed", default="1", help="seed for the random numbers in the checks"
         )
+
+    command = commands.add_parser("debug", help="stop in your function where a check fails")
+    command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
+    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
+    command.add_argument("--given", default="", help="chapters to take from the reference")
+    command.add_argument("--seed", default="1", help="seed for the random numbers in the checks")
+    command.set_defaults(run=run_debug)
+
+    command = commands.add_parser("python", help="try your engine in an interpreter")
+    command.add_argument("--chapter", default="", help="chapters, such as 2-4 (default: all)")
+    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
+    command.add_argument("--given", default="", help="chapters to take from the reference")
+    command.set_defaults(run=run_python)
 
     command = commands.add_parser("hint", help="show hints for an exercise")
     command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
@@ -131,6 +145,31 @@ def run_reset(arguments: argparse.Namespace) -> int:
             print("Nothing was changed.")
             return 1
     print(reset(chapter, exercise, engine, whole=arguments.whole))
+    return 0
+
+
+def run_debug(arguments: argparse.Namespace) -> bool:
+    """Stop in the student's function at the call with which a check of an exercise fails.
+
+    Return True if a check fails, so that the program exits with status 1 instead of 0.
+    """
+    from autograder.student.debugging.debug import debug  # imports pytest
+
+    chapter, exercise = named_exercise("debug", arguments.exercise)
+    refuse_given(chapter, exercise, arguments.given)
+    given, _ = split_given(load_chapters(), arguments.given)
+    with with_given(given, find_engine(arguments.engine)) as folders:
+        return not debug(chapter, exercise, folders, arguments.seed)
+
+
+def run_python(arguments: argparse.Namespace) -> int:
+    """Start an interpreter with the student's engine."""
+    from autograder.student.interpreter import interact  # imported only here
+
+    chapters = select_chapters(arguments.chapter)
+    given, _ = split_given(load_chapters(), arguments.given)
+    with with_given(given, find_engine(arguments.engine)) as folders:
+        interact(chapters, folders)
     return 0
 
 

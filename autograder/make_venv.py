@@ -128,8 +128,19 @@ def make_venv() -> None:
     if made.returncode:
         stop(f"python -m venv failed: {made.stdout.strip()}")
     install(STUDENTS)
+    put_engine_on_path()
     (VENV / "ready").write_text(f"made from {STUDENTS}.lock\n", encoding="utf-8")
     print(f"Set up: .venv is ready. Without make: {shown_python()} -m autograder check")
+
+
+def put_engine_on_path() -> None:
+    """Make the modules in chapters/ importable from every script that .venv runs.
+
+    Python reads the file engine.pth when it starts. The path in it is relative to that file.
+    """
+    packages = Path(sysconfig.get_path("purelib", "venv", {"base": str(VENV)}))
+    engine = os.path.relpath(str(ROOT / "chapters"), str(packages))
+    (packages / "engine.pth").write_text(engine + "\n", encoding="utf-8")
 
 
 def main(group: str = "") -> None:

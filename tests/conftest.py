@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+import autograder  # noqa: F401 - takes chapters/ from the path
+
 TESTS = Path(__file__).parent
 
 

@@ -12,7 +12,8 @@ import sys
 from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
-NEEDED = ("SYSTEMROOT",)  # variables that Python itself needs on Windows
+# The first is needed by Python itself on Windows, and the second turns breakpoint() off.
+NEEDED = ("SYSTEMROOT", "PYTHONBREAKPOINT")
 # The student's code may use this many bytes on top of what the process uses already. The grader
 # allows 512 MB in all, of which Python needs about 30 MB. Here the thread for the time limit needs
 # another 8 MB for its stack.

@@ -23,7 +23,11 @@ ONLY_COMPUTES = (
 )
 NO_KEYBOARD = (
     "Your code waits for keyboard input, but nobody can type anything during a check. Remove the "
-    "call to input or breakpoint."
+    "call to input."
+)
+NO_DEBUGGER = (
+    "A check does not stop at breakpoint(). To stop there, debug the exercise instead of checking "
+    "it, as in make debug EX=B2.3 (without make: python -m autograder debug B2.3)."
 )
 POWER = "In Python, powers are written with **. The operator ^ is bitwise exclusive or."
 # Some mistakes in Python cause error messages that are hard to understand. We recognize each of
@@ -42,7 +46,7 @@ SLIPS = (
         "sys.exit, exit or quit.",
     ),
     ("EOF when reading", NO_KEYBOARD),
-    ("BdbQuit", NO_KEYBOARD),
+    ("BdbQuit", NO_DEBUGGER),
     (
         "circular import",
         "Two files import each other, so neither can be loaded first. Remove one of the imports, "

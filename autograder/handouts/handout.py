@@ -19,6 +19,7 @@ STUDENT_TOOLS = {
         "Makefile pyproject.toml requirements.lock pictures.lock stubs.lock LICENSE .gitignore "
         "glossary.md"
     ),
+    ".vscode": "*.json",
     "autograder": (
         "__init__.py __main__.py accepted_files.py answers.py commands.py definitions.py files.py "
         "local_server.py make_venv.py manifest.py message.py records.py scores.py"
@@ -28,6 +29,7 @@ STUDENT_TOOLS = {
     "autograder/diagnosis": "*.py",
     "autograder/handouts": "__init__.py lock.py stubs.py unused.py",
     "autograder/student": "*.py",
+    "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",
     "autograder/text": "*.py",
     "studies": (
@@ -47,6 +49,8 @@ Python commands in [chapters/README.md](chapters/README.md).
     make watch          check your current exercise whenever you save its file
     make check          show the state of every exercise, and the first thing to fix
     make check EX={example}  check one exercise and the exercises it builds on
+    make debug EX={example}  stop in your function where one of its checks fails
+    make python         try your engine in an interpreter
     make hint EX={example}   show a hint; N=2 shows the second hint too
     make reset EX={example}  restore its stub, and keep a copy of your work
     make lab            run scenes with your own engine in the browser

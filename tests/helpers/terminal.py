@@ -1,4 +1,4 @@
-"""A pseudo-terminal that runs watch, to test what a student sees there."""
+"""A pseudo-terminal that runs a command, to test what a student sees there."""
 
 from __future__ import annotations
 
@@ -34,21 +34,21 @@ def save(root: Path, text: str) -> None:
     small(root).write_text(text, encoding="utf-8")
 
 
-def command(root: Path) -> tuple[list[str], dict[str, str]]:
+def command(root: Path, *words: str) -> tuple[list[str], dict[str, str]]:
     environment = os.environ | {"PYTHONPATH": str(root), "TERM": "xterm"}
     for name in ("COLUMNS", "LINES"):
         environment.pop(name, None)
-    return [sys.executable, "-m", "autograder", "watch"], environment
+    return [sys.executable, "-m", "autograder", *words], environment
 
 
 class Terminal:
-    """A pseudo-terminal that runs watch."""
+    """A pseudo-terminal that runs one of the autograder's commands, such as watch."""
 
-    def __init__(self, root: Path) -> None:
+    def __init__(self, root: Path, *words: str) -> None:
         self.ours, self.its = pty.openpty()
         self.before = termios.tcgetattr(self.its)
         fcntl.ioctl(self.its, termios.TIOCSWINSZ, struct.pack("HHHH", HEIGHT, WIDTH, 0, 0))
-        arguments, environment = command(root)
+        arguments, environment = command(root, *words)
         self.process = subprocess.Popen(
             arguments, cwd=root, env=environment, stdin=self.its, stdout=self.its, stderr=self.its
         )
@@ -80,6 +80,10 @@ class Terminal:
     def press(self, key: str) -> None:
         os.write(self.ours, key.encode())
 
+    def status(self) -> int:
+        """Wait until the command has ended, and return its exit status."""
+        return self.process.wait(PATIENCE)
+
     def close(self) -> None:
         self.process.kill()
         self.process.wait()
@@ -94,6 +98,6 @@ def make_handout(tmp_path: Path) -> Path:
 
 def opened(root: Path) -> Iterator[Terminal]:
     """Run watch in a terminal, for a fixture."""
-    terminal = Terminal(root)
+    terminal = Terminal(root, "watch")
     yield terminal
     terminal.close()

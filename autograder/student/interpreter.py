@@ -1,0 +1,111 @@
+"""An interpreter with the student's engine imported, for trying things out."""
+
+from __future__ import annotations
+
+import code
+import importlib
+import inspect
+import re
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from autograder.diagnosis.faults import fault_of
+from autograder.manifest import Chapter
+from autograder.student.show import remember_paths, show
+
+OF_A_CHAPTER = re.compile(r"ch\d\d_")  # the beginning of a module's name
+
+
+def interact(chapters: list[Chapter], folders: list[Path]) -> None:
+    """Start an interpreter in which all names of the chapters are defined.
+
+    ``folders`` are searched for the chapters' modules, the first one first.
+    """
+    sys.path += map(str, folders)
+    sys.dont_write_bytecode = True  # stale bytecode could hide a quick change
+    names: dict[str, Any] = {"__name__": "__main__", "__builtins__": __builtins__}
+    names |= {"show": show, "reload": reloader(chapters, folders, names)}
+    print(f"Python {sys.version.split()[0]} with your engine:")
+    for chapter, found in import_engine(chapters, folders).items():
+        print(f"  chapter {chapter}: {listed(found)}")
+        names |= found
+    print("After you save a file: reload(). A picture: show(v, w) or show(particle). End: exit()")
+    with suppress(ImportError):  # there is none on Windows
+        import readline
+        import rlcompleter
+
+        readline.set_completer(rlcompleter.Completer(names).complete)
+        readline.parse_and_bind("tab: complete")
+    code.interact(banner="", local=names, exitmsg="")
+
+
+def reloader(
+    chapters: list[Chapter], folders: list[Path], names: dict[str, Any]
+) -> Callable[[], None]:
+    """Return a function that imports the engine afresh, and defines its names in ``names``."""
+
+    def reload() -> None:
+        """Import your engine again. Objects that you made before keep the old code."""
+        for found in import_engine(chapters, folders).values():
+            names.update(found)
+        print("Your engine is imported again. Objects made before keep the old code.")
+
+    return reload
+
+
+def import_engine(chapters: list[Chapter], folders: list[Path]) -> dict[int, dict[str, Any]]:
+    """Import the modules of chapters afresh, and return the names that each chapter defines.
+
+    If a module cannot be imported, the reason is printed.
+    """
+    for name in [name for name in sys.modules if OF_A_CHAPTER.match(name)]:
+        del sys.modules[name]
+    importlib.invalidate_caches()
+    engine: dict[int, dict[str, Any]] = {}
+    for chapter in chapters:
+        found = engine[chapter.number] = {}
+        for file in chapter.edited_files:
+            module, why = imported(f"{chapter.name}.{file.removesuffix('.py')}", folders)
+            if module:
+                found |= public(module)
+            else:
+                print(f"{chapter.name}/{file} cannot be imported: {why}")
+        if "Particle" in found:
+            remember_paths(found["Particle"])
+    return engine
+
+
+def listed(found: dict[str, Any]) -> str:
+    """Say what a chapter defines: the classes by name, and how many functions."""
+    words = [name for name, value in found.items() if isinstance(value, type)]
+    functions = [name for name, value in found.items() if inspect.isfunction(value)]
+    if functions:
+        rest = f" and {len(functions) - 1} more functions" if functions[1:] else ""
+        words.append(f"{functions[0]}{rest}")
+    return ", ".join(words) or "nothing yet"
+
+
+def imported(name: str, folders: list[Path]) -> tuple[ModuleType | None, str]:
+    """Import a module of the student's. Return it, or None and the reason why it failed."""
+    try:
+        return importlib.import_module(name), ""
+    except (Exception, SystemExit) as error:
+        fault = fault_of(error, [folder.resolve() for folder in folders])
+        place = f" ({fault.frames[-1]})" if fault.frames else ""
+        if fault.syntax:
+            place = f" (line {fault.syntax[1]}: {fault.syntax[2]})"
+        return None, f"{fault.first_line}{place}"
+
+
+def public(module: ModuleType) -> dict[str, Any]:
+    """Return the functions, classes and constants that a module defines for its users."""
+    return {
+        name: value
+        for name, value in vars(module).items()
+        if not name.startswith("_")
+        and (name.isupper() or getattr(value, "__module__", "") == module.__name__)
+    }

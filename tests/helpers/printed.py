@@ -9,7 +9,7 @@ from autograder.manifest import ROOT
 PAGES = [
     *("README.md", "study_guide.md", "learning_path.md", "CONTRIBUTING.md"),
     *(f"{folder}/README.md" for folder in ("autograder", "sample_class", "lab", "web", "studies")),
-    "tests/README.md",
+    *("tests/README.md", "solutions/README.md"),
 ]
 INLINE = r"(?<!`)`((?:[A-Z]+=\S+ )?(?:make [^\s`]+|\.venv/bin/python|python3)\s[^`]+)`"
 BLOCK = re.compile(rf"(?ms)^```sh\n(.+?)^```|{INLINE}")

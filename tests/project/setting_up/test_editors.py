@@ -33,7 +33,9 @@ def test_a_file_is_valid_and_handed_out(name: str, student: Path) -> None:
     jsonschema.validate(read(name), SCHEMAS[name])
     assert (student / f".vscode/{name}.json").is_file()
     inputs = read(name).get("inputs", [])
-    used = set(re.findall(r"\$\{input:(\w+)\}", (FOLDER / f"{name}.json").read_text("utf-8")))
+    used = set(
+        re.findall(r"\$\{input:(\w+)\}", (FOLDER / f"{name}.json").read_text(encoding="utf-8"))
+    )
     assert used == {each["id"] for each in inputs}
 
 

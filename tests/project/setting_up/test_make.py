@@ -14,7 +14,7 @@ import pytest
 from autograder.manifest import ROOT
 from copies import copy_tree
 
-STUDENTS = ["watch", "check", "hint", "reset", "lab", "plot", "demo", "setup"]
+STUDENTS = ["watch", "check", "debug", "python", "hint", "reset", "lab", "plot", "demo", "setup"]
 pytestmark = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 
 

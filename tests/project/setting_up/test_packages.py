@@ -264,7 +264,7 @@ def test_each_make_command_first_installs_the_group_of_its_python_command() -> N
         found = {
             group for group in GROUPS if any(f"make_venv.py {group}" in line for line in lines)
         }
-        if name in {"watch", "check", "hint", "reset", "lab"}:
+        if name in {"watch", "check", "debug", "python", "hint", "reset", "lab"}:
             assert found == set(), name
         elif name in {"plot", "demo", "site"}:
             assert found == {"pictures"}, name

@@ -27,7 +27,7 @@ from small import RIGHT, make_root
 # Modules that, according to Python's documentation, exist only on POSIX.
 POSIX_ONLY = {"curses", "fcntl", "grp", "posix", "pty", "pwd", "readline", "resource"}
 POSIX_ONLY |= {"syslog", "termios", "tty"}
-STUDENTS_COMMANDS = {"check", "watch", "hint", "reset", "plot", "lab", "demo"}
+STUDENTS_COMMANDS = {"check", "watch", "debug", "python", "hint", "reset", "plot", "lab", "demo"}
 
 
 def run(*command: str, cwd: Path = ROOT, **variables: str) -> subprocess.CompletedProcess[str]:

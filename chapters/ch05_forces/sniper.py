@@ -3,8 +3,7 @@
 This module draws nothing, so it works without a screen. The player shoots at four discs of the same
 size. The Z axis points down the range, Y points up, and X points to the left of an observer who
 faces along Z. The player aims with two angles in radians: the azimuth from Z toward X, and the
-elevation above the horizontal. Everything here raises TypeError for an argument that is not a
-number.
+elevation above the horizontal.
 """
 
 from __future__ import annotations
@@ -124,13 +123,7 @@ class SniperRange:
         The rifle does not fire while another bullet is in flight, or if no shots are left.
         Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases
         by 1. Gravity is the bullet's own acceleration, and the wind acts on it through
-        ``self.forces``.
-
-        Raises:
-            ValueError: if an angle is not finite, or is outside the range from -SWING to SWING. In
-                that case no bullet is fired.
-
-        Project 4.2.
+        ``self.forces``. Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
@@ -143,12 +136,7 @@ class SniperRange:
 
         The shot ends with a hit, or when the bullet is below the ground (y < 0) or beyond
         ``END_OF_RANGE`` in z. To prepare for the next shot, clear the registered forces, set
-        ``bullet`` to None, and change the wind.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing moves.
-
-        Project 4.2.
+        ``bullet`` to None, and change the wind. Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 

@@ -1,7 +1,6 @@
 """A particle on which forces act: the particle of chapter 3, with a force accumulator (book 5.1).
 
-Units are SI, so forces are in N. Everything here raises TypeError for an argument that is not a
-number, or not a Vector3 where a vector is expected.
+Units are SI, so forces are in N.
 """
 
 from __future__ import annotations
@@ -111,6 +110,7 @@ class Particle(particle.Particle):
         Raises:
             ValueError: if a component of the force, or of the sum, is not finite. In that case the
                 sum does not change.
+            TypeError: if the force is not a Vector3. The sum does not change then either.
 
         Book 5.1.
         """

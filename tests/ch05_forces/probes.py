@@ -115,37 +115,6 @@ def gathered(by_hand: Components, pushes: Sequence[Components]) -> list[Componen
     return [*sums, xyz(particle.force_accumulator)]
 
 
-def failing() -> ForceRegistry:
-    """Return a registry with a generator that raises ArithmeticError."""
-
-    class Failing:
-        def update_force(self, particle: Particle, duration: float) -> None:
-            raise ArithmeticError("no finite force")
-
-    registry = ForceRegistry()
-    registry.add(Particle(), Failing())
-    return registry
-
-
-def asked_after_a_refusal(duration: float, immovable: bool) -> int:
-    """Update with a bad duration, then for 0.5 s, and return the number of generator calls."""
-    calls: list[Call] = []
-    particle = Particle(mass=2.0)
-    if immovable:
-        particle.inverse_mass = 0.0
-    registry = ForceRegistry()
-    registry.add(particle, Recorder(0, calls, [particle]))
-    try:
-        registry.update_forces(duration)
-    except (TypeError, ValueError):
-        pass
-    else:
-        calls += [(0, 0, 0.0)] * 100
-    particle.inverse_mass = 1.0
-    registry.update_forces(0.5)
-    return len(calls)
-
-
 def asked_while_it_changes(what: str) -> list[int]:
     """Update twice while the first of three generators changes the registry.
 

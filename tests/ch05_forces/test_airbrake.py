@@ -18,7 +18,6 @@ from expect import (
     blame,
     expect_between,
     expect_close,
-    expect_error,
     expect_exactly,
     expect_unchanged,
     named,
@@ -227,26 +226,3 @@ def test_no_brake_reverses_the_motion(rng: Random) -> None:
         call="how many steps",
         cause="The number of results is wrong. Each step must give exactly one number.",
     )
-
-
-@pytest.mark.exercise("5.2")
-@pytest.mark.robust
-@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
-def test_a_brake_rejects_a_bad_duration(duration: float) -> None:
-    about.read = READ
-    for on in (True, False):
-        about.call = f"brake = Airbrake(k=2.0); brake.on = {on}; brake.update_force(p, "
-        about.call += f"{duration!r})"
-        error = TypeError if isinstance(duration, str) else ValueError
-        about.cause = f"The duration is {duration!r}. It must be a positive, finite number, so "
-        about.cause += f"raise {error.__name__}{'' if on else ', even if the brake is off'}."
-        p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
-        expect_error(
-            lambda brake=brake, p=p: brake.update_force(p, duration),
-            error,
-            allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
-        )
-        got = xyz(p.force_accumulator)
-        about.cause = "update_force raised the error only after it had added a force. Check the "
-        about.cause += "duration first."
-        expect_close(got, ZERO, then="; p.force_accumulator", unit="N")

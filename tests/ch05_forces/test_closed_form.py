@@ -10,7 +10,7 @@ import pytest
 
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from draw import positive_number
-from expect import about, blame, expect_close, expect_that, named, scoped
+from expect import about, blame, expect_close, expect_error, expect_that, named, scoped
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
@@ -110,6 +110,21 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
         e = k2 * u / k1
         wanted = u * (1.0 - e + 2.0 * e * e - 5.0 * e**3)
         expect_close(got, wanted, tolerance=ROUNDED * u, unit="m/s")
+
+
+@pytest.mark.exercise("B5.6")
+@pytest.mark.robust
+def test_without_drag_there_is_no_terminal_speed(rng: Random) -> None:
+    about.read = TERMINAL
+    weight = positive_number(rng, 5.0, 900.0)
+    about.cause = "Both k1 and k2 are 0. Without drag the speed grows without limit, so there is "
+    about.cause += "no terminal speed to return. Raise ValueError."
+    expect_error(
+        lambda: terminal_speed(weight, 0.0, 0.0),
+        ValueError,
+        call=f"terminal_speed(weight={weight}, k1=0.0, k2=0.0)",
+        allowed=lambda: terminal_speed(weight, 0.3, 0.05),
+    )
 
 
 # B5.7 Falling without steps

@@ -18,7 +18,8 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
     As a body falls faster, its drag grows, so its speed approaches a limit. This terminal speed is
     the positive solution v of k1 v + k2 v^2 = weight, where ``weight`` is in N.
 
-    It must work for any combination of the two kinds of drag, even if one coefficient is 0 or tiny.
+    The result must be correct to about 12 digits for any combination of the two kinds of drag, even
+    if one coefficient is 0 or tiny.
 
     Raises:
         ValueError: if both coefficients are 0, because without drag the speed grows without limit.
@@ -37,9 +38,9 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
     """Compute how fast and how far a body falls from rest in a given time, with quadratic drag.
 
     The drag is k2 v^2, with no linear term. Let u be the terminal speed, g the ``gravity`` in
-    m/s^2, t the ``time`` in s, and x = g t / u. Return the speed in m/s, which is u tanh x, and the
-    distance in m, which is (u^2 / g) ln cosh x. Both must be correct even if x is very small or
-    very large.
+    m/s^2, t the ``time`` in s, which may be 0, and x = g t / u. Return the speed in m/s, which is
+    u tanh x, and the distance in m, which is (u^2 / g) ln cosh x. Both must be correct to about 12
+    digits, even if x is very small or very large.
     """
     positive("gravity", gravity)
     u = terminal_speed(positive("mass", mass) * gravity, 0.0, positive("k2", k2))
@@ -57,6 +58,7 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
         v e^-s / (1 + k2 v (1 - e^-s) / k1)
 
     If k1 is 0, this formula divides by 0, so replace (1 - e^-s) / k1 by its limit, which is t / m.
+    The result must be correct to about 12 digits, even if k1 is tiny or the time is very long.
     """
     not_negative("speed", speed)
     not_negative("time", time)

@@ -112,9 +112,10 @@ class SniperRange:
     def change_wind(self) -> None:
         """Draw a new horizontal wind at random, with numbers from ``self.random``.
 
-        Draw the component along X first, and then the component along Z, both from -STRONGEST_WIND
-        to STRONGEST_WIND. The order matters, because the same seed must always give the same winds.
-        Project 4.2.
+        Draw the component along X first, and then the component along Z, both uniformly from
+        -STRONGEST_WIND to STRONGEST_WIND. The order matters, because the same seed must always give
+        the same winds. Store the result as the velocity of ``self.wind``, and keep this generator,
+        because the registry uses it. Project 4.2.
         """
         self.wind.velocity = Vector3(
             self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND),
@@ -126,9 +127,9 @@ class SniperRange:
         """Try to fire a bullet in the direction of the two angles. Return True if it was fired.
 
         The rifle does not fire while another bullet is in flight, or if no shots are left.
-        Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases
-        by 1. Gravity is the bullet's own acceleration, and the wind acts on it through
-        ``self.forces``. Project 4.2.
+        Otherwise a bullet of ``BULLET_MASS`` starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and
+        ``shots_left`` decreases by 1. Gravity is the bullet's own acceleration, and the wind acts
+        on it through ``self.forces``. Project 4.2.
         """
         finite("azimuth", azimuth)
         finite("elevation", elevation)
@@ -176,7 +177,8 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 
     A target is a flat disc, and the path crosses its plane if start.z < distance <= end.z. If the
     crossing point lies inside a ring, the bullet makes a hole there, which earns the points of the
-    ring times the factor of the target. Return None if the bullet hits no target. Project 4.2.
+    ring times the factor of the target. Return None if the bullet hits no target. The vectors
+    ``start`` and ``end`` themselves do not change. Project 4.2.
     """
     for target in TARGETS:  # the nearest comes first
         if start.z < target.distance <= end.z:

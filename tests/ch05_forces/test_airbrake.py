@@ -34,7 +34,7 @@ def brake_of(k: float, *, on: bool) -> Airbrake:
     return brake
 
 
-@pytest.mark.exercise("5.2")
+@pytest.mark.exercise("5.2", asks="Add the force -k v if the brake is on")
 def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     about.read = READ
     v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
@@ -95,7 +95,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("5.2")
+@pytest.mark.exercise("5.2", asks="Its force is -k v")
 def test_a_weak_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
@@ -131,7 +131,7 @@ def test_a_weak_brake_is_linear_drag(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11, unit="N")
 
 
-@pytest.mark.exercise("5.2")
+@pytest.mark.exercise("5.2", asks="it may stop the particle, but not reverse its motion")
 def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> None:
     about.read = READ
     v = components(rng)
@@ -161,7 +161,7 @@ def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> 
         expect_close(got, ZERO, cause=why, then=then, tolerance=1e-9, unit="m/s")
 
 
-@pytest.mark.exercise("5.2")
+@pytest.mark.exercise("5.2", asks="Keep the forces that were added before")
 def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
     about.read = READ
     v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
@@ -197,7 +197,7 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
-@pytest.mark.exercise("5.2")
+@pytest.mark.exercise("5.2", asks="at most the fraction FULL of the velocity")
 def test_no_brake_reverses_the_motion(rng: Random) -> None:
     about.read = READ
     about.cause = "Rounding makes your limit -v m / h slightly too large, so the step reverses the "

@@ -21,7 +21,7 @@ ROUNDED = 1e-12
 # B5.6 Terminal speed
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="the positive solution v of k1 v + k2 v^2 = weight")
 def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
     about.read = TERMINAL
     about.cause = "Your result does not solve the equation k1 v + k2 v^2 = weight. Return its "
@@ -77,7 +77,7 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         expect_that(v > 0.0, "a negative speed", "a positive speed")
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="for any combination of the two kinds of drag")
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
@@ -96,7 +96,7 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     expect_close(got, wanted, tolerance=ROUNDED * wanted, unit="m/s")
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="even if one coefficient is 0 or tiny")
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
@@ -112,7 +112,7 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
         expect_close(got, wanted, tolerance=ROUNDED * u, unit="m/s")
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="if both coefficients are 0")
 @pytest.mark.robust
 def test_without_drag_there_is_no_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
@@ -130,7 +130,7 @@ def test_without_drag_there_is_no_terminal_speed(rng: Random) -> None:
 # B5.7 Falling without steps
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="Return the speed in m/s, which is u tanh x")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     about.read = FALL
     about.cause = "The result is wrong. The speed must be u tanh(g t / u) and the distance (u^2 / "
@@ -196,7 +196,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="even if x is very small")
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
@@ -236,14 +236,14 @@ def expect_terminal_speed(rng: Random, angles: tuple[float, ...]) -> None:
         expect_close(distance, wanted, then="; distance", tolerance=tolerance, unit="m")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="very small or very large")
 def test_a_long_fall_reaches_the_terminal_speed(rng: Random) -> None:
     about.cause = "The result of a long fall is wrong. The speed must be the terminal speed u, and "
     about.cause += "the distance u t - (u^2 / g) ln 2."
     expect_terminal_speed(rng, (60.0, 600.0))  # cosh of 711 is too large for a float
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="very small or very large")
 @pytest.mark.robust
 def test_a_very_long_fall_does_not_overflow(rng: Random) -> None:
     about.cause = "You compute cosh x, which is too large for a float for a large x = g t / u. Use "
@@ -251,7 +251,7 @@ def test_a_very_long_fall_does_not_overflow(rng: Random) -> None:
     expect_terminal_speed(rng, (800.0, 1e6))
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="Both must be correct to about 12 digits")
 def test_a_fall_of_any_length_is_accurate() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
@@ -275,7 +275,7 @@ def test_a_fall_of_any_length_is_accurate() -> None:
             expect_close(got, exact, then=f"; {name}", unit=unit, tolerance=tolerance)
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="the time in s, which may be 0")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
     about.cause = "You reject a time of 0, which is valid. At the start of the fall, the "

@@ -16,7 +16,7 @@ COAST = "the docstring of coasting_speed"
 ROUNDED = 1e-12
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="v e^-s / (1 + k2 v (1 - e^-s) / k1)")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     about.read = COAST
     about.cause = "The speed is wrong. It must be v e^-s / (1 + k2 v (1 - e^-s) / k1), where v is "
@@ -60,7 +60,7 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     expect_close(got, wanted, call=name, tolerance=1e-10 * v, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="If k1 is 0, this formula divides by 0")
 def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
     about.read = COAST
     v, k, mass = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
@@ -98,7 +98,7 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
         expect_close(got, wanted, tolerance=tolerance, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="even if k1 is tiny")
 def test_coasting_with_little_linear_drag_is_accurate(rng: Random) -> None:
     about.read = COAST
     v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
@@ -116,7 +116,7 @@ def test_coasting_with_little_linear_drag_is_accurate(rng: Random) -> None:
         expect_close(got, wanted, tolerance=ROUNDED * wanted, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="after drag alone has acted on it")
 def test_coasting_for_no_time_and_coasting_from_rest(rng: Random) -> None:
     about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
@@ -132,7 +132,7 @@ def test_coasting_for_no_time_and_coasting_from_rest(rng: Random) -> None:
         expect_close(got, wanted, tolerance=ROUNDED * speed, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="or the time is very long")
 @pytest.mark.robust
 def test_coasting_for_a_very_long_time_ends_at_rest(rng: Random) -> None:
     about.read = COAST

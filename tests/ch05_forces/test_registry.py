@@ -95,7 +95,7 @@ def expect_asked(
     expect_that(got == wanted, told(got), told(wanted))
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="Go through the pairs in the order")
 def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
     about.cause = "Your calls to update_force are wrong. Call generator.update_force(particle, "
@@ -127,7 +127,7 @@ def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     expect_asked(acts, wanted, cause=about.cause, slips=slips)
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="One generator may act on several particles")
 def test_one_generator_may_act_on_several_particles() -> None:
     about.cause = "You don't call g0 for all three particles. Call a generator once for every pair "
     about.cause += "that it belongs to."
@@ -136,7 +136,7 @@ def test_one_generator_may_act_on_several_particles() -> None:
     expect_asked(acts, [(0, 0, 0.5), (1, 0, 0.5), (2, 0, 0.5)], cause=about.cause)
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="A pair that was added twice acts with twice the force")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
     about.cause = "Your registry treats a pair that was added twice as one pair. Keep both, so "
     about.cause += "that the generator acts twice."
@@ -147,7 +147,7 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
     expect_exactly(len(got), 2, unit="calls")
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="to undo one call of add")
 def test_remove_undoes_one_call_of_add() -> None:
     about.read = "the docstring of remove"
     about.cause = "remove does not delete the right pair. Find the first pair whose particle and "
@@ -176,7 +176,7 @@ def test_remove_undoes_one_call_of_add() -> None:
     expect_asked(acts, [(1, 1, 0.5)], cause=about.cause)
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="because two different objects can be equal")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
     about.cause = "remove must delete exactly the pair that is passed to it. Compare both the "
@@ -192,7 +192,7 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
         expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause, slips=slips)
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="If there is no such pair, do nothing")
 def test_removing_an_absent_pair_changes_nothing() -> None:
     about.read = "the docstring of remove"
     about.cause = "The pair (p0, g0) is not registered when remove is called. In this case, remove "
@@ -201,7 +201,7 @@ def test_removing_an_absent_pair_changes_nothing() -> None:
     expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=about.cause)
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="Remove all pairs from the registry")
 def test_clear_removes_all_pairs() -> None:
     about.read = "the docstring of clear"
     about.cause = "The calls to update_force are wrong. clear must remove all pairs from the "
@@ -221,7 +221,7 @@ def test_clear_removes_all_pairs() -> None:
     expect_asked(acts, [*first, (2, 1, 0.25)], cause=about.cause, slips=slips)
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="Skip immovable particles, because no force can move them")
 def test_immovable_particles_are_skipped() -> None:
     about.read = "the docstring of update_forces"
     about.cause = "No force can move the immovable particle p1. Skip its pairs without removing "
@@ -247,7 +247,7 @@ def test_immovable_particles_are_skipped() -> None:
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,))
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="without changing the particles and generators")
 def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
     about.call = f"p.add_force(Vector3{by_hand}); a registry with the pairs (p, g0) and (p, g1); "
@@ -276,7 +276,7 @@ def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     expect_close(emptied, wanted, call=name, tolerance=1e-13, unit="N")
 
 
-@pytest.mark.exercise("B5.3")
+@pytest.mark.exercise("B5.3", asks="A generator may add or remove pairs")
 def test_a_generator_may_change_the_registry_during_an_update() -> None:
     about.read = "the docstring of update_forces"
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):

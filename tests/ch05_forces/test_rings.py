@@ -13,7 +13,7 @@ from expect import about, cause_of, expect_exactly, expect_that, named
 RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # as in sniper.py: radius and points
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="The smallest ring in RINGS that contains (x, y)")
 def test_only_the_smallest_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
     about.cause = "Only the smallest ring around the hole counts. A hole scores 10 points up to "

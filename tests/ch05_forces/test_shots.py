@@ -38,7 +38,7 @@ def draw_angles(rng: Random) -> tuple[float, float]:
     return round(rng.uniform(0.05, 0.19), 4), round(rng.uniform(0.05, 0.19), 4)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="starts at MUZZLE with MUZZLE_SPEED")
 def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     about.read = SHOOT
     a, e = draw_angles(rng)
@@ -104,7 +104,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="the wind acts on it through self.forces")
 def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
@@ -127,7 +127,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
     expect_close(got, wanted)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="The rifle does not fire while another bullet is in flight")
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.read = SHOOT
     a, e = draw_angles(rng)
@@ -157,7 +157,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     expect_close(xyz(bullet.position), place, then="; range.bullet.position, in m")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="or if no shots are left")
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; fired = range.shoot(0.0, 0.0)"
@@ -250,7 +250,7 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
     expect_that(got is None, "a hole", NO_HOLE)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="If the crossing point lies inside a ring")
 def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
     about.cause = "The path goes through a target, but you find no hole. Subtract the target's x "
@@ -275,7 +275,7 @@ def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
     expect_hole(start, end, (100.0, 0.0, 0.3, 4))
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="if start.z < distance <= end.z")
 def test_a_path_that_misses_the_target_makes_no_hole() -> None:
     for start, end, cause in (
         (
@@ -327,7 +327,7 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
     expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="Find the first hole that a bullet makes")
 def test_a_long_path_hits_the_first_target_on_it() -> None:
     about.cause = "The path hits two targets, but you find no hole. Return the hole in the nearer "
     about.cause += "target."

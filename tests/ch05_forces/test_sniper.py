@@ -47,7 +47,7 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
     return bullet
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="add the hole to holes and its points to the score")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
@@ -92,7 +92,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_exactly(came["score"], points, then="; range.score")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="update the forces, move the bullet")
 def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "two ranges, one with a wind of 10 m/s along X and one without wind; on each, "
     about.call += "range.shoot(0.0, 0.02); range.update(1/60) until range.bullet is None"
@@ -135,7 +135,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     expect_close(blown[-1][2], z, then=then, tolerance=1e-9)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="Advance the bullet by duration s")
 def test_a_step_takes_the_given_duration(rng: Random) -> None:
     about.read = UPDATE
     h = round(rng.uniform(0.1, 0.3), 3)
@@ -165,7 +165,7 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
     expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="or beyond END_OF_RANGE in z")
 def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     about("range.bullet.position = Vector3(20, 1, 178); ", read=UPDATE)
     about.call += "range.bullet.velocity = Vector3(0, -2, 64); no force or gravity acts on the "
@@ -191,7 +191,7 @@ def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     expect_exactly(len(at.holes), 1)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="when the bullet is below the ground")
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     about.read = UPDATE
     for (azimuth, elevation), cause in (
@@ -222,7 +222,7 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         expect_exactly(got, (0, 0, 9), then="; number of holes, score and shots left")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="set bullet to None, and change the wind")
 def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     about.read = UPDATE
     wind = (3.0, 0.0, -4.0)
@@ -248,7 +248,7 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
         expect_exactly(blown[-1], drawn, then="; range.wind.velocity after the shot, in m/s")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="If no bullet is in flight, do nothing")
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
     about.call += "range.update(1/60) 20 times"
@@ -292,7 +292,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="The player has SHOTS shots in a round")
 def test_a_whole_round_is_ten_shots() -> None:
     about.read = UPDATE
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)

@@ -39,7 +39,7 @@ def moving(
     )
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="they add the acceleration f/m")
 def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
@@ -89,7 +89,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     expect_close(got, wanted, then="; p.position", unit="m", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="the constant acceleration plus f / m")
 def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) -> None:
     v, a, f, g = (components(rng) for _ in range(4))
     mass, h = draw_mass(rng), draw_frame(rng)
@@ -123,7 +123,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="The new velocity is v' = (v + a h) d^h")
 def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
@@ -154,7 +154,7 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
     expect_close(got, wanted, tolerance=ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="so that each force acts only once")
 def test_the_step_clears_the_forces(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h = draw_mass(rng), draw_frame(rng)
@@ -179,7 +179,7 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, then=then, unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="The new velocity is v' = (v + a h) d^h")
 def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
     x, v, a = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
@@ -197,7 +197,7 @@ def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
     expect_close(got, wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="use their current values in each step")
 def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
@@ -224,7 +224,7 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="0 stops the particle, and a number above 1 speeds it up")
 def test_dampings_of_0_and_above_1(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
@@ -258,7 +258,7 @@ def test_dampings_of_0_and_above_1(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, tolerance=10.0 * ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="Apply the acceleration, forces and damping")
 def test_a_constant_force_for_5_seconds(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
     about.call = f"p = Particle(mass={mass}); 300 times: p.add_force(Vector3{f}) and "

@@ -17,7 +17,7 @@ ZERO = (0.0, 0.0, 0.0)
 ROUNDED = 1e-12
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="the sum of the forces that the last step used")
 def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> None:
     a, f, g, mass = (
         components(rng),
@@ -80,7 +80,7 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     )
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="Before the first step f is zero")
 def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Random) -> None:
     a, f = components(rng), components(rng)
     about.call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); "
@@ -110,7 +110,7 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     expect_close(got, wanted, call=name, tolerance=ROUNDED, unit="m/s^2")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="an immovable particle, which does not react to forces")
 def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     h, mass = round(rng.uniform(0.2, 0.8), 3), round(rng.uniform(2.0, 9.0), 3)
@@ -143,7 +143,7 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="calls this method after it has moved the particle")
 def test_forces_act_in_kick_and_not_in_drift(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.2, 0.8), 3)

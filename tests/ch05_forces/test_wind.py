@@ -44,7 +44,7 @@ def blow(v: Components, w: Components, k1: float, k2: float) -> tuple[str, objec
     return about.call, xyz(p.force_accumulator)
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="the velocity of the particle relative to the air")
 def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
@@ -81,7 +81,7 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11, unit="N")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="therefore feels no force")
 def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     about.read = READ
     v = components(rng)
@@ -99,7 +99,7 @@ def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     expect_close(got, (0.0, 0.0, -2.0), unit="N")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="the moving air to the particle's other forces")
 def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     about.read = READ
     f, v, w = components(rng), components(rng), components(rng)
@@ -122,7 +122,7 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     expect_unchanged("wind.velocity", xyz(wind.velocity), w)
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="Draw a new horizontal wind at random")
 def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
@@ -193,7 +193,7 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     expect_exactly(same, 0, then="; number of winds with |x| = |z|, out of 401")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="and keep this generator")
 def test_change_wind_keeps_the_wind_object() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
@@ -214,7 +214,7 @@ def test_change_wind_keeps_the_wind_object() -> None:
     expect_that(after != before, "the velocity of the wind stays the same", "a new velocity")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="the same seed must always give the same winds")
 def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)

@@ -37,17 +37,12 @@ def pushed(force: Components, mass: float, damping: float, duration: float, fram
 
 
 class Recorder:
-    """A generator that records its calls. All recorders are equal under ==."""
+    """A generator that records its calls."""
 
     def __init__(self, index: int, calls: list[Call], particles: Sequence[Particle]) -> None:
         self.index = index
         self.calls = calls
         self.particles = particles
-
-    def __eq__(self, other: object) -> bool:
-        return True
-
-    __hash__ = None  # type: ignore[assignment]
 
     def update_force(self, particle: Particle, duration: float) -> None:
         for i, known in enumerate(self.particles):
@@ -57,18 +52,38 @@ class Recorder:
         raise ValueError(f"update_force takes the particle before the duration, got {particle!r}")
 
 
-def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:
+class Alike(Recorder):
+    """A recorder that equals all others under ==."""
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def paired(particle: int, generator: int) -> list[list[str]]:
+    """Add one pair to a registry, and return the names of what its pairs() returns."""
+    particles = [Particle(mass=2.0) for _ in range(3)]
+    recorders = [Recorder(i, [], particles) for i in range(3)]
+    names = {id(one): f"p{i}" for i, one in enumerate(particles)}
+    names |= {id(one): f"g{i}" for i, one in enumerate(recorders)}
+    registry = ForceRegistry()
+    registry.add(particles[particle], recorders[generator])
+    return [[names.get(id(one), type(one).__name__) for one in pair] for pair in registry.pairs()]
+
+
+def asked(immovable: Sequence[int], acts: Sequence[tuple], alike: bool = True) -> list[Call]:
     """Carry out ``acts`` on a registry of three particles and three generators.
 
     An act is ("add", 0, 2), ("remove", 0, 2), ("clear",), ("update", 0.5), or ("free", 0), which
-    makes a particle movable.
+    makes a particle movable. If ``alike`` is True, all generators are equal under ==.
 
     Returns:
         The particle, the generator and the duration of each call of update_force.
     """
     calls: list[Call] = []
     particles = [Particle(mass=2.0) for _ in range(3)]
-    recorders = [Recorder(i, calls, particles) for i in range(3)]
+    recorders = [(Alike if alike else Recorder)(i, calls, particles) for i in range(3)]
     for i in immovable:
         particles[i].inverse_mass = 0.0
     registry = ForceRegistry()

@@ -50,7 +50,15 @@ def test_forces_add_up(rng: Random) -> None:
         about.cause = "The sum of the forces is wrong. Add each new force to the sum, component "
         about.cause += "by component, and don't use the mass, because the sum is a force in N."
         about.call += f"; p.add_force(Vector3{force})"
-        p.add_force(Vector3(*force))
+        try:
+            p.add_force(Vector3(*force))
+        except TypeError as error:
+            if "NoneType" in str(error):
+                about.cause = (
+                    "self._forces[0] is None as long as no force has been added. Test for "
+                )
+                about.cause += "this case, in which the new force is the whole sum."
+            raise
         total = [total[i] + force[i] for i in range(3)]
         name = "p.force_accumulator, after a force was added"
         cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
@@ -81,13 +89,15 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     force = components(rng)
     opposite = (-force[0], -force[1], -force[2])
     about.read = "the docstring of force_accumulator"
-    about.cause = "No force has been added yet, so the sum must be the zero vector."
+    about.cause = "self._forces[0] is None as long as no force has been added. Test for this case, "
+    about.cause += "and return the zero vector, Vector3()."
     about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
     p = Particle(acceleration=Vector3(0, -10, 0))
     total = p.force_accumulator
     none = "No force has been added yet, so the sum must be the zero vector. Return Vector3() "
     none += "instead of None."
     expect_that(total is not None, "None, not a vector", "Vector3(0, 0, 0)", cause=none)
+    about.cause = "No force has been added yet, so the sum must be the zero vector."
     expect_close(xyz(total), ZERO, unit="N")
     about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
     about.cause = "The two forces are opposite, so their sum must be zero. Store the sum of each "

@@ -158,11 +158,12 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     speed = math.hypot(*v)
     h = 0.0625  # short enough for a drag that never reverses the motion
     about.read = "the docstring of Drag"
-    about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
-    about.call += f"Drag(k1={k1}, k2={k2}); drag.update_force(p, {h}); p.force_accumulator"
+    about.call = f"p = Particle(Vector3(1, 2, 3), Vector3{v}, mass={mass}); "
+    about.call += f"p.add_force(Vector3{f}); drag = Drag(k1={k1}, k2={k2}); "
+    about.call += f"drag.update_force(p, {h}); p.force_accumulator"
     about.cause = "The force on the particle is wrong. Compute the drag from the particle's "
     about.cause += "velocity with drag_force, and add it unchanged."
-    p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
+    p, drag = Particle(Vector3(1, 2, 3), Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)
     force = [-v[i] * (k1 + k2 * speed) for i in range(3)]
@@ -177,8 +178,11 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "square of the speed.": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
         "The sum is only the drag, without the force that was added before. Add the drag with "
         "add_force, and don't clear any forces.": force,
-        "Your update_force added no drag. Compute the drag from the velocity of the particle, "
-        "not from its position, and add it.": f,
+        "Your update_force added no force to the particle. Pass the result of drag_force to "
+        "particle.add_force.": f,
+        "You compute the drag from the position of the particle. Use its velocity instead.": [
+            f[i] - (1.0, 2.0, 3.0)[i] * (k1 + k2 * math.sqrt(14.0)) for i in range(3)
+        ],
     }
     blame(got, slips)
     # A few roundings of numbers up to 150.

@@ -48,8 +48,9 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
         ]
         later = math.hypot(*moved)
         slips = {
-            "Your force is proportional to 1 / r instead of 1 / r^2, where r is the distance. "
-            "Multiply m mu / r^2 by a unit vector.": [part * distance for part in wanted],
+            "Your force is proportional to 1 / r instead of 1 / r^2. Either you multiply m mu / "
+            "r^2 by the vector to the center without making it a unit vector first, or you divide "
+            "by the distance r instead of r^2.": [part * distance for part in wanted],
             "Your force is proportional to 1 / r^3 instead of 1 / r^2, where r is the distance. "
             "Multiply m mu / r^2 by a unit vector.": [part / distance for part in wanted],
             "You compute the force from the position after the step. Use the current position of "

@@ -12,6 +12,7 @@ from ch05_forces.probes import (
     asked,
     asked_while_it_changes,
     gathered,
+    paired,
 )
 from draw import components
 from expect import about, blame, expect_close, expect_exactly, expect_that, scoped
@@ -67,10 +68,12 @@ def expect_asked(
     cause: str,
     immovable: tuple[int, ...] = (),
     slips: dict[str, list[tuple[int, int, float]]] | None = None,
+    alike: bool = True,
 ) -> None:
     """Expect these calls of update_force: which particle, which generator, which duration.
 
-    ``slips`` are the calls that likely mistakes make.
+    ``slips`` are the calls that likely mistakes make. If ``alike`` is True, all generators are
+    equal under ==.
     """
     about.cause = cause
     first = [*takewhile(lambda act: act[0] == "add", acts)]
@@ -88,11 +91,28 @@ def expect_asked(
         else:
             about.call += f"registry.update_forces({numbers[0]}); "
     about.call += "the calls to update_force"
-    got = [*map(tuple, asked(immovable, acts))]
+    got = [*map(tuple, asked(immovable, acts, alike))]
     for name, calls in (slips or {}).items():
         if got == calls:
             about.cause = name
     expect_that(got == wanted, told(got), told(wanted))
+
+
+@pytest.mark.exercise("B5.3", asks="It holds tuples (particle, generator)")
+def test_a_pair_is_a_particle_and_then_its_generator(rng: Random) -> None:
+    i, j = rng.randrange(3), rng.randrange(3)
+    about.call = f"registry = ForceRegistry(); registry.add(p{i}, g{j}); registry.pairs()"
+    about.cause = (
+        "pairs() must return one (particle, generator) tuple for each call of add. Append "
+    )
+    about.cause += "the tuple (particle, generator) to self._pairs."
+    about.read = "the docstring of ForceRegistry"
+    got = [*map(tuple, paired(i, j))]
+    if got == [(f"g{j}", f"p{i}")]:
+        about.cause = "You store the generator before the particle. The other methods and later "
+        about.cause += "chapters expect the particle first, so store (particle, generator)."
+    shown = ", ".join(f"({', '.join(pair)})" for pair in got) or "no pairs"
+    expect_that(got == [(f"p{i}", f"g{j}")], shown, f"(p{i}, g{j})")
 
 
 @pytest.mark.exercise("B5.3", asks="Go through the pairs in the order")
@@ -168,12 +188,19 @@ def test_remove_undoes_one_call_of_add() -> None:
     if got == [(1, 1, 0.5)]:
         why = "One call to remove deleted all three pairs (p0, g0). Stop after the first pair "
         why += "that matches."
+    elif got == [(0, 0, 0.5), (1, 1, 0.5)]:
+        why = "One call to remove deleted two of the three pairs (p0, g0). Stop after the first "
+        why += "pair that matches, because a loop skips pairs if its list changes."
+    elif not got:
+        why = "One call to remove emptied the registry. Delete only the first pair (p0, g0)."
     elif got == sorted(everyone):
         why = "remove(p0, g0) did not delete any pair. Find the first pair (p0, g0) in the list "
         why += "and delete it."
     expect_that(got == wanted, told(got), told(wanted), cause=why)
     acts = [*adds, *[("remove", 0, 0)] * 3, ("update", 0.5)]
-    expect_asked(acts, [(1, 1, 0.5)], cause=about.cause)
+    place = "You delete the first or the last pair, whichever it is. Compare its particle and its "
+    place += "generator with those passed to remove."
+    expect_asked(acts, [(1, 1, 0.5)], cause=about.cause, slips={place: [(0, 0, 0.5)]})
 
 
 @pytest.mark.exercise("B5.3", asks="because two different objects can be equal")
@@ -183,13 +210,26 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.cause += "particle and the generator with `is`."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
-    for i, (_, particle, generator) in enumerate(pairs):
-        acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
-        slip = f"Your remove deleted (p{particle}, g0) instead of (p{particle}, g{generator}), "
-        slip += "because you compare generators with ==. Two different generators can be equal, "
-        slip += "so use `is`."
-        slips = {slip: [one for one in everyone if one[:2] != (particle, 0)]}
-        expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause, slips=slips)
+    either = (
+        "Either you don't compare the particles, or you write `or` where both comparisons must "
+    )
+    either += "be true. Compare both, and write `and`."
+    alone = "You don't compare the generators. Compare both the particle and the generator."
+    equal = "You compare generators with ==. Two different generators can be equal, so use `is`."
+    for alike, removed, wrong, why in (
+        (False, (1, 0), (0, 0), either),
+        (False, (0, 1), (0, 0), alone),
+        (True, (0, 1), (0, 0), equal),
+        *((alike, pair[:2], None, "") for alike in (False, True) for pair in everyone),
+    ):
+        slips = {}
+        if wrong:
+            slip = f"Your remove deleted (p{wrong[0]}, g{wrong[1]}) instead of (p{removed[0]}, "
+            slip += f"g{removed[1]}). {why}"
+            slips[slip] = [one for one in everyone if one[:2] != wrong]
+        acts = [*pairs, ("remove", *removed), ("update", 0.5)]
+        wanted = [one for one in everyone if one[:2] != removed]
+        expect_asked(acts, wanted, cause=about.cause, slips=slips, alike=alike)
 
 
 @pytest.mark.exercise("B5.3", asks="If there is no such pair, do nothing")

@@ -36,7 +36,7 @@ def pushed(force: Components, mass: float, damping: float, duration: float, fram
     return state_of(particle)
 
 
-class Recorder:
+class RecordingGenerator:
     """A generator that records its calls."""
 
     def __init__(self, index: int, calls: list[Call], particles: Sequence[Particle]) -> None:
@@ -52,7 +52,7 @@ class Recorder:
         raise ValueError(f"update_force takes the particle before the duration, got {particle!r}")
 
 
-class Alike(Recorder):
+class EqualGenerator(RecordingGenerator):
     """A recorder that equals all others under ==."""
 
     def __eq__(self, other: object) -> bool:
@@ -64,7 +64,7 @@ class Alike(Recorder):
 def paired(particle: int, generator: int) -> list[list[str]]:
     """Add one pair to a registry, and return the names of what its pairs() returns."""
     particles = [Particle(mass=2.0) for _ in range(3)]
-    recorders = [Recorder(i, [], particles) for i in range(3)]
+    recorders = [RecordingGenerator(i, [], particles) for i in range(3)]
     names = {id(one): f"p{i}" for i, one in enumerate(particles)}
     names |= {id(one): f"g{i}" for i, one in enumerate(recorders)}
     registry = ForceRegistry()
@@ -83,7 +83,9 @@ def asked(immovable: Sequence[int], acts: Sequence[tuple], alike: bool = True) -
     """
     calls: list[Call] = []
     particles = [Particle(mass=2.0) for _ in range(3)]
-    recorders = [(Alike if alike else Recorder)(i, calls, particles) for i in range(3)]
+    recorders = [
+        (EqualGenerator if alike else RecordingGenerator)(i, calls, particles) for i in range(3)
+    ]
     for i in immovable:
         particles[i].inverse_mass = 0.0
     registry = ForceRegistry()

@@ -52,17 +52,21 @@ def test_forces_add_up(rng: Random) -> None:
         about.call += f"; p.add_force(Vector3{force})"
         try:
             p.add_force(Vector3(*force))
+            summed = p.force_accumulator
         except TypeError as error:
             if "NoneType" in str(error):
                 about.cause = (
                     "self._forces[0] is None as long as no force has been added. Test for "
                 )
                 about.cause += "this case, in which the new force is the whole sum."
+            elif "but 7 were given" in str(error):
+                about.cause = "+ joins two tuples to one of six numbers. Add x to x, y to y and z "
+                about.cause += "to z, and store three numbers."
             raise
         total = [total[i] + force[i] for i in range(3)]
         name = "p.force_accumulator, after a force was added"
         cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
-        got = expect_vector(p.force_accumulator, call=name, cause=cause)
+        got = expect_vector(summed, call=name, cause=cause)
         slips = {
             "Your sum is only the latest force. Add each force to the sum instead of replacing "
             "the sum.": force,
@@ -72,10 +76,13 @@ def test_forces_add_up(rng: Random) -> None:
                 -part for part in total
             ],
             "You swapped y and z. Add x to x, y to y and z to z.": (total[0], total[2], total[1]),
-            "The sum is still zero after a force was added. force_accumulator must return the "
-            "sum that add_force stores in self._forces[0].": ZERO,
+            "The sum is still zero after a force was added. add_force must store the new sum in "
+            "self._forces[0], and force_accumulator must return it.": ZERO,
         }
         blame(got, slips)
+        if got == ZERO and xyz(p.acceleration) != (7, 8, 9):
+            about.cause = "You change p.acceleration instead of the sum of the forces. Store the "
+            about.cause += "new sum in self._forces[0]."
         expect_close(got, total, then="; p.force_accumulator", unit="N", tolerance=ROUNDED)
         expect_unmoved(
             p,

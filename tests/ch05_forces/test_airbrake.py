@@ -85,6 +85,14 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
                 "the missing minus sign.": [-part for part in pulled],
                 "Your force is -v m / h, although -k v is smaller here. Always add the smaller "
                 "of the two forces.": [-4.0 * part for part in v],
+                "Your force is -k v multiplied by 0.5. Either you multiply by the duration, or you "
+                "divide by the mass, but a force needs neither. Add -k v.": [
+                    0.5 * part for part in pulled
+                ],
+                "Your force has the size k at every speed, because you use a unit vector. Multiply "
+                "the velocity itself by -k.": [part / math.hypot(*v) for part in pulled],
+                "Your brake is on, but it adds no force. Pass its force to particle.add_force if "
+                "self.on is True.": ZERO,
                 "Your force is -k |v| v, which is quadratic drag. The drag of the brake is "
                 "linear, so use -k v.": [part * math.hypot(*v) for part in pulled],
             }
@@ -113,6 +121,8 @@ def test_a_weak_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
+            "Your force is -v m / h, although -k v is smaller here. Always add the smaller of the "
+            "two forces.": [f[i] - v[i] * mass / h for i in range(3)],
             "You limit the force to -v / h, without the mass m. The limit must be -v m / h, where "
             "h is the duration.": [f[i] - v[i] / h for i in range(3)],
             "You limit the force to -v m, without the duration h of the step. The limit must be "

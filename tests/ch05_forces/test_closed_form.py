@@ -47,6 +47,14 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         "Your result is sqrt(weight / k2), without k1. Include the linear drag too.": math.sqrt(
             392.4
         ),
+        "Your result is half of the right one. The numerator of W / (k1 + sqrt(k1^2 + 4 k2 W)) "
+        "must be 2 W, where W is the weight.": 19.62 / (0.3 + root),
+        "You divide by 2 and then multiply by k2. Put the product in parentheses, as in / (2 * "
+        "k2).": ((root - 0.3) / 2.0 * 0.05),
+        "You divide only the root by 2 k2. Put -k1 and the root in parentheses, and divide their "
+        "sum by 2 k2.": root / 0.1 - 0.3,
+        "You add the terminal speeds of the two kinds of drag. Both kinds act at the same speed v, "
+        "so solve k1 v + k2 v^2 = weight.": 19.62 / 0.3 + math.sqrt(392.4),
         "Your result is weight / k1, without k2. Include the quadratic drag too.": 19.62 / 0.3,
     }
     blame(got, slips)
@@ -141,10 +149,23 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
     v, x = wanted
     u, light = math.sqrt(2.0 * 9.81 / 0.05), math.sqrt(9.81 / 0.05)
-    angle = 9.81 * 3.0 / light
+    angle, linear = 9.81 * 3.0 / light, 2.0 * 9.81 / 0.05
     slips = {
         "You return the two results in the wrong order. Return the speed first and the "
         "distance second.": (x, v),
+        "You return only the speed. Return a tuple of the speed and the distance.": v,
+        "Your speed is negative. Return a positive speed, because the body falls.": (-v, x),
+        "Your distance is u^2 ln cosh x. Divide it by g.": (v, 9.81 * x),
+        "Your distance is (u / g) ln cosh x. It must be (u^2 / g) ln cosh x.": (v, x / u),
+        "Your x is t / u. Multiply it by g, which gives x = g t / u.": (
+            u * math.tanh(3.0 / u),
+            u * u / 9.81 * math.log(math.cosh(3.0 / u)),
+        ),
+        "You use k2 as the linear coefficient when you compute u. The second argument of "
+        "terminal_speed is k1, which is 0 here, and the third is k2.": (
+            linear * math.tanh(9.81 * 3.0 / linear),
+            linear * linear / 9.81 * math.log(math.cosh(9.81 * 3.0 / linear)),
+        ),
         "Your distance is u t, as if the body fell at the terminal speed u from the start. It "
         "starts at rest, so use (u^2 / g) ln cosh(g t / u) for the distance.": (v, u * 3.0),
         "Your distance is g t^2 / 2, as in a free fall without drag. Use (u^2 / g) ln cosh(g t "

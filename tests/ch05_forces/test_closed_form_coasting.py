@@ -14,6 +14,7 @@ from expect import about, blame, expect_close, named
 COAST = "the docstring of coasting_speed"
 # Formulas of a few operations each, of which none loses digits: relative.
 ROUNDED = 1e-12
+QUADRATIC = "Quadratic drag still acts, so use t / m in place of (1 - e^-s) / k1."
 
 
 @pytest.mark.exercise("B5.7", asks="v e^-s / (1 + k2 v (1 - e^-s) / k1)")
@@ -30,7 +31,18 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         wanted = 1.0 / ((1.0 / v + ratio) * math.exp(k1 * time / mass) - ratio)
         got = coasting_speed(v, k1, k2, mass, time)
         s = k1 * time / mass
+        half = 1.0 + ratio * v * math.expm1(-s)
         slips = {
+            "You use e^s instead of e^-s, where s = k1 t / m. Drag slows the body down, so the "
+            "exponent is negative.": v * math.exp(s) / (1.0 - ratio * v * math.expm1(s)),
+            "You divide only by the 1. Put the whole denominator 1 + k2 v (1 - e^-s) / k1 in "
+            "parentheses.": v * math.exp(-s) - ratio * v * math.expm1(-s),
+            "The initial speed v is missing from the denominator. It must be 1 + k2 v (1 - e^-s) / "
+            "k1, where s = k1 t / m.": v * math.exp(-s) / (1.0 - ratio * math.expm1(-s)),
+            "The initial speed v is missing from the numerator. It must be v e^-s, where s = k1 t "
+            "/ m.": math.exp(-s) / (1.0 - ratio * v * math.expm1(-s)),
+            "The second term of your denominator is negative. Either you subtract it, or it has "
+            "e^-s - 1 in place of 1 - e^-s, where s = k1 t / m.": v * math.exp(-s) / half,
             "Your result is v e^-s, where s = k1 t / m. Include the quadratic drag (k2) too.": (
                 v * math.exp(-s)
             ),
@@ -95,6 +107,10 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             cause=cause,
         )
         got = coasting_speed(v, k1, k2, mass, time)
+        if k2 and not k1:
+            blame(
+                got, [(v, f"You return the initial speed for k1 = 0, but k2 is {k2}. {QUADRATIC}")]
+            )
         expect_close(got, wanted, tolerance=tolerance, unit="m/s")
 
 

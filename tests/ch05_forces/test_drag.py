@@ -46,6 +46,16 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         ),
         "The size of your drag is k1 + k2, no matter what the speed |v| is. Multiply k1 by |v| "
         "and k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "You use the squared length of the velocity as the speed. The speed |v| is its length, "
+        "which magnitude() returns.": along(-(k1 * speed + k2 * speed**3)),
+        "You multiply k2 by |v|^2 and the whole by v, so one factor |v| is too many. Multiply -v "
+        "by k1 + k2 |v|.": along(-(k1 + k2 * speed**2)),
+        "The minus sign applies only to the term with k1, so the other term points along the "
+        "motion. Put both terms in parentheses after the minus sign.": along(k2 * speed - k1),
+        "You multiply both k1 and k2 by |v|^2. Multiply k1 by the speed |v| only.": along(
+            -(k1 + k2) * speed
+        ),
+        "You square k2 as well. Square only the speed.": along(-(k1 + k2 * k2 * speed)),
         "You use a different speed for each axis, such as |x| for the x component. Use the same "
         "total speed |v| in all three components.": (x, y, z),
     }
@@ -57,12 +67,13 @@ def test_the_drag_at_one_velocity(rng: Random) -> None:
     v = components(rng)
     about.call = f"v = Vector3{v}; drag_force(v, k1=0.5, k2=0.25)"
     about.cause = (
-        "drag_force has changed its argument v. The operations normalize, invert and *= work in "
-        "place, "
+        "The drag must be the vector -v (k1 + k2 |v|), where v is the velocity and |v| the "
     )
-    about.cause += "so use normalized, - and * instead."
+    about.cause += "speed. Put the sum k1 + k2 |v| in parentheses."
     velocity = Vector3(*v)
     got = xyz(drag_force(velocity, 0.5, 0.25))
+    about.cause = "drag_force has changed its argument v. The operations normalize, invert and *= "
+    about.cause += "work in place, so use normalized, - and * instead."
     expect_unchanged("v", xyz(velocity), v)
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
     about.cause = named(
@@ -71,11 +82,19 @@ def test_the_drag_at_one_velocity(rng: Random) -> None:
         "speed.",
         drag_slips(v, 0.5, 0.25),
     )
+    size = math.hypot(*v) * (0.5 + 0.25 * math.hypot(*v))
+    number = "You return the size of the drag, which is a number. Multiply the unit vector along v "
+    number += "by it to get a vector against the motion."
+    blame(got, [(size, number), (-size, number)])
     expect_close(got, wanted, unit="N")
-    about.cause = "update_force changed the velocity of the particle. It must only add a force."
+    about.cause = (
+        "Call drag_force with the velocity of the particle, self.k1 and self.k2, and pass "
+    )
+    about.cause += "its result to particle.add_force."
     about.call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
     p = Particle(velocity=Vector3(*v))
     Drag(0.5, 0.25).update_force(p, 0.5)
+    about.cause = "update_force changed the velocity of the particle. It must only add a force."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
@@ -170,6 +189,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     wanted = tuple(f[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
     slips = {
+        "Your force points along the velocity. drag_force has the minus sign already, so add its "
+        "result unchanged.": [f[i] - force[i] for i in range(3)],
         "You divide the drag by the mass. Add the force itself, because the step divides it by "
         "the mass later.": [f[i] + force[i] / mass for i in range(3)],
         "You multiply the drag by the duration. Add the force itself, because the step "

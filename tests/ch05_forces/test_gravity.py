@@ -43,6 +43,10 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
             "the weight, so don't add a minus sign.": [-mass * g[i] for i in range(3)],
             "You use only the y component of g. Gravity may point in any direction, so multiply "
             "the whole vector g by the mass.": (0.0, mass * g[1], 0.0),
+            "You use p.acceleration, the particle's own constant acceleration. The g of this "
+            "generator is self.acceleration.": [mass * part for part in (1, 2, 3)],
+            "Your force points straight down, but g may point in any direction. Multiply the "
+            "vector g by the mass.": (0.0, -mass * math.hypot(*g), 0.0),
             "update_force added no force to the particle. Compute the weight m g, and pass it "
             "to particle.add_force.": ZERO,
         }

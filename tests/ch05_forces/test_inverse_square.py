@@ -53,6 +53,16 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
             "by the distance r instead of r^2.": [part * distance for part in wanted],
             "Your force is proportional to 1 / r^3 instead of 1 / r^2, where r is the distance. "
             "Multiply m mu / r^2 by a unit vector.": [part / distance for part in wanted],
+            "update_force added no force to the particle. Compute the force, and pass it to "
+            "particle.add_force.": ZERO,
+            "Your force does not depend on the distance r. Python reads a / r * r as (a / r) * r, "
+            "so put the product r * r in parentheses, or divide twice.": [
+                part * distance**2 for part in wanted
+            ],
+            "Your force grows with the square of the distance r. Divide by r^2 instead of "
+            "multiplying.": [part * distance**4 for part in wanted],
+            "You divide by the mass. The factor mu / r^2 is an acceleration, so multiply it by the "
+            "mass to get a force.": [part / mass**2 for part in wanted],
             "You compute the force from the position after the step. Use the current position of "
             "the particle instead.": [-mass * mu * part / later**3 for part in moved],
             "Your force pushes the particle away from the center. Use the vector from the "

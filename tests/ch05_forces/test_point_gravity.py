@@ -48,6 +48,14 @@ def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [
                 part / mass for part in wanted
             ],
+            "update_force added no force to the particle. Compute the force, and pass it to "
+            "particle.add_force.": ZERO,
+            "You divide by the mass. The strength is an acceleration, so multiply it by the mass "
+            "to get a force.": [part / mass**2 for part in wanted],
+            "Your force decreases with the distance. It must be equally strong at every distance, "
+            "so multiply a unit vector by m times the strength.": [
+                part / distance for part in wanted
+            ],
             "Your force decreases with the square of the distance. It must be equally strong at "
             "every distance, so don't divide by the square.": [
                 part / distance**2 for part in wanted

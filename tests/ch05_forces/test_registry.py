@@ -91,7 +91,13 @@ def expect_asked(
         else:
             about.call += f"registry.update_forces({numbers[0]}); "
     about.call += "the calls to update_force"
-    got = [*map(tuple, asked(immovable, acts, alike))]
+    try:
+        got = [*map(tuple, asked(immovable, acts, alike))]
+    except AttributeError as error:
+        if "Generator' object has no attribute" in str(error):
+            about.cause = "You use a generator where a particle is needed. Each entry of "
+            about.cause += "self._pairs is a tuple (particle, generator), in this order."
+        raise
     for name, calls in (slips or {}).items():
         if got == calls:
             about.cause = name
@@ -141,6 +147,10 @@ def test_every_pair_is_called_once_per_step(rng: Random) -> None:
         ],
         "You always pass a duration of 1/60 s to the generators. Pass them the duration that "
         "update_forces receives.": [(p, generator, 1.0 / 60.0) for p, generator, _ in wanted],
+        "You call the generator of only one pair in each update, the first one. Perhaps a return "
+        "or break ends your loop early.": [wanted[0], wanted[3]],
+        "Your registry keeps only the newest pair. In add, append the new pair to the list of the "
+        "others.": [wanted[2], wanted[5]],
         "Your update_forces calls none of the generators, although all particles can move. Skip "
         "a particle only if its inverse mass is 0.": [],
     }
@@ -252,7 +262,8 @@ def test_clear_removes_all_pairs() -> None:
     slips = {
         "g0 and g1 are still called after registry.clear(). clear must remove all pairs from the "
         "registry.": [*first, *first, (0, 0, 0.25), (1, 1, 0.25), (2, 1, 0.25)],
-        "Your clear removed only the first pair in the registry. It must remove all pairs.": [
+        "Your clear removed only the first pair in the registry. It must remove all pairs, so "
+        "don't loop over the list while you remove pairs from it.": [
             *first,
             (1, 1, 0.5),
             (2, 1, 0.25),
@@ -280,8 +291,10 @@ def test_immovable_particles_are_skipped() -> None:
         ],
     }
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,), slips=slips)
-    about.cause = "You skip p1 in the second update, although it can move by then. Check the "
-    about.cause += "inverse mass in every update."
+    about.cause = (
+        "You skip p1 in the second update, although it can move by then. Keep its pair in "
+    )
+    about.cause += "the registry, and check the inverse mass in every update."
     acts = [("add", 1, 2), ("add", 0, 2), ("update", 0.5), ("free", 1), ("update", 0.5)]
     wanted = [(0, 2, 0.5), (1, 2, 0.5), (0, 2, 0.5)]
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,))
@@ -302,7 +315,9 @@ def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
     cleared = "The force from p.add_force is missing from the sum. Don't clear the sum in "
     cleared += "update_forces, because only a time step does that."
-    blame(after, {cleared: [first[i] + second[i] for i in range(3)]})
+    moved = "The sum is zero after update_forces. Don't clear it and don't integrate the particle "
+    moved += "there, because the particles move only after the update."
+    blame(tuple(after), {cleared: [first[i] + second[i] for i in range(3)], moved: (0, 0, 0)})
     # Two roundings of numbers up to 30.
     expect_close(after, wanted, tolerance=1e-13, unit="N")
     about.cause = "registry.add changed the sum of the forces on p. It must only add the pair to "

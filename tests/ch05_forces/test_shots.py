@@ -46,9 +46,13 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         about.call = f"range = SniperRange(1); range.shoot(azimuth={azimuth}, "
         about.call += f"elevation={elevation})"
         at = SniperRange(1)
-        about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
-        about.cause += "fire a bullet and return True."
+        about.cause = (
+            "shoot must fire a bullet here. MUZZLE and GRAVITY are tuples, so make vectors "
+        )
+        about.cause += "of them, as in Vector3(*MUZZLE)."
         fired = at.shoot(azimuth, elevation)
+        about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
+        about.cause += "fire a bullet, store it in self.bullet, and return True."
         nothing = "shoot returned nothing. Return True after a bullet is fired."
         expect_that(fired is not None, "nothing (None)", "True", cause=nothing)
         expect_exactly(fired, True)
@@ -64,6 +68,9 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         )
         got = xyz(bullet.velocity)
         slips = {
+            "The velocity of your bullet is a unit vector. Multiply it by MUZZLE_SPEED.": [
+                part / 120.0 for part in wanted
+            ],
             "You swapped the azimuth and the elevation. The elevation sets the vertical part "
             "of the velocity, and the azimuth rotates the horizontal part.": (
                 120.0 * math.cos(azimuth) * math.sin(elevation),
@@ -101,6 +108,8 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         about.cause = (
             "shoot doesn't count this shot. Reduce shots_left by 1 when you fire a bullet."
         )
+        minus = "You set shots_left to -1, because =- is not -=. Write self.shots_left -= 1."
+        blame(at.shots_left, [(-1, minus)])
         expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
@@ -109,8 +118,10 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator, in N"
-    about.cause = "The wind must act on the bullet exactly once. In shoot, register the wind for "
-    about.cause += "the new bullet in self.forces once."
+    about.cause = (
+        "The wind must act on the bullet exactly once. In shoot, call self.forces.add once, "
+    )
+    about.cause += "with the new bullet first and the wind second."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -232,6 +243,8 @@ def expect_hole(
     slips = {
         "Your points are those of the ring alone. Multiply them by the target's factor, which is "
         f"{factor} here.": (x, y, points / factor),
+        "Your x and y have the wrong sign. Subtract the target's center from the point where the "
+        "path crosses its plane, not the other way around.": (-x, -y, points),
         "Your x and y are the position of the hole in the world. Subtract the target's center.": (
             x + middle,
             y + height,
@@ -253,8 +266,12 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
 @pytest.mark.exercise("P4.2b", asks="If the crossing point lies inside a ring")
 def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = "The path goes through a target, but you find no hole. Subtract the target's x "
-    about.cause += "and y before you call ring_points, which measures from the center."
+    about.cause = (
+        "The path goes through a target, but you find no hole. Find x and y where it crosses "
+    )
+    about.cause += (
+        "the target's plane, and subtract the target's center before you call ring_points."
+    )
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)

@@ -56,8 +56,11 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
         about.call = f"range = SniperRange(1), without drag; range.shoot(azimuth={azimuth:.6g}, "
         about.call += f"elevation={elevation:.6g}); range.update(1/60) until range.bullet is None"
-        about.cause = "The bullet flies through a target, but you find no hit. integrate moves "
-        about.cause += "bullet.position in place, so copy the position before you call integrate."
+        about.cause = "The bullet flies through a target, but you find no hit. Copy the position "
+        about.cause += (
+            "before you call integrate, which changes it in place, and pass this copy to "
+        )
+        about.cause += "hit_on_the_way as start, and the new position as end."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         if holes:

@@ -110,6 +110,10 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
         ],
         "Your new velocity is v + a h, without the forces. Use a + f / m instead of a, where f "
         "is the sum of the forces.": [v[i] + a[i] * h for i in range(3)],
+        "You divide the constant acceleration a by the mass, too. Divide only the forces, because "
+        "the acceleration must be a + f / m.": [
+            v[i] + (a[i] / mass + sums[i]) * h for i in range(3)
+        ],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
@@ -144,6 +148,8 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
         "the velocity by d^h, the damping to the power of the duration.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
+        "You damp only the change of the velocity. Multiply the whole new velocity by d^h, the "
+        "damping to the power of the duration.": [v[i] + gained[i] * keep for i in range(3)],
         "The damping is missing. Multiply the new velocity by d^h, the damping to the power of "
         "the duration.": [v[i] + gained[i] for i in range(3)],
         "You multiply the velocity by d, the damping for a whole second. In a step of h "

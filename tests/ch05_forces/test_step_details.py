@@ -51,9 +51,17 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
         "Your result is only f / m. Add the constant acceleration a.": [
             f[i] / mass for i in range(3)
         ],
+        "You divide the constant acceleration by the mass, too. Divide only the force f, because "
+        "the result must be a + f / m.": [(a[i] + f[i]) / mass for i in range(3)],
+        "You divide the constant acceleration a by the mass, but not the force f. The result must "
+        "be a + f / m.": [a[i] / mass + f[i] for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", unit="m/s^2", tolerance=ROUNDED)
+    about.cause = "last_acceleration has changed p.acceleration, because += works in place. Use +, "
+    about.cause += "which creates a new vector."
+    then = "; p.last_acceleration"
+    expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=then)
     about.cause = "last_acceleration contains a force that no step has used yet. Return only the "
     about.cause += "acceleration of the last step."
     p.add_force(Vector3(*g))

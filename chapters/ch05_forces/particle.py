@@ -1,7 +1,6 @@
 """A particle on which forces act: the particle of chapter 3, with a force accumulator (book 5.1).
 
-Units are SI, so forces are in N. Everything here raises TypeError for an argument that is not a
-number, or not a Vector3 where a vector is expected.
+Units are SI, so forces are in N.
 """
 
 from __future__ import annotations
@@ -99,18 +98,21 @@ class Particle(particle.Particle):
     def force_accumulator(self) -> Vector3:
         """The sum of the forces added since the last time step, in N, as a new vector.
 
-        Changing the returned vector does not change the sum.
+        If no force was added, the sum is the zero vector. Changing the returned vector does not
+        change the sum.
         """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def add_force(self, force: Vector3) -> None:
         """Add a force in N to the sum of the forces that act on the particle in the next time step.
 
-        The vector ``force`` itself does not change.
+        The vector ``force`` itself does not change, and a later change to it does not change the
+        sum. The position, the velocity and the acceleration stay the same until the step.
 
         Raises:
             ValueError: if a component of the force, or of the sum, is not finite. In that case the
                 sum does not change.
+            TypeError: if the force is not a Vector3. The sum does not change then either.
 
         Book 5.1.
         """
@@ -141,7 +143,8 @@ class Particle(particle.Particle):
         The new velocity is v' = (v + a h) d^h. Here h is ``duration``, d is the damping, and a is
         the constant acceleration plus f / m. The force f is the sum of the forces that were added
         since the last kick. After the update, clear this sum, even for an immovable particle, so
-        that each force acts only once. Keep a copy of it for ``last_acceleration``.
+        that each force acts only once. Keep a copy of it for ``last_acceleration``. The mass and
+        the damping may change between two steps, so use their current values in each step.
 
         You do not have to write ``integrate`` again. The version from chapter 3 already calls this
         method after it has moved the particle. As in chapter 3, the duration is not checked.

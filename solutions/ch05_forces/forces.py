@@ -1,10 +1,8 @@
 """Force generators, and the registry that applies them in each time step (book 5.2 and 5.3).
 
 A generator adds one force to a particle, and does not have to know about the other forces on it.
-The constructor of a generator copies vectors, and raises ValueError for a number or component that
-is not finite. You may change its attributes later, but these changes are not checked. Everything
-here raises TypeError for an argument that is not a number, or not a Vector3 where a vector is
-expected.
+The constructors are complete. They check their arguments and copy vectors. You may change the
+attributes of a generator later, and it uses the new values from its next call on.
 """
 
 from __future__ import annotations
@@ -26,7 +24,8 @@ class ForceGenerator(Protocol):
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force of this generator, such as gravity or drag, to ``particle``.
 
-        ``duration`` is the length of the time step in s. Book 5.2.2.
+        Keep the forces that were added before, and change nothing else, neither in the particle nor
+        in the generator. ``duration`` is the length of the time step in s. Book 5.2.2.
         """
 
 
@@ -48,19 +47,10 @@ class ForceRegistry:
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let ``generator`` act on ``particle`` in every later time step.
 
-        You may add the same pair more than once. A pair that was added twice acts with twice the
-        force.
-
-        Raises:
-            TypeError: if the particle has no ``add_force``, or the generator has no
-                ``update_force``.
-
+        One generator may act on several particles, and several generators on one particle. You
+        may add the same pair more than once. A pair that was added twice acts with twice the force.
         Book 5.2.2.
         """
-        if not callable(getattr(particle, "add_force", None)):
-            raise TypeError(f"particle must have add_force, got {particle!r}")
-        if not callable(getattr(generator, "update_force", None)):
-            raise TypeError(f"generator must have update_force, got {generator!r}")
         self._pairs.append((particle, generator))
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
@@ -81,14 +71,10 @@ class ForceRegistry:
     def update_forces(self, duration: float) -> None:
         """Let every registered generator add its force to its particle, once per time step.
 
-        ``duration`` is the length of the step in s. Skip immovable particles, because no force can
-        move them. A generator may add or remove pairs while this method runs, but the change takes
-        effect only in the next call. If a generator raises an exception, let it propagate, and do
-        not call the remaining generators.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case no generator is
-                called.
+        Go through the pairs in the order in which they were added. ``duration`` is the length of
+        the step in s. Skip immovable particles, because no force can move them, but keep their
+        pairs, because their mass may change later. A generator may add or remove pairs while this
+        method runs, but the change takes effect only in the next call.
         """
         positive("duration", duration)
         for particle, generator in self._pairs.copy():
@@ -141,7 +127,8 @@ def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
     """Compute the drag in N on a body that moves at ``velocity`` in m/s, as a new vector.
 
     The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. If the
-    velocity is zero, so is the drag. ``k1`` is in N s/m and ``k2`` in N s^2/m^2. Book Eq. 5.1.
+    velocity is zero, so is the drag. The vector ``velocity`` itself does not change. ``k1`` is in
+    N s/m and ``k2`` in N s^2/m^2. Book Eq. 5.1.
     """
     return velocity * -(k1 + k2 * velocity.magnitude())
 
@@ -199,12 +186,7 @@ class Airbrake:
         In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
         force of -k v would therefore push the particle backward. A brake cannot do this, so limit
         the force: on its own, the brake may remove at most the fraction ``FULL`` of the velocity in
-        one step. An immovable particle must not cause an error.
-
-        Raises:
-            ValueError: if the duration is not positive and finite.
-
-        Exercise 5.2.
+        one step. An immovable particle must not cause an error. Exercise 5.2.
         """
         positive("duration", duration)
         if self.on:
@@ -231,8 +213,9 @@ class PointGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Pull the particle toward the center with a force of m times ``strength``.
 
-        At the center the force would have no direction, so it is zero there. Skip an immovable
-        particle, because its force would be infinite. Exercise 5.3.
+        At the center the force would have no direction, so it is zero there. Everywhere else, even
+        very close to the center, it has its full strength. Skip an immovable particle, because its
+        force would be infinite. Exercise 5.3.
         """
         if particle.has_finite_mass:
             way = (self.center - particle.position).normalized()
@@ -259,8 +242,9 @@ class InverseSquareGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Pull the particle toward the center with the force m mu / r^2.
 
-        Here r is the distance of the particle from the center in m. Skip an immovable particle,
-        because its force would be infinite.
+        Here r is the distance of the particle from the center in m. If the force is finite, it must
+        be correct at any distance, even if r^2 or r^3 does not fit in a float. Skip an immovable
+        particle, because its force would be infinite.
 
         Raises:
             ArithmeticError: if the particle is at the center, or so close to it that the force is

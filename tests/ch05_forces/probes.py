@@ -36,18 +36,13 @@ def pushed(force: Components, mass: float, damping: float, duration: float, fram
     return state_of(particle)
 
 
-class Recorder:
-    """A generator that records its calls. All recorders are equal under ==."""
+class RecordingGenerator:
+    """A generator that records its calls."""
 
     def __init__(self, index: int, calls: list[Call], particles: Sequence[Particle]) -> None:
         self.index = index
         self.calls = calls
         self.particles = particles
-
-    def __eq__(self, other: object) -> bool:
-        return True
-
-    __hash__ = None  # type: ignore[assignment]
 
     def update_force(self, particle: Particle, duration: float) -> None:
         for i, known in enumerate(self.particles):
@@ -57,18 +52,40 @@ class Recorder:
         raise ValueError(f"update_force takes the particle before the duration, got {particle!r}")
 
 
-def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:
+class EqualGenerator(RecordingGenerator):
+    """A recorder that equals all others under ==."""
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def paired(particle: int, generator: int) -> list[list[str]]:
+    """Add one pair to a registry, and return the names of what its pairs() returns."""
+    particles = [Particle(mass=2.0) for _ in range(3)]
+    recorders = [RecordingGenerator(i, [], particles) for i in range(3)]
+    names = {id(one): f"p{i}" for i, one in enumerate(particles)}
+    names |= {id(one): f"g{i}" for i, one in enumerate(recorders)}
+    registry = ForceRegistry()
+    registry.add(particles[particle], recorders[generator])
+    return [[names.get(id(one), type(one).__name__) for one in pair] for pair in registry.pairs()]
+
+
+def asked(immovable: Sequence[int], acts: Sequence[tuple], alike: bool = True) -> list[Call]:
     """Carry out ``acts`` on a registry of three particles and three generators.
 
     An act is ("add", 0, 2), ("remove", 0, 2), ("clear",), ("update", 0.5), or ("free", 0), which
-    makes a particle movable.
+    makes a particle movable. If ``alike`` is True, all generators are equal under ==.
 
     Returns:
         The particle, the generator and the duration of each call of update_force.
     """
     calls: list[Call] = []
     particles = [Particle(mass=2.0) for _ in range(3)]
-    recorders = [Recorder(i, calls, particles) for i in range(3)]
+    recorders = [
+        (EqualGenerator if alike else RecordingGenerator)(i, calls, particles) for i in range(3)
+    ]
     for i in immovable:
         particles[i].inverse_mass = 0.0
     registry = ForceRegistry()
@@ -113,37 +130,6 @@ def gathered(by_hand: Components, pushes: Sequence[Components]) -> list[Componen
     registry.remove(particle, generators[0])
     registry.clear()
     return [*sums, xyz(particle.force_accumulator)]
-
-
-def failing() -> ForceRegistry:
-    """Return a registry with a generator that raises ArithmeticError."""
-
-    class Failing:
-        def update_force(self, particle: Particle, duration: float) -> None:
-            raise ArithmeticError("no finite force")
-
-    registry = ForceRegistry()
-    registry.add(Particle(), Failing())
-    return registry
-
-
-def asked_after_a_refusal(duration: float, immovable: bool) -> int:
-    """Update with a bad duration, then for 0.5 s, and return the number of generator calls."""
-    calls: list[Call] = []
-    particle = Particle(mass=2.0)
-    if immovable:
-        particle.inverse_mass = 0.0
-    registry = ForceRegistry()
-    registry.add(particle, Recorder(0, calls, [particle]))
-    try:
-        registry.update_forces(duration)
-    except (TypeError, ValueError):
-        pass
-    else:
-        calls += [(0, 0, 0.0)] * 100
-    particle.inverse_mass = 1.0
-    registry.update_forces(0.5)
-    return len(calls)
 
 
 def asked_while_it_changes(what: str) -> list[int]:

@@ -10,7 +10,7 @@ import pytest
 
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from draw import positive_number
-from expect import about, blame, expect_close, expect_that, named, scoped
+from expect import about, blame, expect_close, expect_error, expect_that, named, scoped
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
@@ -21,7 +21,7 @@ ROUNDED = 1e-12
 # B5.6 Terminal speed
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="the positive solution v of k1 v + k2 v^2 = weight")
 def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
     about.read = TERMINAL
     about.cause = "Your result does not solve the equation k1 v + k2 v^2 = weight. Return its "
@@ -47,6 +47,14 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         "Your result is sqrt(weight / k2), without k1. Include the linear drag too.": math.sqrt(
             392.4
         ),
+        "Your result is half of the right one. The numerator of W / (k1 + sqrt(k1^2 + 4 k2 W)) "
+        "must be 2 W, where W is the weight.": 19.62 / (0.3 + root),
+        "You divide by 2 and then multiply by k2. Put the product in parentheses, as in / (2 * "
+        "k2).": ((root - 0.3) / 2.0 * 0.05),
+        "You divide only the root by 2 k2. Put -k1 and the root in parentheses, and divide their "
+        "sum by 2 k2.": root / 0.1 - 0.3,
+        "You add the terminal speeds of the two kinds of drag. Both kinds act at the same speed v, "
+        "so solve k1 v + k2 v^2 = weight.": 19.62 / 0.3 + math.sqrt(392.4),
         "Your result is weight / k1, without k2. Include the quadratic drag too.": 19.62 / 0.3,
     }
     blame(got, slips)
@@ -77,7 +85,7 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         expect_that(v > 0.0, "a negative speed", "a positive speed")
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="for any combination of the two kinds of drag")
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
@@ -96,7 +104,7 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     expect_close(got, wanted, tolerance=ROUNDED * wanted, unit="m/s")
 
 
-@pytest.mark.exercise("B5.6")
+@pytest.mark.exercise("B5.6", asks="even if one coefficient is 0 or tiny")
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
@@ -112,10 +120,25 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
         expect_close(got, wanted, tolerance=ROUNDED * u, unit="m/s")
 
 
+@pytest.mark.exercise("B5.6", asks="if both coefficients are 0")
+@pytest.mark.robust
+def test_without_drag_there_is_no_terminal_speed(rng: Random) -> None:
+    about.read = TERMINAL
+    weight = positive_number(rng, 5.0, 900.0)
+    about.cause = "Both k1 and k2 are 0. Without drag the speed grows without limit, so there is "
+    about.cause += "no terminal speed to return. Raise ValueError."
+    expect_error(
+        lambda: terminal_speed(weight, 0.0, 0.0),
+        ValueError,
+        call=f"terminal_speed(weight={weight}, k1=0.0, k2=0.0)",
+        allowed=lambda: terminal_speed(weight, 0.3, 0.05),
+    )
+
+
 # B5.7 Falling without steps
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="Return the speed in m/s, which is u tanh x")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     about.read = FALL
     about.cause = "The result is wrong. The speed must be u tanh(g t / u) and the distance (u^2 / "
@@ -126,10 +149,23 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
     v, x = wanted
     u, light = math.sqrt(2.0 * 9.81 / 0.05), math.sqrt(9.81 / 0.05)
-    angle = 9.81 * 3.0 / light
+    angle, linear = 9.81 * 3.0 / light, 2.0 * 9.81 / 0.05
     slips = {
         "You return the two results in the wrong order. Return the speed first and the "
         "distance second.": (x, v),
+        "You return only the speed. Return a tuple of the speed and the distance.": v,
+        "Your speed is negative. Return a positive speed, because the body falls.": (-v, x),
+        "Your distance is u^2 ln cosh x. Divide it by g.": (v, 9.81 * x),
+        "Your distance is (u / g) ln cosh x. It must be (u^2 / g) ln cosh x.": (v, x / u),
+        "Your x is t / u. Multiply it by g, which gives x = g t / u.": (
+            u * math.tanh(3.0 / u),
+            u * u / 9.81 * math.log(math.cosh(3.0 / u)),
+        ),
+        "You use k2 as the linear coefficient when you compute u. The second argument of "
+        "terminal_speed is k1, which is 0 here, and the third is k2.": (
+            linear * math.tanh(9.81 * 3.0 / linear),
+            linear * linear / 9.81 * math.log(math.cosh(9.81 * 3.0 / linear)),
+        ),
         "Your distance is u t, as if the body fell at the terminal speed u from the start. It "
         "starts at rest, so use (u^2 / g) ln cosh(g t / u) for the distance.": (v, u * 3.0),
         "Your distance is g t^2 / 2, as in a free fall without drag. Use (u^2 / g) ln cosh(g t "
@@ -181,7 +217,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="even if x is very small")
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
@@ -221,14 +257,14 @@ def expect_terminal_speed(rng: Random, angles: tuple[float, ...]) -> None:
         expect_close(distance, wanted, then="; distance", tolerance=tolerance, unit="m")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="very small or very large")
 def test_a_long_fall_reaches_the_terminal_speed(rng: Random) -> None:
     about.cause = "The result of a long fall is wrong. The speed must be the terminal speed u, and "
     about.cause += "the distance u t - (u^2 / g) ln 2."
     expect_terminal_speed(rng, (60.0, 600.0))  # cosh of 711 is too large for a float
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="very small or very large")
 @pytest.mark.robust
 def test_a_very_long_fall_does_not_overflow(rng: Random) -> None:
     about.cause = "You compute cosh x, which is too large for a float for a large x = g t / u. Use "
@@ -236,7 +272,7 @@ def test_a_very_long_fall_does_not_overflow(rng: Random) -> None:
     expect_terminal_speed(rng, (800.0, 1e6))
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="Both must be correct to about 12 digits")
 def test_a_fall_of_any_length_is_accurate() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
@@ -260,7 +296,7 @@ def test_a_fall_of_any_length_is_accurate() -> None:
             expect_close(got, exact, then=f"; {name}", unit=unit, tolerance=tolerance)
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="the time in s, which may be 0")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
     about.cause = "You reject a time of 0, which is valid. At the start of the fall, the "

@@ -14,9 +14,10 @@ from expect import about, blame, expect_close, named
 COAST = "the docstring of coasting_speed"
 # Formulas of a few operations each, of which none loses digits: relative.
 ROUNDED = 1e-12
+QUADRATIC = "Quadratic drag still acts, so use t / m in place of (1 - e^-s) / k1."
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="v e^-s / (1 + k2 v (1 - e^-s) / k1)")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     about.read = COAST
     about.cause = "The speed is wrong. It must be v e^-s / (1 + k2 v (1 - e^-s) / k1), where v is "
@@ -30,7 +31,18 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         wanted = 1.0 / ((1.0 / v + ratio) * math.exp(k1 * time / mass) - ratio)
         got = coasting_speed(v, k1, k2, mass, time)
         s = k1 * time / mass
+        half = 1.0 + ratio * v * math.expm1(-s)
         slips = {
+            "You use e^s instead of e^-s, where s = k1 t / m. Drag slows the body down, so the "
+            "exponent is negative.": v * math.exp(s) / (1.0 - ratio * v * math.expm1(s)),
+            "You divide only by the 1. Put the whole denominator 1 + k2 v (1 - e^-s) / k1 in "
+            "parentheses.": v * math.exp(-s) - ratio * v * math.expm1(-s),
+            "The initial speed v is missing from the denominator. It must be 1 + k2 v (1 - e^-s) / "
+            "k1, where s = k1 t / m.": v * math.exp(-s) / (1.0 - ratio * math.expm1(-s)),
+            "The initial speed v is missing from the numerator. It must be v e^-s, where s = k1 t "
+            "/ m.": math.exp(-s) / (1.0 - ratio * v * math.expm1(-s)),
+            "The second term of your denominator is negative. Either you subtract it, or it has "
+            "e^-s - 1 in place of 1 - e^-s, where s = k1 t / m.": v * math.exp(-s) / half,
             "Your result is v e^-s, where s = k1 t / m. Include the quadratic drag (k2) too.": (
                 v * math.exp(-s)
             ),
@@ -60,7 +72,7 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     expect_close(got, wanted, call=name, tolerance=1e-10 * v, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="If k1 is 0, this formula divides by 0")
 def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
     about.read = COAST
     v, k, mass = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
@@ -95,10 +107,14 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             cause=cause,
         )
         got = coasting_speed(v, k1, k2, mass, time)
+        if k2 and not k1:
+            blame(
+                got, [(v, f"You return the initial speed for k1 = 0, but k2 is {k2}. {QUADRATIC}")]
+            )
         expect_close(got, wanted, tolerance=tolerance, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="even if k1 is tiny")
 def test_coasting_with_little_linear_drag_is_accurate(rng: Random) -> None:
     about.read = COAST
     v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
@@ -116,7 +132,7 @@ def test_coasting_with_little_linear_drag_is_accurate(rng: Random) -> None:
         expect_close(got, wanted, tolerance=ROUNDED * wanted, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="after drag alone has acted on it")
 def test_coasting_for_no_time_and_coasting_from_rest(rng: Random) -> None:
     about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
@@ -132,7 +148,7 @@ def test_coasting_for_no_time_and_coasting_from_rest(rng: Random) -> None:
         expect_close(got, wanted, tolerance=ROUNDED * speed, unit="m/s")
 
 
-@pytest.mark.exercise("B5.7")
+@pytest.mark.exercise("B5.7", asks="or the time is very long")
 @pytest.mark.robust
 def test_coasting_for_a_very_long_time_ends_at_rest(rng: Random) -> None:
     about.read = COAST

@@ -46,23 +46,34 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         ),
         "The size of your drag is k1 + k2, no matter what the speed |v| is. Multiply k1 by |v| "
         "and k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "You use the squared length of the velocity as the speed. The speed |v| is its length, "
+        "which magnitude() returns.": along(-(k1 * speed + k2 * speed**3)),
+        "You multiply k2 by |v|^2 and the whole by v, so one factor |v| is too many. Multiply -v "
+        "by k1 + k2 |v|.": along(-(k1 + k2 * speed**2)),
+        "The minus sign applies only to the term with k1, so the other term points along the "
+        "motion. Put both terms in parentheses after the minus sign.": along(k2 * speed - k1),
+        "You multiply both k1 and k2 by |v|^2. Multiply k1 by the speed |v| only.": along(
+            -(k1 + k2) * speed
+        ),
+        "You square k2 as well. Square only the speed.": along(-(k1 + k2 * k2 * speed)),
         "You use a different speed for each axis, such as |x| for the x component. Use the same "
         "total speed |v| in all three components.": (x, y, z),
     }
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="The vector velocity itself does not change")
 def test_the_drag_at_one_velocity(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"v = Vector3{v}; drag_force(v, k1=0.5, k2=0.25)"
     about.cause = (
-        "drag_force has changed its argument v. The operations normalize, invert and *= work in "
-        "place, "
+        "The drag must be the vector -v (k1 + k2 |v|), where v is the velocity and |v| the "
     )
-    about.cause += "so use normalized, - and * instead."
+    about.cause += "speed. Put the sum k1 + k2 |v| in parentheses."
     velocity = Vector3(*v)
     got = xyz(drag_force(velocity, 0.5, 0.25))
+    about.cause = "drag_force has changed its argument v. The operations normalize, invert and *= "
+    about.cause += "work in place, so use normalized, - and * instead."
     expect_unchanged("v", xyz(velocity), v)
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
     about.cause = named(
@@ -71,15 +82,23 @@ def test_the_drag_at_one_velocity(rng: Random) -> None:
         "speed.",
         drag_slips(v, 0.5, 0.25),
     )
+    size = math.hypot(*v) * (0.5 + 0.25 * math.hypot(*v))
+    number = "You return the size of the drag, which is a number. Multiply the unit vector along v "
+    number += "by it to get a vector against the motion."
+    blame(got, [(size, number), (-size, number)])
     expect_close(got, wanted, unit="N")
-    about.cause = "update_force changed the velocity of the particle. It must only add a force."
+    about.cause = (
+        "Call drag_force with the velocity of the particle, self.k1 and self.k2, and pass "
+    )
+    about.cause += "its result to particle.add_force."
     about.call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
     p = Particle(velocity=Vector3(*v))
     Drag(0.5, 0.25).update_force(p, 0.5)
+    about.cause = "update_force changed the velocity of the particle. It must only add a force."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="drag acts against the motion")
 def test_drag_points_against_the_motion(rng: Random) -> None:
     about.read = READ
     v = components(rng)
@@ -112,7 +131,7 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
         expect_close(got, wanted, unit="N")
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="k1 times the speed and k2 times the speed squared")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
     about.cause = "The drag does not increase with the speed as it should. Multiply k1 by the "
@@ -129,7 +148,7 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
         expect_close(got, (0.0, 0.0, force), unit="N")
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="If the velocity is zero, so is the drag")
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.read = READ
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
@@ -151,24 +170,27 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     expect_close(got, wanted, unit="N")
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="add it to the particle's other forces")
 def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     v, f = components(rng), components(rng)
     k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
     speed = math.hypot(*v)
     h = 0.0625  # short enough for a drag that never reverses the motion
     about.read = "the docstring of Drag"
-    about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
-    about.call += f"Drag(k1={k1}, k2={k2}); drag.update_force(p, {h}); p.force_accumulator"
+    about.call = f"p = Particle(Vector3(1, 2, 3), Vector3{v}, mass={mass}); "
+    about.call += f"p.add_force(Vector3{f}); drag = Drag(k1={k1}, k2={k2}); "
+    about.call += f"drag.update_force(p, {h}); p.force_accumulator"
     about.cause = "The force on the particle is wrong. Compute the drag from the particle's "
     about.cause += "velocity with drag_force, and add it unchanged."
-    p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
+    p, drag = Particle(Vector3(1, 2, 3), Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)
     force = [-v[i] * (k1 + k2 * speed) for i in range(3)]
     wanted = tuple(f[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
     slips = {
+        "Your force points along the velocity. drag_force has the minus sign already, so add its "
+        "result unchanged.": [f[i] - force[i] for i in range(3)],
         "You divide the drag by the mass. Add the force itself, because the step divides it by "
         "the mass later.": [f[i] + force[i] / mass for i in range(3)],
         "You multiply the drag by the duration. Add the force itself, because the step "
@@ -177,8 +199,11 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "square of the speed.": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
         "The sum is only the drag, without the force that was added before. Add the drag with "
         "add_force, and don't clear any forces.": force,
-        "Your update_force added no drag. Compute the drag from the velocity of the particle, "
-        "not from its position, and add it.": f,
+        "Your update_force added no force to the particle. Pass the result of drag_force to "
+        "particle.add_force.": f,
+        "You compute the drag from the position of the particle. Use its velocity instead.": [
+            f[i] - (1.0, 2.0, 3.0)[i] * (k1 + k2 * math.sqrt(14.0)) for i in range(3)
+        ],
     }
     blame(got, slips)
     # A few roundings of numbers up to 150.
@@ -195,7 +220,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12, unit="N")
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="The drag is -v^ (k1 |v| + k2 |v|^2)")
 def test_a_fall_reaches_its_terminal_speed() -> None:
     about(
         "p = Particle(acceleration=Vector3(0, -9.81, 0), mass=2); for 60 s, in steps of h = 1/60 "
@@ -225,7 +250,7 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
     )
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="The drag is -v^ (k1 |v| + k2 |v|^2)")
 def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
     about(
         "p = Particle(acceleration=Vector3(0, -9.81, 0), mass=2); for 3 s: Drag(k1=0, "
@@ -242,7 +267,7 @@ def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
     expect_first_order((distances[0], distances[1]), 0.06, what="the distance")
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="The drag is -v^ (k1 |v| + k2 |v|^2)")
 def test_coasting_is_more_accurate_with_shorter_steps() -> None:
     about(
         "p = Particle(velocity=Vector3(20, 0, 0), mass=2); for 2 s: Drag(k1=0.3, "
@@ -260,7 +285,7 @@ def test_coasting_is_more_accurate_with_shorter_steps() -> None:
     expect_first_order(errors, 0.03, what="the speed")
 
 
-@pytest.mark.exercise("B5.5")
+@pytest.mark.exercise("B5.5", asks="the motion reverses in every step")
 def test_linear_drag_in_steps_near_its_limits() -> None:
     about.read = READ
     k1, mass, frames = 8.0, 2.0, 40

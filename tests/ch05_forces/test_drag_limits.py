@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import math
 from random import Random
+from typing import Any
 
 import pytest
 
 from ch05_forces.closed_form import drag_limits
 from ch05_forces.probes import with_drag
 from draw import positive_number
-from expect import about, expect_close, expect_error, expect_exactly, named
+from expect import about, expect_close, expect_exactly, named
 
 LIMITS = "the docstring of drag_limits"
 
 
-@pytest.mark.exercise("B5.8")
+@pytest.mark.exercise("B5.8", asks="Return two limits in s")
 def test_the_limits_by_their_formula(rng: Random) -> None:
     about.read = LIMITS
     k1, k2, mass, speed = (
@@ -27,9 +28,9 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     about.cause = "The limits are wrong. A step of h seconds multiplies the velocity by 1 - (k1 + "
     about.cause += "k2 |v|) h / m, which must be 0 at the first limit and -1 at the second."
     for one, two, rate in (
+        (k1, k2, (k1 + k2 * speed) / mass),
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
-        (k1, k2, (k1 + k2 * speed) / mass),
     ):
         about.call = f"drag_limits(k1={one}, k2={two}, mass={mass}, speed={speed}); (first limit, "
         about.call += "second limit) in s"
@@ -39,6 +40,12 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "the mass.": rate * mass,
             "You divide by the mass. A heavier particle tolerates a longer step, so multiply "
             "by the mass instead.": rate * mass**2,
+            "You divide only k2 |v| by the mass. Write the sum in parentheses, as in (k1 + k2 |v|) "
+            "/ m.": one + two * speed / mass,
+            "You use the drag itself, k1 |v| + k2 |v|^2. Divide it by the speed |v|, which gives "
+            "k1 + k2 |v|.": rate * speed,
+            "You multiply k2 by the square of the speed. The force has |v|^2, but it is divided by "
+            "the speed |v| here, which leaves k1 + k2 |v|.": (one + two * speed**2) / mass,
             "You use k1 + k2, without the speed. Multiply k2 by the speed |v|, which gives k1 + "
             "k2 |v|.": (one + two) / mass,
             "You multiply both k1 and k2 by the speed |v|. Multiply only k2 by it, which gives "
@@ -46,7 +53,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "You use k1 + 2 k2 |v|, the derivative of the drag. Use the drag divided by the "
             "speed |v|, which is k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
         }
-        slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
+        slips: dict[str, Any] = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
         slips["You return the two limits in the wrong order. Return the smaller one first."] = (
             2.0 / rate,
             1.0 / rate,
@@ -55,6 +62,15 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "Your two limits are equal. A step as long as the second limit reverses the full "
             "velocity, so this limit must be twice the first."
         ] = (1.0 / rate, 1.0 / rate)
+        slips["You return (k1 + k2 |v|) / m, which is a rate. Its inverse is a time."] = (
+            rate,
+            2.0 * rate,
+        )
+        slips["Your limits are half the right ones. The first one is m / (k1 + k2 |v|)."] = (
+            0.5 / rate,
+            1.0 / rate,
+        )
+        slips["You return only the first limit. Return a tuple of both."] = 1.0 / rate
         slips["Your second limit is the square of the first. It must be twice the first."] = (
             1.0 / rate,
             rate**-2,
@@ -78,7 +94,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     expect_close(got, (mass / k1, 2.0 * mass / k1))
 
 
-@pytest.mark.exercise("B5.8")
+@pytest.mark.exercise("B5.8", asks="Without drag, both limits are math.inf")
 def test_without_drag_no_step_is_too_long() -> None:
     about.read = LIMITS
     about.cause = "There is no drag here, so no time step is too long. Return math.inf for both "
@@ -101,7 +117,7 @@ def test_without_drag_no_step_is_too_long() -> None:
     )
 
 
-@pytest.mark.exercise("B5.8")
+@pytest.mark.exercise("B5.8", asks="In a step longer than the first limit")
 def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
     about.read = LIMITS
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
@@ -149,32 +165,3 @@ def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
         kind = "reversed and faster" if v < -1.0 else "reversed and slower" if v < 0.0 else "slower"
         kind = kind if v < 1.0 else "not slower"
         expect_exactly(kind, wanted, call=name)
-
-
-@pytest.mark.exercise("B5.8")
-@pytest.mark.robust
-def test_drag_limits_rejects_bad_arguments() -> None:
-    about.read = LIMITS
-    good = (0.3, 0.05, 2.0, 5.0)
-    for bad in (
-        (-0.3, 0.05, 2.0, 5.0),
-        (0.3, -0.05, 2.0, 5.0),
-        (0.3, 0.05, 0.0, 5.0),
-        (0.3, 0.05, -2.0, 5.0),
-        (0.3, 0.05, 2.0, -5.0),
-        (math.nan, 0.05, 2.0, 5.0),
-        (0.3, math.inf, 2.0, 5.0),
-        (0.3, 0.05, math.inf, 5.0),
-        (0.3, 0.05, math.nan, 5.0),
-        (0.3, 0.05, 2.0, math.nan),
-    ):
-        (i,) = (i for i in range(4) if bad[i] != good[i])
-        about.cause = f"{('k1', 'k2', 'The mass', 'The speed')[i]} is {bad[i]:g}. It must be "
-        about.cause += f"finite and {'positive' if i == 2 else 'not negative'}, so raise "
-        about.cause += "ValueError."
-        expect_error(
-            lambda bad=bad: drag_limits(*bad),
-            ValueError,
-            call="drag_limits(k1={}, k2={}, mass={}, speed={})".format(*bad),
-            allowed=lambda: drag_limits(*good),
-        )

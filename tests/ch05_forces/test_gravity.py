@@ -17,7 +17,7 @@ from expect import about, blame, expect_close, expect_unchanged, xyz
 ZERO = (0.0, 0.0, 0.0)
 
 
-@pytest.mark.exercise("B5.4")
+@pytest.mark.exercise("B5.4", asks="Add the weight m g to the forces")
 def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     g = components(rng)
     about.read = "book 3.2, Eq. 3.4"
@@ -43,6 +43,10 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
             "the weight, so don't add a minus sign.": [-mass * g[i] for i in range(3)],
             "You use only the y component of g. Gravity may point in any direction, so multiply "
             "the whole vector g by the mass.": (0.0, mass * g[1], 0.0),
+            "You use p.acceleration, the particle's own constant acceleration. The g of this "
+            "generator is self.acceleration.": [mass * part for part in (1, 2, 3)],
+            "Your force points straight down, but g may point in any direction. Multiply the "
+            "vector g by the mass.": (0.0, -mass * math.hypot(*g), 0.0),
             "update_force added no force to the particle. Compute the weight m g, and pass it "
             "to particle.add_force.": ZERO,
         }
@@ -63,7 +67,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         expect_unchanged("gravity.acceleration", got, g)
 
 
-@pytest.mark.exercise("B5.4")
+@pytest.mark.exercise("B5.4", asks="Keep the forces that were added before")
 def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
@@ -84,7 +88,7 @@ def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12, unit="N")
 
 
-@pytest.mark.exercise("B5.4")
+@pytest.mark.exercise("B5.4", asks="it uses the new values from its next call on")
 def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
@@ -109,7 +113,7 @@ def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     expect_unchanged("gravity.acceleration", got, second)
 
 
-@pytest.mark.exercise("B5.4")
+@pytest.mark.exercise("B5.4", asks="Skip an immovable particle, whose weight")
 def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     g = components(rng)
     about.read = "book 5.2.3"
@@ -130,7 +134,7 @@ def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     expect_close(got, (0.0, -1e301, 0.0), then="; p.force_accumulator", unit="N")
 
 
-@pytest.mark.exercise("B5.4")
+@pytest.mark.exercise("B5.4", asks="Setting Particle.acceleration then has the same effect")
 def test_gravity_has_the_same_effect_as_a_constant_acceleration(rng: Random) -> None:
     g, mass, damping = components(rng), round(rng.uniform(2.0, 90.0), 3), 0.75
     h, frames = 1.0 / 64.0, 192

@@ -25,7 +25,7 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
     return Vector3(*(center[i] + way[i] * distance for i in range(3)))
 
 
-@pytest.mark.exercise("5.4")
+@pytest.mark.exercise("5.4", asks="toward the center with the force m mu / r^2")
 def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
@@ -48,10 +48,21 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
         ]
         later = math.hypot(*moved)
         slips = {
-            "Your force is proportional to 1 / r instead of 1 / r^2, where r is the distance. "
-            "Multiply m mu / r^2 by a unit vector.": [part * distance for part in wanted],
+            "Your force is proportional to 1 / r instead of 1 / r^2. Either you multiply m mu / "
+            "r^2 by the vector to the center without making it a unit vector first, or you divide "
+            "by the distance r instead of r^2.": [part * distance for part in wanted],
             "Your force is proportional to 1 / r^3 instead of 1 / r^2, where r is the distance. "
             "Multiply m mu / r^2 by a unit vector.": [part / distance for part in wanted],
+            "update_force added no force to the particle. Compute the force, and pass it to "
+            "particle.add_force.": ZERO,
+            "Your force does not depend on the distance r. Python reads a / r * r as (a / r) * r, "
+            "so put the product r * r in parentheses, or divide twice.": [
+                part * distance**2 for part in wanted
+            ],
+            "Your force grows with the square of the distance r. Divide by r^2 instead of "
+            "multiplying.": [part * distance**4 for part in wanted],
+            "You divide by the mass. The factor mu / r^2 is an acceleration, so multiply it by the "
+            "mass to get a force.": [part / mass**2 for part in wanted],
             "You compute the force from the position after the step. Use the current position of "
             "the particle instead.": [-mass * mu * part / later**3 for part in moved],
             "Your force pushes the particle away from the center. Use the vector from the "
@@ -71,7 +82,7 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
-@pytest.mark.exercise("5.4")
+@pytest.mark.exercise("5.4", asks="so close to it that the force is not finite")
 @pytest.mark.robust
 def test_a_force_that_is_not_finite_raises_an_error() -> None:
     about.read = READ
@@ -104,7 +115,7 @@ def test_a_force_that_is_not_finite_raises_an_error() -> None:
         expect_close(got, (1, 2, 3), then="; p.force_accumulator", unit="N")
 
 
-@pytest.mark.exercise("5.4", weight=0.5)
+@pytest.mark.exercise("5.4", weight=0.5, asks="it must be correct at any distance")
 @pytest.mark.robust
 def test_a_finite_force_is_correct_at_any_distance() -> None:
     about.read = READ
@@ -131,7 +142,7 @@ def test_a_finite_force_is_correct_at_any_distance() -> None:
         expect_close(got, (0.0, force, 0.0), unit="N", cause=wrong)
 
 
-@pytest.mark.exercise("5.4")
+@pytest.mark.exercise("5.4", asks="because its force would be infinite")
 def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     about.read = READ
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
@@ -157,7 +168,7 @@ def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     expect_close(xyz(p.force_accumulator), (0, -10.0, 0), unit="N")
 
 
-@pytest.mark.exercise("5.4")
+@pytest.mark.exercise("5.4", asks="the center pushes particles away")
 def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     about.read = READ
     force = components(rng)
@@ -190,7 +201,7 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     expect_close(got, (0.5, 0, 0), then="; p.force_accumulator", unit="N")
 
 
-@pytest.mark.exercise("5.4")
+@pytest.mark.exercise("5.4", asks="Use this generator for orbits")
 def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
     about.read = READ
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
@@ -220,7 +231,7 @@ def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("5.4")
+@pytest.mark.exercise("5.4", asks="almost no other orbit closes")
 def test_the_orbit_closes() -> None:
     about("a particle p, 0.4 m from the center, moving at 2 m/s at right angles to it; ", read=READ)
     about.call += "for one orbit, 2 pi s: InverseSquareGravity(center, mu=1).update_force(p, h) "

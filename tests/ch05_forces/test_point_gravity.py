@@ -23,7 +23,7 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
     return Vector3(*(center[i] + way[i] * distance for i in range(3)))
 
 
-@pytest.mark.exercise("5.3")
+@pytest.mark.exercise("5.3", asks="with the same strength at every distance")
 def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
@@ -47,6 +47,14 @@ def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
             "normalized. Normalize it before you multiply.": [part * distance for part in wanted],
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [
                 part / mass for part in wanted
+            ],
+            "update_force added no force to the particle. Compute the force, and pass it to "
+            "particle.add_force.": ZERO,
+            "You divide by the mass. The strength is an acceleration, so multiply it by the mass "
+            "to get a force.": [part / mass**2 for part in wanted],
+            "Your force decreases with the distance. It must be equally strong at every distance, "
+            "so multiply a unit vector by m times the strength.": [
+                part / distance for part in wanted
             ],
             "Your force decreases with the square of the distance. It must be equally strong at "
             "every distance, so don't divide by the square.": [
@@ -75,7 +83,7 @@ def expect_full_strength(y: float, cause: str) -> None:
     expect_close(got, (0, -10.0, 0), then="; p.force_accumulator", unit="N")
 
 
-@pytest.mark.exercise("5.3")
+@pytest.mark.exercise("5.3", asks="so it is zero there")
 def test_point_gravity_is_zero_only_at_the_center(rng: Random) -> None:
     about.read = READ
     center = components(rng)
@@ -94,7 +102,7 @@ def test_point_gravity_is_zero_only_at_the_center(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("5.3")
+@pytest.mark.exercise("5.3", asks="even very close to the center")
 @pytest.mark.robust
 def test_a_distance_whose_square_rounds_to_zero() -> None:
     about.cause = "You use the square of the distance, which rounds to 0 here. Use magnitude(), "
@@ -102,7 +110,7 @@ def test_a_distance_whose_square_rounds_to_zero() -> None:
     expect_full_strength(1e-170, about.cause)
 
 
-@pytest.mark.exercise("5.3")
+@pytest.mark.exercise("5.3", asks="because its force would be infinite")
 def test_point_gravity_skips_an_immovable_particle() -> None:
     about(
         "p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(center=Vector3(), ", read=READ
@@ -121,7 +129,7 @@ def test_point_gravity_skips_an_immovable_particle() -> None:
     expect_close(xyz(p.force_accumulator), (0, -40.0, 0), unit="N")
 
 
-@pytest.mark.exercise("5.3")
+@pytest.mark.exercise("5.3", asks="the point pushes particles away")
 def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     about.read = READ
     force, center = components(rng), (7.0, 0.0, 0.0)

@@ -13,7 +13,7 @@ from expect import about, cause_of, expect_exactly, expect_that, named
 RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # as in sniper.py: radius and points
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="The smallest ring in RINGS that contains (x, y)")
 def test_only_the_smallest_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
     about.cause = "Only the smallest ring around the hole counts. A hole scores 10 points up to "
@@ -21,6 +21,19 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
     use = "Compare the true distance, math.hypot(x, y), with the radii."
     add = "You add up the points of all rings around the hole. Count only the smallest ring."
     largest = "You return the points of the largest ring. Check the smallest ring first."
+    x, y = 0.3, -0.3
+    about.call = f"ring_points({x}, {y}), for a hole {math.hypot(x, y):.4f} m from the center"
+    got = ring_points(x, y)
+    early = (
+        "You return 0 as soon as the hole lies outside the smallest ring. Check the larger rings "
+    )
+    early += "first, and return 0 after the loop."
+    slips = {
+        f"You compare the squared distance with the radii. {use}": 5,
+        f"You add x and y. {use}": 10,
+        early: 0,
+    }
+    expect_exactly(got, 2, cause=named(got, about.cause, slips))
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "You compare only x with the radii of the rings.", 10),
         (0.3, 0.0, 2, "You compare only y with the radii of the rings.", 10),
@@ -29,8 +42,8 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
     ):
         about.call = f"ring_points({x}, {y}), for a hole {math.hypot(x, y):.4f} m from the center"
         got = ring_points(x, y)
-        slips = [(gives, f"{slip} {use}"), (7, add), (2, largest)]
-        expect_exactly(got, points, cause=cause_of(got, slips, about.cause))
+        mistakes = [(gives, f"{slip} {use}"), (7, add), (2, largest)]
+        expect_exactly(got, points, cause=cause_of(got, mistakes, about.cause))
     turn = rng.uniform(0.1, 1.4)
     for away, points in (
         (0.0, 10),

@@ -17,7 +17,6 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_exactly,
     expect_that,
     expect_unchanged,
@@ -48,7 +47,7 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
     return bullet
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="add the hole to holes and its points to the score")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
@@ -57,8 +56,11 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
         about.call = f"range = SniperRange(1), without drag; range.shoot(azimuth={azimuth:.6g}, "
         about.call += f"elevation={elevation:.6g}); range.update(1/60) until range.bullet is None"
-        about.cause = "The bullet flies through a target, but you find no hit. integrate moves "
-        about.cause += "bullet.position in place, so copy the position before you call integrate."
+        about.cause = "The bullet flies through a target, but you find no hit. Copy the position "
+        about.cause += (
+            "before you call integrate, which changes it in place, and pass this copy to "
+        )
+        about.cause += "hit_on_the_way as start, and the new position as end."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         if holes:
@@ -93,7 +95,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_exactly(came["score"], points, then="; range.score")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="update the forces, move the bullet")
 def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "two ranges, one with a wind of 10 m/s along X and one without wind; on each, "
     about.call += "range.shoot(0.0, 0.02); range.update(1/60) until range.bullet is None"
@@ -136,7 +138,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     expect_close(blown[-1][2], z, then=then, tolerance=1e-9)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="Advance the bullet by duration s")
 def test_a_step_takes_the_given_duration(rng: Random) -> None:
     about.read = UPDATE
     h = round(rng.uniform(0.1, 0.3), 3)
@@ -166,7 +168,7 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
     expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="or beyond END_OF_RANGE in z")
 def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     about("range.bullet.position = Vector3(20, 1, 178); ", read=UPDATE)
     about.call += "range.bullet.velocity = Vector3(0, -2, 64); no force or gravity acts on the "
@@ -192,7 +194,7 @@ def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     expect_exactly(len(at.holes), 1)
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="when the bullet is below the ground")
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     about.read = UPDATE
     for (azimuth, elevation), cause in (
@@ -223,7 +225,7 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         expect_exactly(got, (0, 0, 9), then="; number of holes, score and shots left")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="set bullet to None, and change the wind")
 def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     about.read = UPDATE
     wind = (3.0, 0.0, -4.0)
@@ -249,7 +251,7 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
         expect_exactly(blown[-1], drawn, then="; range.wind.velocity after the shot, in m/s")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="If no bullet is in flight, do nothing")
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
     about.call += "range.update(1/60) 20 times"
@@ -293,7 +295,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
-@pytest.mark.exercise("P4.2b")
+@pytest.mark.exercise("P4.2b", asks="The player has SHOTS shots in a round")
 def test_a_whole_round_is_ten_shots() -> None:
     about.read = UPDATE
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
@@ -315,31 +317,3 @@ def test_a_whole_round_is_ten_shots() -> None:
     last = "Your score is only the points of the last hit, because each hit replaces the score. "
     blame(came["score"], [(30, f"{last}Add the points of each hit to the score instead.")])
     expect_exactly(came["score"], 110, then="; range.score")
-
-
-@pytest.mark.exercise("P4.2b")
-@pytest.mark.robust
-@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
-def test_update_rejects_an_invalid_duration(duration: float) -> None:
-    about.read = UPDATE
-    error = TypeError if isinstance(duration, str) else ValueError
-    about.cause = f"The duration is {duration!r}, but it must be a positive and finite number. "
-    about.cause += f"Raise {error.__name__}, even if no bullet is in flight."
-    about.call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
-    flying = SniperRange(1)
-    flying.shoot(0.0, 0.1)
-    bullet: Any = flying.bullet
-    before = xyz(bullet.position)
-    for at, call in (
-        (flying, f"range.update({duration!r}) while a bullet is in flight"),
-        (SniperRange(1), f"range.update({duration!r}) while no bullet is in flight"),
-    ):
-        about.call = call
-        expect_error(
-            lambda at=at: at.update(duration), error, allowed=lambda: SniperRange(1).update(0.5)
-        )
-    about.call = f"range.update({duration!r}) while a bullet is in flight"
-    got = xyz(bullet.position)
-    expect_unchanged("range.bullet.position", got, before)
-    got = xyz(bullet.force_accumulator)
-    expect_close(got, (0, 0, 0), then="; range.bullet.force_accumulator, in N")

@@ -39,7 +39,7 @@ def moving(
     )
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="they add the acceleration f/m")
 def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
@@ -89,7 +89,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     expect_close(got, wanted, then="; p.position", unit="m", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="the constant acceleration plus f / m")
 def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) -> None:
     v, a, f, g = (components(rng) for _ in range(4))
     mass, h = draw_mass(rng), draw_frame(rng)
@@ -110,6 +110,10 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
         ],
         "Your new velocity is v + a h, without the forces. Use a + f / m instead of a, where f "
         "is the sum of the forces.": [v[i] + a[i] * h for i in range(3)],
+        "You divide the constant acceleration a by the mass, too. Divide only the forces, because "
+        "the acceleration must be a + f / m.": [
+            v[i] + (a[i] / mass + sums[i]) * h for i in range(3)
+        ],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
@@ -123,7 +127,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="The new velocity is v' = (v + a h) d^h")
 def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
@@ -144,6 +148,8 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
         "the velocity by d^h, the damping to the power of the duration.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
+        "You damp only the change of the velocity. Multiply the whole new velocity by d^h, the "
+        "damping to the power of the duration.": [v[i] + gained[i] * keep for i in range(3)],
         "The damping is missing. Multiply the new velocity by d^h, the damping to the power of "
         "the duration.": [v[i] + gained[i] for i in range(3)],
         "You multiply the velocity by d, the damping for a whole second. In a step of h "
@@ -154,7 +160,7 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
     expect_close(got, wanted, tolerance=ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="so that each force acts only once")
 def test_the_step_clears_the_forces(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h = draw_mass(rng), draw_frame(rng)
@@ -171,15 +177,17 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     p.integrate(h)
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator", unit="N")
+    about.call += f"; p.integrate({h})"
+    about.cause = "No force was added before the second step, so self._forces[0] is None, and "
+    about.cause += "self._forces[1] too after kick. The force is then zero, so test for None."
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h + a[i] * 2 * h for i in range(3))
     about.cause = "The second step used the force of the first step again. A force acts for one "
     about.cause += "step only."
-    then = f"; p.integrate({h}); p.velocity"
-    expect_close(xyz(p.velocity), wanted, then=then, unit="m/s", tolerance=ROUNDED)
+    expect_close(xyz(p.velocity), wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="The new velocity is v' = (v + a h) d^h")
 def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
     x, v, a = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
@@ -197,7 +205,7 @@ def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
     expect_close(got, wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="use their current values in each step")
 def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
@@ -224,7 +232,7 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="0 stops the particle, and a number above 1 speeds it up")
 def test_dampings_of_0_and_above_1(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
@@ -258,7 +266,7 @@ def test_dampings_of_0_and_above_1(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, tolerance=10.0 * ROUNDED, unit="m/s")
 
 
-@pytest.mark.exercise("B5.2")
+@pytest.mark.exercise("B5.2", asks="Apply the acceleration, forces and damping")
 def test_a_constant_force_for_5_seconds(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
     about.call = f"p = Particle(mass={mass}); 300 times: p.add_force(Vector3{f}) and "

@@ -34,7 +34,7 @@ def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[st
     return f"{about.call}; p.force_accumulator", xyz(p.force_accumulator)
 
 
-@pytest.mark.exercise("5.1")
+@pytest.mark.exercise("5.1", asks="its horizontal distance (in X and Z)")
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
@@ -43,7 +43,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
         (dx * share * radius, dz * share * radius)
-        for share in (0.3, 0.99, 1.01, 1.5)
+        for share in (0.3, 0.99, 1.01, 1.5, 3.0)
         for dx, dz in ((0.6, 0.8), (-0.8, 0.6), (0.0, -1.0), (-1.0, 0.0))
     ]
     came = [
@@ -71,6 +71,9 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         "Your force acts outside the column instead of inside. Reverse the comparison.": [
             not acts for acts in inside
         ],
+        "You compare the distance with the diameter of the column. Compare it with the radius.": [
+            math.hypot(dx, dz) <= 2.0 * radius for dx, dz in ways
+        ],
         "Your force acts everywhere. Add it only if the distance is at most the radius.": [
             True for _ in ways
         ],
@@ -85,6 +88,8 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         about.call = call
         x, y, z = force
         slips = {
+            "You multiply the force by the duration of 0.5 s. self.force is already a force, so "
+            "add it unchanged.": (0.5 * x, 0.5 * y, 0.5 * z),
             "You multiply the force by the mass of 4 kg. self.force is already a force, so add "
             "it unchanged.": (4.0 * x, 4.0 * y, 4.0 * z),
             "Your force points straight up, but self.force has another direction. Add the vector "
@@ -94,7 +99,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         expect_close(got, force if acts else ZERO, cause=why, unit="N")
 
 
-@pytest.mark.exercise("5.1")
+@pytest.mark.exercise("5.1", asks="The column has no upper or lower end")
 def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
@@ -112,7 +117,7 @@ def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
         expect_close(got, ZERO, unit="N", cause="Your force acts outside the column as well.")
 
 
-@pytest.mark.exercise("5.1")
+@pytest.mark.exercise("5.1", asks="from the origin is at most the radius")
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
@@ -127,7 +132,7 @@ def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     expect_close(got, force, unit="N")
 
 
-@pytest.mark.exercise("5.1")
+@pytest.mark.exercise("5.1", asks="Keep the forces that were added before")
 def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     about.read = READ
     first, force, moved = components(rng), components(rng), components(rng)
@@ -146,8 +151,8 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     about.cause = named(got, about.cause, {cleared: force})
     # One rounding of numbers up to 20.
     expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-13)
-    about.cause = "update_force has changed a vector that it must only read. Use - and *, which "
-    about.cause += "create new vectors."
+    about.cause = "update_force has changed a vector that it must only read. Calculate with its "
+    about.cause += "components, or use -, which creates a new vector."
     expect_unchanged("uplift.force", xyz(uplift.force), force)
     expect_unchanged("uplift.origin", xyz(uplift.origin), (0, 1, 0))
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))

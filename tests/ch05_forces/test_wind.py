@@ -44,7 +44,7 @@ def blow(v: Components, w: Components, k1: float, k2: float) -> tuple[str, objec
     return about.call, xyz(p.force_accumulator)
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="the velocity of the particle relative to the air")
 def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
@@ -67,8 +67,16 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
             "the wind from the velocity of the particle.": [-part for part in blown],
             "You add the velocity w of the wind to the velocity v of the particle. Subtract it, "
             "because drag depends on v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
-            "Your force has the wrong sign, because it was computed with w - v. Use v - w, where "
-            "v is the velocity of the particle and w that of the wind.": [-part for part in wanted],
+            "Your force has the wrong sign, because it was computed with w - v, or because of an "
+            "extra minus sign. Use v - w, where v is the velocity of the particle and w that of "
+            "the wind, and add the drag unchanged.": [-part for part in wanted],
+            "You divide the drag by the mass. Add the force itself, because the step divides it by "
+            "the mass later.": [part / 4.0 for part in wanted],
+            "You use the constants K1 and K2. Use the coefficients self.k1 and self.k2 of this "
+            "wind.": drag(u, 0.02, 0.0003),
+            "update_force added no force to the particle. Pass the drag to particle.add_force."
+            if one
+            else "Your force is zero if k1 is 0. Include the quadratic drag (k2), too.": ZERO,
             "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the "
             "square of the speed.": drag(u, two, one),
             "You add two drags, one for the particle's velocity v and one for the wind's "
@@ -81,7 +89,7 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11, unit="N")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="therefore feels no force")
 def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     about.read = READ
     v = components(rng)
@@ -99,7 +107,7 @@ def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     expect_close(got, (0.0, 0.0, -2.0), unit="N")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="the moving air to the particle's other forces")
 def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     about.read = READ
     f, v, w = components(rng), components(rng), components(rng)
@@ -122,7 +130,7 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     expect_unchanged("wind.velocity", xyz(wind.velocity), w)
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="Draw a new horizontal wind at random")
 def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
@@ -130,7 +138,7 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         f"range = SniperRange({seed}), which draws a first wind; 400 times: range.change_wind()"
     )
     about.cause = "Each call of change_wind must draw a new wind. Call self.random.uniform once "
-    about.cause += "for x and once for z."
+    about.cause += "for x and once for z, and store the vector in self.wind.velocity."
     (seen,) = winds([seed], 400)
     drawn = seen[1:]
     expect_exactly(
@@ -148,7 +156,10 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         about.cause = f"The {name} component of your wind has the wrong range. {draw}"
         if min(blown) >= 0.0 or max(blown) <= 0.0:
             about.cause = f"The {name} component of your wind never changes its sign. {draw}"
-        if len(set(map(tuple, drawn))) == 1:
+        if not any(map(any, seen)):
+            about.cause = "The wind is always zero. Store the vector that you draw in "
+            about.cause += "self.wind.velocity."
+        elif len(set(map(tuple, drawn))) == 1:
             about.cause = "Every call to change_wind gives the same wind. Draw new numbers from "
             about.cause += "self.random in each call, and don't create or seed a generator there."
         elif not any(blown[1:]):
@@ -193,7 +204,7 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     expect_exactly(same, 0, then="; number of winds with |x| = |z|, out of 401")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="and keep this generator")
 def test_change_wind_keeps_the_wind_object() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
@@ -214,7 +225,7 @@ def test_change_wind_keeps_the_wind_object() -> None:
     expect_that(after != before, "the velocity of the wind stays the same", "a new velocity")
 
 
-@pytest.mark.exercise("P4.2a")
+@pytest.mark.exercise("P4.2a", asks="the same seed must always give the same winds")
 def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)

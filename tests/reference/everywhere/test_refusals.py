@@ -20,16 +20,18 @@ from ch04_particle_engine.exact_frames import places_in_frames
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, Payload
 from ch04_particle_engine.screen_rotation import screen_angle
 from ch04_particle_engine.targets import TargetBlock
+from ch05_forces.closed_form import coasting_speed, drag_limits, quadratic_fall, terminal_speed
 from ch05_forces.forces import (
     Airbrake,
     Drag,
+    ForceRegistry,
     Gravity,
     InverseSquareGravity,
     PointGravity,
     Uplift,
 )
 from ch05_forces.particle import Particle
-from ch05_forces.sniper import Wind
+from ch05_forces.sniper import SniperRange, Wind
 from ch06_springs.adaptive import adaptive
 from ch06_springs.camera import SpringCamera
 from ch07_constraints.angle_chain import AngleChain
@@ -66,6 +68,8 @@ from ch09_rotations.quaternion import Quaternion
 NAN, INF = math.nan, math.inf
 HUGE = 10**400  # no float is as large
 UP, ONES, NOWHERE = Vector3(0.0, 1.0), Vector3(1.0, 1.0, 1.0), Vector3(NAN)
+LIMITED = {"k1": 0.3, "k2": 0.05, "mass": 2.0, "speed": 5.0}
+COASTING = LIMITED | {"time": 1.5}
 A, B = Particle(), Particle(Vector3(2.0))
 LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(START)  # m, initial height of the tip of a long arm of 4 m
 
@@ -138,6 +142,27 @@ VALUES: dict[str, list[Refused]] = {
         ("mu", INF, lambda x: InverseSquareGravity(UP, x)),
         ("k2", -1.0, lambda x: Wind(1.0, x)),
         ("force must", Vector3(INF), lambda x: Particle().add_force(x)),
+        ("duration", 0.0, lambda x: ForceRegistry().update_forces(x)),
+        ("duration", NAN, lambda x: Airbrake(1.0).update_force(Particle(), x)),
+        ("weight", 0.0, lambda x: terminal_speed(x, 0.3, 0.05)),
+        ("k1", -0.3, lambda x: terminal_speed(9.81, x, 0.05)),
+        ("k2", INF, lambda x: terminal_speed(9.81, 0.3, x)),
+        ("mass", -2.0, lambda x: quadratic_fall(x, 9.81, 0.05, 3.0)),
+        ("gravity", 0.0, lambda x: quadratic_fall(2.0, x, 0.05, 3.0)),
+        ("k2", 0.0, lambda x: quadratic_fall(2.0, 9.81, x, 3.0)),
+        ("time", -3.0, lambda x: quadratic_fall(2.0, 9.81, 0.05, x)),
+        *(
+            (name, bad, lambda x, name=name: coasting_speed(**(COASTING | {name: x})))
+            for name, bad in (("speed", -20.0), ("k1", NAN), ("k2", -0.05), ("mass", 0.0))
+        ),
+        ("time", INF, lambda x: coasting_speed(**(COASTING | {"time": x}))),
+        *(
+            (name, bad, lambda x, name=name: drag_limits(**(LIMITED | {name: x})))
+            for name, bad in (("k1", -0.3), ("k2", INF), ("mass", 0.0), ("speed", NAN))
+        ),
+        ("azimuth", NAN, lambda x: SniperRange(1).shoot(x, 0.0)),
+        ("elevation", INF, lambda x: SniperRange(1).shoot(0.0, x)),
+        ("duration", 0.0, lambda x: SniperRange(1).update(x)),
     ],
     "ch06_springs": [
         ("tolerance", 0.0, adaptive),

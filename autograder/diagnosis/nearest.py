@@ -126,7 +126,8 @@ def _attribute(error: AttributeError) -> Unknown | None:
     of = of[:LONGEST]
     if frame and _assigns(error.__traceback__) and (slots := _slots(type(value))):
         return Unknown(name, of, nearest(name, slots, 0.5), slots)
-    return Unknown(name, of, nearest(name, _attributes(value)))
+    ours = type(value).__module__ == "builtins"  # such as a list, where a method is rarely meant
+    return Unknown(name, of, nearest(name, _attributes(value), BUILT_IN if ours else 0.6))
 
 
 def _import(error: ImportError) -> Unknown | None:

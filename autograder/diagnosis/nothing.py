@@ -77,6 +77,8 @@ def _none_part(node: ast.stmt | ast.expr, says: str) -> ast.expr | None:
             return value
         case ast.Call(func=value) if "callable" in says:
             return value
+        case ast.Call(args=[*_, ast.Starred(value=value)]) if "after *" in says:
+            return value
         case ast.ListComp(generators=[first, *_]) if "iterable" in says:
             return first.iter
         case ast.Name() | ast.Call() | ast.Attribute() | ast.Subscript() if "iterable" in says:

@@ -29,6 +29,10 @@ NO_DEBUGGER = (
     "A check does not stop at breakpoint(). To stop there, debug the exercise instead of checking "
     "it, as in make debug EX=B2.3 (without make: python -m autograder debug B2.3)."
 )
+METHOD = (
+    "Your code uses a method as if it were the method's result. Add parentheses after the name to "
+    "call it."
+)
 POWER = "In Python, powers are written with **. The operator ^ is bitwise exclusive or."
 # Some mistakes in Python cause error messages that are hard to understand. We recognize each of
 # them by a part of its message. Since the check itself can only suggest a mistake in the physics,
@@ -98,11 +102,8 @@ SLIPS = (
         "A function calls itself too many times. Perhaps an operator or method uses itself, or a "
         "property reads or assigns its own name.",
     ),
-    (
-        "and 'method'",
-        "Your code uses a method as if it were the method's result. Add parentheses after the "
-        "name to call it.",
-    ),
+    ("method'", METHOD),  # such as "'method' object is not iterable"
+    ("method object", METHOD),  # such as "cannot unpack non-iterable method object"
 )
 # These errors may come from a mistake in Python, or they may follow from one in the physics. So we
 # also show the mistake that the check suggests.
@@ -116,11 +117,6 @@ PERHAPS = (
         "NoneType",
         "A value on this line is None. Either nothing was assigned to it yet, or it comes from a "
         "function that has no return statement.",
-    ),
-    (
-        "is not callable",
-        "Your code calls a value that isn't a function. Perhaps this value is a property, which "
-        "needs no parentheses, or you used the same name for two things.",
     ),
     (
         "values to unpack",
@@ -162,8 +158,19 @@ LACKING = re.compile(r"missing (\d+) required (positional|keyword-only) argument
 TOO_MANY = re.compile(r"takes (?:from \d+ to )?(\d+) positional arguments? but (\d+) w")
 
 
-def wrong_arguments(text: str) -> str:
-    """Explain a call whose arguments do not fit the def line, or return an empty string."""
+NOT_CALLABLE = (
+    "Your code calls a value that isn't a function. Perhaps this value is a property, which needs "
+    "no parentheses, or you used the same name for two things."
+)
+
+
+def wrong_call(text: str) -> str:
+    """Explain a call of what is no function, or with arguments that do not fit the def line.
+
+    For any other error, return an empty string.
+    """
+    if "is not callable" in text:
+        return NOT_CALLABLE
     if lacking := LACKING.search(text):
         names = lacking[3].replace("'", "")
         what = f"The call passes no value for {names}."

@@ -338,7 +338,7 @@ def _shown(value: Any, digits: int = 6) -> str:
 
 
 def _with_unit(text: str, unit: str) -> str:
-    if not unit or not text.endswith((*"0123456789", ")")):
+    if not unit or ", which is " in text or not text.endswith((*"0123456789", ")")):
         return text  # such as None
     one = text == "1" and unit.isalpha() and len(unit) > 1
     return f"{text} {unit.removesuffix('s') if one else unit}"

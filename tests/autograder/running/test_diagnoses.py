@@ -13,7 +13,7 @@ from autograder.definitions import module_that_defines
 from autograder.diagnosis.gone import explain_gone
 from autograder.diagnosis.nearest import nearest
 from autograder.diagnosis.nothing import none_in
-from autograder.diagnosis.slips import wrong_arguments
+from autograder.diagnosis.slips import wrong_call
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Message
 from copies import copy_tree
@@ -236,6 +236,7 @@ def test_what_is_none_is_named(messages: Messages) -> None:
         ("-v", "v"),
         ("v(1)", "v"),
         ("[0 for _ in v]", "v"),
+        ("print(*v)", "v"),
         ("1.0 + 'v'", ""),
     ],
 )
@@ -255,12 +256,13 @@ def test_wrong_numbers_of_arguments() -> None:
         ("f(1, 2, 3)", "The call passes 3 arguments, but the def line takes 2. Perhaps the def"),
         ("f(1, 2, 3, 4)", "The call passes 4 arguments, but the def line takes 2."),
         ("g()", "The call passes no value for c. Pass it by name."),
+        ("a()", "Your code calls a value that isn't a function. Perhaps this value is a"),
     ):
-        there = {"f": lambda a, b: (a, b), "g": lambda *, c: c}
+        there = {"f": lambda a, b: (a, b), "g": lambda *, c: c, "a": True}
         with pytest.raises(TypeError) as caught:
             eval(code, there)
-        assert wrong_arguments(str(caught.value)).startswith(says)
-        assert ("lacks self" in wrong_arguments(str(caught.value))) is (code == "f(1, 2, 3)")
+        assert wrong_call(str(caught.value)).startswith(says)
+        assert ("lacks self" in wrong_call(str(caught.value))) is (code == "f(1, 2, 3)")
 
 
 def test_a_power_with_a_caret_is_explained_wherever_it_fails(messages: Messages) -> None:
@@ -310,3 +312,16 @@ def test_the_check_s_cause_comes_before_a_guess(messages: Messages) -> None:
     said = next(message for message in failed["B2.2"] if "index out of range" in message)
     cause, guess = "likely    The magnitude of a vector", "or        The index is past the end"
     assert said.index(cause) < said.index(guess)
+
+
+def test_a_method_without_its_parentheses_is_named(messages: Messages) -> None:
+    unpacks = "    def dot(self, v):\n        x, y, z = self.copy\n        return x * v.x\n"
+    failed = messages("ch02_vectors/vector.py", {whole("dot"): unpacks})
+    assert "Add parentheses after the name to call it." in likely(failed["B2.8"])
+
+
+def test_a_list_is_not_told_to_be_meant_for_a_list(messages: Messages) -> None:
+    """No method of a list resembles contacts enough to be suggested."""
+    uses = "    def dot(self, v):\n        return [self].contacts\n"
+    failed = messages("ch02_vectors/vector.py", {whole("dot"): uses})
+    assert "Did you mean count?" not in likely(failed["B2.8"])

@@ -1,7 +1,7 @@
 """Angular velocity and acceleration, and a time step for an orientation (book 9.3, 9.4.11).
 
 An angular velocity is a vector in world axes. Its direction is the axis of rotation, and its length
-is the angular speed in rad/s. The functions raise TypeError for an argument of the wrong type.
+is the angular speed in rad/s.
 """
 
 from __future__ import annotations
@@ -17,12 +17,7 @@ def velocity_of_point(
 
     The object moves with ``velocity`` in m/s, and rotates about ``position`` in m with
     ``angular_velocity`` in rad/s. ``point`` is the world position of the point in m. The result is
-    a new vector in m/s.
-
-    Raises:
-        ValueError: if a component is not finite.
-
-    Book: Eq. 9.6.
+    a new vector in m/s. Book: Eq. 9.6.
     """
     raise NotImplementedError("Exercise B9.18: The velocity of a point, and a rotation step")
 
@@ -39,10 +34,6 @@ def integrate_rotation(
     then the orientation rotates by w' h. After that it is normalized, because rounding errors would
     otherwise let its length drift. ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration``
     (h) in s. If the axis of rotation changes, the method has only order 1.
-
-    Raises:
-        ValueError: if the duration is not positive and finite, or a component is not finite. After
-            this error, and also after a TypeError, both arguments are unchanged.
     """
     raise NotImplementedError("Exercise B9.18: The velocity of a point, and a rotation step")
 
@@ -60,11 +51,5 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)
     (1.0856, 0.3284)
-
-    Raises:
-        ValueError: if ``angular_speed`` is not finite, ``duration`` is not positive and finite, or
-            ``steps`` is less than 1.
-        TypeError: if ``steps`` is not a whole number.
-        OverflowError: if the length is too large for a float.
     """
     raise NotImplementedError("Exercise B9.19: The errors of Eq. 9.5")

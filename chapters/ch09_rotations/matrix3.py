@@ -1,9 +1,7 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, so every method returns a new object. The
-methods raise TypeError for an argument of the wrong type, but they do not check the components of a
-vector.
+applies b first and then a. Matrices are immutable, so every method returns a new object.
 """
 
 from __future__ import annotations
@@ -102,9 +100,8 @@ class Matrix3:
         This ratio does not depend on the scale of the matrix.
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is at most ``SINGULAR``
-                (1e-13) times the product of the rows' lengths. The message shows the determinant,
-                and its ratio to that product.
+            ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
+                rows' lengths.
 
         Book: section 9.4.3.
         """
@@ -126,9 +123,6 @@ class Matrix3:
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
         transpose of this matrix, which rotates in the opposite direction (erratum E-11).
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``).
         """
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
@@ -139,8 +133,5 @@ class Matrix3:
         component whose number is the largest, which is at least 1, and compute the other components
         from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
         r^2 should be 0.
-
-        Raises:
-            ValueError: if this is not a rotation (``is_rotation``).
         """
         raise NotImplementedError("Exercise B9.13: From a matrix to a quaternion")

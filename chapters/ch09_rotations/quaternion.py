@@ -4,9 +4,6 @@ A quaternion of length 1 represents an orientation, and also the rotation from t
 orientation. The rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis
 sin(angle/2)). The quaternions q and -q represent the same orientation. As in the book, rotations
 are right-handed and about world axes, so ``b * a`` rotates by a first and then by b.
-
-The methods raise TypeError for an argument of the wrong type. A vector that you rotate may have any
-components, even NaN.
 """
 
 from __future__ import annotations
@@ -110,6 +107,7 @@ class Quaternion:
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
+            TypeError: if the axis is not a Vector3 or the angle is not a number.
 
         Book: Eq. 9.4.
         """
@@ -132,10 +130,6 @@ class Quaternion:
         """Rotate the vector ``v`` by this quaternion, and return the result as a new vector.
 
         The result is q (0, v) q*, where q* is the conjugate of this quaternion q.
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``), because such a quaternion
-                would also scale ``v``.
         """
         raise NotImplementedError("Exercise B9.10: Rotating a vector")
 
@@ -147,9 +141,6 @@ class Quaternion:
         vector)/2) q, where q is the old one. Eq. 9.9 is only a first-order approximation of this
         product. The book's listing contains two errors: it multiplies by (0, vector), which is not
         a rotation, and it does so on the wrong side (erratum E-12).
-
-        Raises:
-            ValueError: if the vector is not finite.
         """
         raise NotImplementedError("Exercise B9.11: Rotating by a vector: exactly, and by Eq. 9.5")
 
@@ -160,8 +151,5 @@ class Quaternion:
         time step for an orientation. It is only a first-order approximation of the rotation, and it
         makes the quaternion longer (erratum E-31). Do not normalize the result, because the
         exercises measure this error.
-
-        Raises:
-            ValueError: if the vector or the scale is not finite. In that case nothing changes.
         """
         raise NotImplementedError("Exercise B9.11: Rotating by a vector: exactly, and by Eq. 9.5")

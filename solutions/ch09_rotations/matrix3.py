@@ -1,9 +1,7 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, so every method returns a new object. The
-methods raise TypeError for an argument of the wrong type, but they do not check the components of a
-vector.
+applies b first and then a. Matrices are immutable, so every method returns a new object.
 """
 
 from __future__ import annotations
@@ -11,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import overload
 
+from ch02_vectors.arguments import instance_of
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
@@ -71,8 +70,7 @@ class Matrix3:
 
         You can also write ``m @ v``. Book: section 9.4.2.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
+        instance_of("v", v, Vector3)
         x, y, z = v.x, v.y, v.z
         a, b, c, d, e, f, g, h, i = self.entries
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
@@ -82,8 +80,7 @@ class Matrix3:
 
         Book: section 9.4.2.
         """
-        if not isinstance(m, Matrix3):
-            raise TypeError(f"m must be a Matrix3, got {m!r}")
+        instance_of("m", m, Matrix3)
         a, b, c, d, e, f, g, h, i = self.entries
         j, k, l, n, o, p, q, r, s = m.entries  # noqa: E741
         return Matrix3(
@@ -116,9 +113,8 @@ class Matrix3:
         This ratio does not depend on the scale of the matrix.
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is at most ``SINGULAR``
-                (1e-13) times the product of the rows' lengths. The message shows the determinant,
-                and its ratio to that product.
+            ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
+                rows' lengths.
 
         Book: section 9.4.3.
         """
@@ -156,15 +152,8 @@ class Matrix3:
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
         transpose of this matrix, which rotates in the opposite direction (erratum E-11).
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``).
         """
-        if not isinstance(q, Quaternion):
-            raise TypeError(f"q must be a Quaternion, got {q!r}")
-        if not q.is_unit():
-            raise ValueError(f"q must have length 1, got {q!r}")
-        r, i, j, k = q
+        r, i, j, k = instance_of("q", q, Quaternion)
         return Matrix3(
             *(1.0 - 2.0 * (j * j + k * k), 2.0 * (i * j - k * r), 2.0 * (i * k + j * r)),
             *(2.0 * (i * j + k * r), 1.0 - 2.0 * (i * i + k * k), 2.0 * (j * k - i * r)),
@@ -178,12 +167,7 @@ class Matrix3:
         component whose number is the largest, which is at least 1, and compute the other components
         from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
         r^2 should be 0.
-
-        Raises:
-            ValueError: if this is not a rotation (``is_rotation``).
         """
-        if not self.is_rotation():
-            raise ValueError(f"the matrix must be a rotation, got {self!r}")
         a, b, c, d, e, f, g, h, i = self.entries
         candidates = (
             Quaternion(1.0 + a + e + i, h - f, c - g, d - b),

@@ -15,9 +15,7 @@ from draw import Components, components, number, positive_number
 from expect import (
     about,
     expect_close,
-    expect_error,
     expect_exactly,
-    expect_finite_numbers,
     expect_unchanged,
     xyz,
 )
@@ -94,32 +92,6 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     same = velocity_of_point(*given[:3], Vector3())
     same.invert()
     expect_unchanged("v", xyz(given[2]), v)
-
-
-@pytest.mark.exercise("B9.18")
-@pytest.mark.robust
-def test_rejects_invalid_vectors() -> None:
-    about.read = "the docstring of velocity_of_point"
-    good = (1.0, 2.0, 3.0)
-    for place in range(4):
-        name = ("point", "position", "velocity", "angular velocity")[place]
-        for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
-            problem = "is a tuple" if bad is None else "contains NaN or infinity"
-            about.cause = f"The {name} {problem}. Check it with finite_vector from arguments.py, "
-            about.cause += "which raises the error for you."
-            vectors = [Vector3(*good) for _ in range(4)]
-            if bad is not None:
-                vectors[place] = Vector3(*bad)
-            shown = [f"Vector3{short(good)}" for _ in range(4)]
-            shown[place] = str(good) if bad is None else f"Vector3{short(bad)}"
-            expect_error(
-                lambda vectors=vectors, place=place, bad=bad: velocity_of_point(
-                    *vectors[:place], good if bad is None else vectors[place], *vectors[place + 1 :]
-                ),
-                TypeError if bad is None else ValueError,
-                call=f"velocity_of_point({', '.join(shown)})",
-                allowed=lambda: velocity_of_point(*(Vector3(*good) for _ in range(4))),
-            )
 
 
 def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str, Quad]:
@@ -234,69 +206,6 @@ def test_a_step_from_rest(rng: Random) -> None:
         expect_close(got, wanted, then="; q", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.18")
-@pytest.mark.robust
-def test_an_invalid_step_changes_nothing(rng: Random) -> None:
-    about.read = STEP
-    q, w, a, nan = draw_quad(rng), components(rng), components(rng), math.nan
-    changed = "An invalid call must not change anything. Check all arguments before you change any."
-    for velocity, acceleration, h, error in (
-        (w, a, 0.0, ValueError),
-        (w, a, -0.1, ValueError),
-        (w, a, nan, ValueError),
-        (w, a, math.inf, ValueError),
-        (w, a, "0.1", TypeError),
-        ((nan, 0.0, 1.0), a, 0.1, ValueError),
-        ((0.0, math.inf, 1.0), a, 0.1, ValueError),
-        (w, (nan, 0.0, 1.0), 0.1, ValueError),
-        (w, (0.0, math.inf, 1.0), 0.1, ValueError),
-        (w, None, 0.1, TypeError),
-    ):
-        orientation, spin = Quaternion(*q), Vector3(*velocity)
-        more = None if acceleration is None else Vector3(*acceleration)
-        shown = "None" if more is None else f"Vector3{short(acceleration)}"
-        about.call = f"integrate_rotation(q, Vector3{short(velocity)}, {shown}, {h!r})"
-        which = "velocity" if acceleration is a else "acceleration"
-        about.cause = f"The angular {which} must be a finite Vector3, so raise "
-        if velocity is w and acceleration is a:
-            about.cause = f"The duration is {h!r}. It must be a positive, finite number, so raise "
-        about.cause += f"{error.__name__}."
-        expect_error(
-            lambda orientation=orientation, spin=spin, more=more, h=h: integrate_rotation(
-                orientation, spin, more, h
-            ),
-            error,
-            allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        )
-        expect_unchanged("q", rijk(orientation), q, cause=changed)
-        if velocity is w:
-            expect_unchanged("the angular velocity", xyz(spin), w, cause=changed)
-    spin = Vector3(*w)
-    about.call = f"integrate_rotation({q}, Vector3{short(w)}, Vector3{short(a)}, 0.1)"
-    expect_error(
-        lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
-        TypeError,
-        allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="The orientation is a tuple, not a Quaternion, so raise TypeError.",
-    )
-    expect_unchanged("the angular velocity", xyz(spin), w, cause=changed)
-    for name, velocity, acceleration in (
-        (f"{w}, Vector3{short(a)}", w, Vector3(*a)),
-        (f"Vector3{short(w)}, {a}", Vector3(*w), a),
-    ):
-        orientation = Quaternion(*q)
-        about.call = f"integrate_rotation(q, {name}, 0.1)"
-        expect_error(
-            lambda orientation=orientation, velocity=velocity, acceleration=acceleration: (
-                integrate_rotation(orientation, velocity, acceleration, 0.1)
-            ),
-            TypeError,
-            allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="One of the vectors is a tuple, not a Vector3, so raise TypeError.",
-        )
-        expect_unchanged("q", rijk(orientation), q, cause=changed)
-
-
 def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
     """Return the length and the missing angle after steps of Eq. 9.5, one by one in the plane."""
     point, turned = complex(1.0, 0.0), 0.0
@@ -377,23 +286,3 @@ def test_no_drift_at_a_speed_of_zero() -> None:
     about.cause = "At a speed of 0 nothing rotates, so the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
     expect_close(got, (1.0, 0.0), tolerance=TIGHT)
-
-
-@pytest.mark.exercise("B9.19")
-@pytest.mark.robust
-def test_rejects_an_invalid_speed_duration_or_step_count() -> None:
-    about.read = DRIFT
-    expect_finite_numbers(
-        "first_order_drift(angular_speed={}, duration={}, steps=3)",
-        lambda speed, duration: first_order_drift(speed, duration, 3),
-        (1, 1),
-        ((1, 0.0), (1, -1.0)),
-    )
-    for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
-        about.cause = f"{bad!r} is not a whole number of at least 1, so raise {error.__name__}."
-        expect_error(
-            lambda bad=bad: first_order_drift(1.0, 1.0, bad),
-            error,
-            call=f"first_order_drift(1, 1, {bad!r})",
-            allowed=lambda: first_order_drift(1.0, 1.0, 2),
-        )

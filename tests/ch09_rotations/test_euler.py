@@ -14,7 +14,6 @@ from expect import (
     about,
     expect_close,
     expect_error,
-    expect_finite_numbers,
     expect_vector,
     scoped,
     xyz,
@@ -236,38 +235,3 @@ def test_rejects_gimbal_lock_but_not_angles_near_it(rng: Random) -> None:
                 for near in (quarter - 1e-6, 1e-6 - quarter, quarter - 5e-13, quarter + 5e-13)
             ],
         )
-
-
-@pytest.mark.exercise("B9.17", weight=0.5)
-@pytest.mark.robust
-def test_rejects_invalid_angles_and_velocities() -> None:
-    expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
-    expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)
-    expect_finite_numbers(
-        "euler_rates({}, {}, {}, Vector3(1, 2, 3))",
-        lambda x, y, z: euler_rates(x, y, z, Vector3(1.0, 2.0, 3.0)),
-        (1, 1, 1),
-        (),
-        read=ANGLES,
-    )
-    about.cause = (
-        "A component of the angular velocity is infinite. Check it with finite_vector from "
-        "arguments.py, which raises ValueError."
-    )
-    good = (1.0, 2.0, 3.0)
-    for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
-        expect_error(
-            lambda bad=bad: euler_rates(1, 1, 1, Vector3(*bad)),
-            error,
-            call=f"euler_rates(1, 1, 1, Vector3{short(bad)})",
-            allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-            read=ANGLES,
-        )
-    expect_error(
-        lambda: euler_rates(1, 1, 1, good),
-        TypeError,
-        call="euler_rates(1, 1, 1, (1, 2, 3))",
-        allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause="The angular velocity is a tuple, not a Vector3, so raise TypeError.",
-        read=ANGLES,
-    )

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from random import Random
 
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import Matrix3, Matrix4
+from ch09_rotations.matrix import Matrix4
 from draw import Components, components
 from expect import about, expect_close, expect_error, xyz
 from turning import (
@@ -35,7 +34,6 @@ from turning import (
 POINT = "book 9.4.2, and the docstring of Matrix4.transform"
 TIMES = "book 9.4.2, and the docstring of Matrix4.product"
 INVERSE = "book 9.4.3, and the docstring of Matrix4.inverse"
-FIRST_LINES = "the docstring at the top of matrix.py"
 
 
 @pytest.mark.exercise("B9.14")
@@ -232,48 +230,17 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
     singular = "The 3x3 part of this matrix is singular, so the matrix has no inverse. "
-    infinite = "The 3x3 part contains infinity or NaN, so the matrix has no inverse. "
     planes = []
     for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
         a, b = components(rng), components(rng)
         plane = (*a, *b, *(1.3 * x - 0.7 * y for x, y in zip(a, b, strict=True)))
         planes += [plane, tuple(1e6 * number for number in plane)]
-    bad = [(*plane[:4], n, *IDENTITY[5:]) for n in (math.nan, math.inf)]
-    for linear in (flat, (0.0,) * 9, *planes, *bad):
+    for linear in (flat, (0.0,) * 9, *planes):
         twelve = joined(linear, components(rng))
-        about.cause = infinite if linear in bad else singular
-        about.cause += "Raise ValueError, as Matrix3.inverse does for the 3x3 part."
+        about.cause = f"{singular}Raise ValueError, as Matrix3.inverse does for the 3x3 part."
         expect_error(
             lambda twelve=twelve: Matrix4(*twelve).inverse(),
             ValueError,
             call=f"m = {written(twelve, exact=True)}; m.inverse()",
             allowed=lambda: Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))).inverse(),
-        )
-
-
-def small_pair() -> tuple:
-    """Return a Matrix4, and two objects of other types: a Matrix3 and a tuple."""
-    return Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))), Matrix3(*IDENTITY), (1.0, 2.0, 3.0)
-
-
-@pytest.mark.exercise("B9.14")
-@pytest.mark.robust
-def test_rejects_other_vectors_and_matrices() -> None:
-    about.read = FIRST_LINES
-    matrix, nine, three = small_pair()
-    v = Vector3(1.0, 2.0, 3.0)
-    for name, attempt, allowed in (
-        ("m.transform((1, 2, 3))", lambda: matrix.transform(three), lambda: matrix.transform(v)),
-        ("m.product(Matrix3(...))", lambda: matrix.product(nine), lambda: matrix.product(matrix)),
-        ("m.product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
-    ):
-        kind = "vector" if "Vector3" in name else "Matrix3"
-        about.cause = f"The argument is a {kind}, not a Matrix4, so raise TypeError."
-        if "transform" in name:
-            about.cause = "The argument is a tuple, not a Vector3, so raise TypeError."
-        expect_error(
-            attempt,
-            TypeError,
-            call=f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); {name}",
-            allowed=allowed,
         )

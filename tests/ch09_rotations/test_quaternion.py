@@ -7,10 +7,9 @@ from random import Random
 
 import pytest
 
-from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import number
-from expect import about, expect_close, expect_error, expect_exactly
+from expect import about, expect_close, expect_exactly
 from turning import Quad, draw_quad, expect_kept, hamilton, named, rijk, short
 
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
@@ -253,22 +252,3 @@ def test_the_product_of_any_two(rng: Random) -> None:
     expect_close(got, hamilton(a, b), tolerance=1e-12)
     expect_kept("a", rijk(first), a)
     expect_kept("b", rijk(second), b)
-
-
-@pytest.mark.exercise("B9.8")
-@pytest.mark.robust
-def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
-    about.read = "the docstring at the top of quaternion.py"
-    q = draw_four(rng)
-    about.cause = (
-        "The factor on the right is not a Quaternion, so return NotImplemented. Python then raises "
-        "TypeError."
-    )
-    for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
-        name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)
-        expect_error(
-            lambda other=other: Quaternion(*q) * other,
-            TypeError,
-            call=f"Quaternion{short(q)} * {name}",
-            allowed=lambda: Quaternion(*q) * Quaternion(),
-        )

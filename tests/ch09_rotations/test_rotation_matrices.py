@@ -15,7 +15,6 @@ from draw import components, positive_number
 from expect import (
     about,
     expect_close,
-    expect_error,
     expect_exactly,
     scoped,
 )
@@ -205,40 +204,6 @@ def test_the_matrix_of_any_quaternion(rng: Random) -> None:
         expect_kept("q", rijk(quaternion), q)
 
 
-@pytest.mark.exercise("B9.12")
-@pytest.mark.robust
-def test_from_quaternion_rejects_all_but_unit_quaternions(rng: Random) -> None:
-    about.read = "the docstring of from_quaternion"
-    q = draw_quad(rng)
-    about.cause = (
-        "The length of this quaternion is not 1, so it is not a rotation. Call is_unit() first, "
-        "and raise ValueError if it returns False."
-    )
-
-    def scaled(length: float) -> Quad:
-        return tuple(component * length for component in q)
-
-    def of_length(length: float) -> object:
-        return Matrix3.from_quaternion(Quaternion(*scaled(length)))
-
-    for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
-        expect_error(
-            lambda length=length: of_length(length),
-            ValueError,
-            call=f"q = Quaternion{short(scaled(length))}, whose length is {length}; "
-            "Matrix3.from_quaternion(q)",
-            allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
-        )
-    about.cause = "The argument is a tuple, not a Quaternion, so raise TypeError."
-    expect_error(
-        lambda: Matrix3.from_quaternion(q),
-        TypeError,
-        call=f"Matrix3.from_quaternion({q})",
-        allowed=lambda: of_length(1.0),
-        read="the docstring at the top of matrix.py",
-    )
-
-
 def half_turn(axis: Sequence[float]) -> Quad:
     """Return a half-turn about an axis. Its r is exactly 0."""
     x, y, z = (component / math.hypot(*axis) for component in axis)
@@ -352,26 +317,3 @@ def test_the_result_has_length_one(rng: Random) -> None:
         about.call = f"m = {written(m)}; the length of m.to_quaternion()"
         got = rijk(Matrix3(*m).to_quaternion())
         expect_close(math.hypot(*got) if isinstance(got, tuple) else got, 1.0, tolerance=TIGHT)
-
-
-@pytest.mark.exercise("B9.13")
-@pytest.mark.robust
-def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
-    about.read = TO
-    m = draw_slight_turn(rng)
-    about.cause = (
-        "This matrix is not a rotation, so no quaternion represents it. Call is_rotation() first, "
-        "and raise ValueError if it returns False."
-    )
-    for n in (
-        tuple(2.0 * number for number in m),
-        tuple(-number for number in m),
-        (0.0,) * 9,
-        (math.nan, *m[1:]),
-    ):
-        expect_error(
-            lambda n=n: Matrix3(*n).to_quaternion(),
-            ValueError,
-            call=f"n = {written(n)}; n.to_quaternion()",
-            allowed=lambda: Matrix3(*m).to_quaternion(),
-        )

@@ -15,7 +15,8 @@ def wrap_angle(angle: float) -> float:
     """Convert an angle to the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
     Angles that differ by a full turn point in the same direction, so wrap them before you compare
-    them. The angles pi and -pi are the same direction too, and both give pi.
+    them. The angles pi and -pi are the same direction too, and both give pi. An angle may contain
+    hundreds of thousands of turns, so remove them all at once and not one by one.
     """
     raise NotImplementedError("Exercise B9.1: Wrapping an angle")
 

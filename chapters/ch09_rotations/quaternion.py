@@ -71,7 +71,7 @@ class Quaternion:
     def is_unit(self) -> bool:
         """Return True if the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
 
-        If a component is NaN, the result is False.
+        If a component is NaN, infinite or as large as 1e200, the result is False.
         """
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
@@ -119,7 +119,7 @@ class Quaternion:
         The angle is in radians. The quaternions q and -q represent the same rotation, so they give
         the same result. For a half-turn, you may return either the axis or its opposite. For an
         angle of 0, any axis would be correct, so return X. The result must also be correct for
-        angles as small as 1e-200.
+        angles as small as 1e-200, and for every length that ``is_unit`` accepts.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -137,10 +137,11 @@ class Quaternion:
         """Rotate the orientation in place by the rotation vector ``vector``.
 
         The direction of ``vector`` is the axis of the rotation, in world axes. Its length is the
-        angle in radians, so a zero vector changes nothing. The new orientation is exp((0,
-        vector)/2) q, where q is the old one. Eq. 9.9 is only a first-order approximation of this
-        product. The book's listing contains two errors: it multiplies by (0, vector), which is not
-        a rotation, and it does so on the wrong side (erratum E-12).
+        angle in radians, so a zero vector changes nothing. The result must also be correct for
+        vectors as short as 1e-200. The new orientation is exp((0, vector)/2) q, where q is the old
+        one. Eq. 9.9 is only a first-order approximation of this product. The book's listing
+        contains two errors: it multiplies by (0, vector), which is not a rotation, and it does so
+        on the wrong side (erratum E-12).
         """
         raise NotImplementedError("Exercise B9.11: Rotating by a vector: exactly, and by Eq. 9.5")
 

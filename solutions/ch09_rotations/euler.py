@@ -5,7 +5,7 @@ X axis, then by y about the Y axis, and then by z about the Z axis. All three ax
 world. Every orientation can be described in this way (erratum E-33). But if y is a quarter turn,
 the second rotation turns the X axis onto Z or -Z. The first and the last rotation then have the
 same axis, so one degree of freedom is lost. This state is called gimbal lock, and it is the reason
-why engines store orientations as quaternions.
+why engines store orientations as quaternions. The functions do not change their arguments.
 """
 
 from __future__ import annotations

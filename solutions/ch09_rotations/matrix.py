@@ -155,10 +155,11 @@ class Matrix4:
 def change_basis(m: M, basis: M) -> M:
     """Express the transformation ``m`` in a new basis, as the product basis * m * basis^-1.
 
-    ``m`` transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
+    The two arguments are both a Matrix3 or both a Matrix4, whose translations count too. ``m``
+    transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
     coordinates. The returned matrix performs the same transformation on vectors given in the new
-    basis. It converts them to the old basis, applies ``m``, and converts them back.
-    Book: section 9.4.6.
+    basis. It converts them to the old basis, applies ``m``, and converts them back. Book: section
+    9.4.6.
     """
     return basis.product(m).product(basis.inverse())
 

@@ -137,7 +137,8 @@ class Matrix3:
         The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
         with itself must be 1, and its scalar product with each other row must be 0, both within
         ``ROTATION_TOLERANCE``. The determinant must also be positive, because it is negative for a
-        reflection. If one of these conditions fails, or if an entry is NaN, return False.
+        reflection. If one of these conditions fails, or if an entry is NaN, infinite or as large as
+        1e200, return False.
         """
         products = self.product(self.transpose())
         identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -166,7 +167,8 @@ class Matrix3:
         The diagonal determines four numbers: 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
         component whose number is the largest, which is at least 1, and compute the other components
         from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
-        r^2 should be 0.
+        r^2 should be 0. The matrix may differ slightly from a rotation, so normalize the quaternion
+        at the end.
         """
         a, b, c, d, e, f, g, h, i = self.entries
         candidates = (

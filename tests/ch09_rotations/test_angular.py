@@ -41,7 +41,7 @@ LENGTH = "; the length of the quaternion after all steps"
 LAG = "; the angle in radians by which the rotation lags behind"
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="Compute the velocity of a point on an object")
 def test_a_point_of_a_rotating_object() -> None:
     about.read = POINT
     about.call = "q = Vector3(1, 0, 0); p = p' = Vector3(); w = Vector3(0, 0, 2); "
@@ -58,7 +58,7 @@ def test_a_point_of_a_rotating_object() -> None:
     expect_close(got, (0.0, 2.0, 0.0), cause=named(got, about.cause, slips))
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="a new vector in m/s, and the arguments do not change")
 def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     about.read = POINT
     point, place, v, w = (components(rng) for _ in range(4))
@@ -118,7 +118,7 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
     }
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="then the orientation rotates by w' h")
 def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
@@ -149,7 +149,7 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     expect_exactly(returned, None, then="the returned value")
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="The step is semi-implicit Euler")
 def test_many_steps_about_one_axis(rng: Random) -> None:
     about.read = STEP
     axis = components(rng)
@@ -172,7 +172,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     expect_kept("alpha", alpha, a)
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="After that it is normalized")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     about.read = STEP
     about.cause = "You don't normalize q, so the error in its length remains. Normalize q at the "
@@ -187,7 +187,7 @@ def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
         expect_close(got, 1.0, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.18", weight=0.5)
+@pytest.mark.exercise("B9.18", asks="so a zero vector changes nothing", weight=0.5)
 def test_a_step_from_rest(rng: Random) -> None:
     about.read = STEP
     q, a, h = draw_quad(rng), components(rng), 0.1
@@ -243,7 +243,7 @@ def lag_slips(right: float, turn: float) -> dict[str, float]:
     }
 
 
-@pytest.mark.exercise("B9.19")
+@pytest.mark.exercise("B9.19", asks="The first result is the length of the quaternion")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     about("first_order_drift(angular_speed=2 pi, duration=1, steps=60)", read=DRIFT)
     about.cause = "Each of the 60 steps multiplies the length by sqrt(1 + (w h / 2)^2), where w = "
@@ -259,7 +259,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     expect_close(lag, wanted, then=LAG, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.19")
+@pytest.mark.exercise("B9.19", asks="This angle is negative for a negative speed")
 def test_the_drift_of_a_few_rotations(rng: Random) -> None:
     about.read = DRIFT
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
@@ -280,7 +280,7 @@ def test_the_drift_of_a_few_rotations(rng: Random) -> None:
         expect_close(lag, missing, then=LAG, cause=why, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B9.19")
+@pytest.mark.exercise("B9.19", asks="At a speed of 0 nothing rotates")
 def test_no_drift_at_a_speed_of_zero() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
     about.cause = "At a speed of 0 nothing rotates, so the length stays 1 and no angle is missing."

@@ -68,7 +68,7 @@ def map_to_own(x: float, y: float, z: float) -> tuple[float, ...]:
     return tuple(column[row] for row in range(3) for column in columns)
 
 
-@pytest.mark.exercise("B9.17")
+@pytest.mark.exercise("B9.17", asks="The object rotates by x about the world's X axis first")
 def test_one_turn_after_another(rng: Random) -> None:
     about.read = ANGLES
     x, y, z = draw_angles(rng)
@@ -99,7 +99,7 @@ def test_one_turn_after_another(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.17")
+@pytest.mark.exercise("B9.17", asks="Each column of the matrix is the axis")
 def test_the_rate_map(rng: Random) -> None:
     about.read = RATES
     drawn, (_, tilt, _) = draw_angles(rng), draw_angles(rng)
@@ -130,7 +130,7 @@ def test_the_rate_map(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.17")
+@pytest.mark.exercise("B9.17", asks="Compute how fast the three Euler angles must change")
 def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
     about.read = BACK
     w = components(rng)
@@ -192,14 +192,14 @@ def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> Non
     expect_vector(rates)
 
 
-@pytest.mark.exercise("B9.17")
+@pytest.mark.exercise("B9.17", asks="Near gimbal lock, the rates become very large")
 def test_near_gimbal_lock_there_are_rates(rng: Random) -> None:
     x, z, w = draw_locked(rng)
     for off in (1e-6, -1e-6):
         expect_rates_near_lock(x, z, w, off)
 
 
-@pytest.mark.exercise("B9.17")
+@pytest.mark.exercise("B9.17", asks="which means that |cos y| is at most")
 @pytest.mark.robust
 def test_rejects_gimbal_lock_but_not_angles_near_it(rng: Random) -> None:
     about.read = BACK

@@ -52,7 +52,7 @@ BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
 # 9.1 Two rotations and two others
 
 
-@pytest.mark.exercise("9.1")
+@pytest.mark.exercise("9.1", asks="The result is the same if you rotate the object by")
 def test_two_turns_end_where_two_others_do() -> None:
     about.read = "the docstring of two_other_turns"
     about.call, about.cause = "two_other_turns()", "Return a and b as a pair, in degrees."
@@ -78,7 +78,7 @@ def test_two_turns_end_where_two_others_do() -> None:
         expect_close(got, wanted, tolerance=0.0)
 
 
-@pytest.mark.exercise("9.1")
+@pytest.mark.exercise("9.1", asks="in degrees, from -180 to 180")
 def test_the_angles_are_within_half_a_turn() -> None:
     about.read = "the docstring of two_other_turns"
     about.call = "two_other_turns()"
@@ -110,7 +110,7 @@ def way_back(q: Quad) -> tuple:
     return unit, angle
 
 
-@pytest.mark.exercise("9.2", weight=2)
+@pytest.mark.exercise("9.2", asks="find the rotation that takes an orientation back", weight=2)
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
@@ -132,7 +132,7 @@ def test_one_turn_leads_back(rng: Random) -> None:
         expect_close(got, reference, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.2")
+@pytest.mark.exercise("9.2", asks="the angle is 0 and the axis may be any unit vector")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
     about(
         cause="This orientation is already the reference, so the angle should be 0, and the axis "
@@ -155,7 +155,7 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 # 9.3a Two quaternions without j and k
 
 
-@pytest.mark.exercise("9.3a")
+@pytest.mark.exercise("9.3a", asks="with only four multiplications")
 def test_a_product_without_j_and_k(rng: Random) -> None:
     about.read = PLANE
     (r, i), (s, j) = ((number(rng, 1.5), number(rng, 1.5)) for _ in range(2))
@@ -183,7 +183,7 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
 # 9.4 A steady rotation, in one step and in many
 
 
-@pytest.mark.exercise("9.4")
+@pytest.mark.exercise("9.4", asks="at a constant rate about the world's X axis")
 def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
     about.read = SENSE
     size = positive_number(rng, 0.2, 4.0)
@@ -226,7 +226,7 @@ def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
     return tuple(component / length for component in q)
 
 
-@pytest.mark.exercise("9.4", weight=2)
+@pytest.mark.exercise("9.4", asks="normalize only after the last one", weight=2)
 def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
     about.read = BY_STEPS
     for q, steps, share in (
@@ -278,7 +278,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         expect_kept("the orientation", rijk(orientation), q)
 
 
-@pytest.mark.exercise("9.4")
+@pytest.mark.exercise("9.4", asks="the angle in radians, from 0 to pi")
 def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)

@@ -37,7 +37,7 @@ def in_place(m: Nine, a: Components) -> Components:
     return x, y, m[6] * x + m[7] * y + m[8] * z
 
 
-@pytest.mark.exercise("B9.4")
+@pytest.mark.exercise("B9.4", asks="Multiply the matrix by the vector v")
 def test_a_matrix_times_a_vector(rng: Random) -> None:
     about.read = TIMES
     m, a = draw_matrix(rng), components(rng)
@@ -63,7 +63,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B9.4")
+@pytest.mark.exercise("B9.4", asks="a new matrix that applies m first")
 def test_a_matrix_times_a_matrix(rng: Random) -> None:
     about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
@@ -93,7 +93,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     expect_close(got, times(m, n), tolerance=1e-11)
 
 
-@pytest.mark.exercise("B9.4")
+@pytest.mark.exercise("B9.4", asks="Swap the rows and columns of the matrix")
 def test_rows_become_columns(rng: Random) -> None:
     about.read = "book 9.4.3"
     m = draw_matrix(rng)
@@ -157,7 +157,7 @@ def determinant_slips(m: Nine) -> dict[str, float]:
     }
 
 
-@pytest.mark.exercise("B9.5")
+@pytest.mark.exercise("B9.5", asks="the factor by which the matrix scales volumes")
 def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
@@ -187,7 +187,7 @@ def test_the_determinant(rng: Random) -> None:
     expect_close(got, determinant(n), tolerance=1e-31)
 
 
-@pytest.mark.exercise("B9.5", weight=2)
+@pytest.mark.exercise("B9.5", asks="a new matrix that undoes the effect of this one", weight=2)
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     about.read = INVERSE
     m = draw_matrix(rng)
@@ -270,7 +270,7 @@ def expect_no_inverse(m: Nine) -> None:
     )
 
 
-@pytest.mark.exercise("B9.5")
+@pytest.mark.exercise("B9.5", asks="reject a matrix if its determinant is too small")
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause = (
@@ -291,7 +291,7 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
             expect_no_inverse(tuple(scale * number for number in (*a, *b, *third)))
 
 
-@pytest.mark.exercise("B9.5")
+@pytest.mark.exercise("B9.5", asks="at most SINGULAR (1e-13) times the product")
 @pytest.mark.robust
 def test_how_near_to_singular_is_too_near() -> None:
     about.read = INVERSE

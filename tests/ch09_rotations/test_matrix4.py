@@ -36,7 +36,7 @@ TIMES = "book 9.4.2, and the docstring of Matrix4.product"
 INVERSE = "book 9.4.3, and the docstring of Matrix4.inverse"
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="add the translation, and return a new vector")
 def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     about.read = POINT
     m, p, a = draw_matrix(rng), components(rng), components(rng)
@@ -67,7 +67,7 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     expect_close(got, moved(m, p, a), tolerance=LOOSE)
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="a new matrix that applies m first")
 def test_one_transformation_after_another(rng: Random) -> None:
     about.read = TIMES
     m, p, n, q = draw_matrix(rng), components(rng), draw_matrix(rng), components(rng)
@@ -137,7 +137,7 @@ def overwritten(m: Nine, p: Components) -> tuple[Nine, Components]:
     return (*d[0:3], *d[4:7], *d[8:11]), (d[3], d[7], d[11])
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="Compute the determinant of the 3x3 part")
 def test_the_determinant_ignores_the_translation(rng: Random) -> None:
     about.read = "book 9.4.3, and E-28"
     m, p = draw_mirror(rng), components(rng)
@@ -162,7 +162,7 @@ def test_the_determinant_ignores_the_translation(rng: Random) -> None:
     expect_close(got, determinant(small), tolerance=1e-31)
 
 
-@pytest.mark.exercise("B9.14", weight=2)
+@pytest.mark.exercise("B9.14", asks="by the negative of the translation", weight=2)
 def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     about.read = INVERSE
     drawn = draw_matrix(rng)
@@ -224,7 +224,7 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         expect_kept("m", entries(matrix), twelve)
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="if Matrix3.inverse rejects the 3x3 part")
 @pytest.mark.robust
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE

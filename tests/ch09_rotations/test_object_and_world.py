@@ -43,7 +43,7 @@ METHODS = pytest.mark.parametrize(
 )
 
 
-@pytest.mark.exercise("B9.15")
+@pytest.mark.exercise("B9.15", asks="the matrix rotates by q and then adds p")
 def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     about.read = "book 9.4.4"
     q, p = draw_quad(rng), components(rng)
@@ -117,7 +117,7 @@ def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str,
     return slips
 
 
-@pytest.mark.exercise("B9.15")
+@pytest.mark.exercise("B9.15", asks="then multiply by the transpose of the 3x3 part")
 @METHODS
 def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     about.read = f"{WORLD}, and the docstring of {method}"
@@ -151,7 +151,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     expect_kept("the matrix", entries(matrix), twelve)
 
 
-@pytest.mark.exercise("B9.16")
+@pytest.mark.exercise("B9.16", asks="It converts them to the old basis, applies m")
 def test_a_rotation_in_other_axes() -> None:
     about.read = BASIS
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
@@ -177,7 +177,7 @@ def test_a_rotation_in_other_axes() -> None:
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.16")
+@pytest.mark.exercise("B9.16", asks="as the product basis * m * basis^-1")
 def test_any_matrix_in_any_axes(rng: Random) -> None:
     about.read = BASIS
     m, basis = draw_matrix(rng), draw_mirror(rng)
@@ -198,7 +198,7 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     expect_kept("basis", entries(other), basis)
 
 
-@pytest.mark.exercise("B9.16")
+@pytest.mark.exercise("B9.16", asks="both a Matrix4, whose translations count too")
 def test_a_motion_with_a_translation(rng: Random) -> None:
     about.read = BASIS
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)

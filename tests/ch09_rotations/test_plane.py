@@ -20,7 +20,7 @@ POINT = "book 9.1, Eq. 9.2"
 MASS = "book 9.1.3, and the docstring of center_of_mass"
 
 
-@pytest.mark.exercise("B9.1")
+@pytest.mark.exercise("B9.1", asks="Convert an angle to the equivalent angle in the range")
 def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
@@ -55,7 +55,7 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
                 expect_close(got, angle, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.1", weight=0.5)
+@pytest.mark.exercise("B9.1", asks="remove them all at once and not one by one", weight=0.5)
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
@@ -72,7 +72,7 @@ def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
         expect_close(got, angle, tolerance=2e-5)
 
 
-@pytest.mark.exercise("B9.1")
+@pytest.mark.exercise("B9.1", asks="are the same direction too, and both give pi")
 def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
     about(
         cause="You return -pi, but the range includes pi and not -pi. Both point in the same "
@@ -92,7 +92,7 @@ def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
         expect_close(got, angle, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.2")
+@pytest.mark.exercise("B9.2", asks="as the unit vector (cos(angle), sin(angle))")
 def test_the_direction_of_an_angle(rng: Random) -> None:
     about.read = "book 9.1.1, Eq. 9.1"
     about.cause = (
@@ -145,7 +145,7 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     return {name: (end.real, end.imag) for name, end in ends.items()}
 
 
-@pytest.mark.exercise("B9.2")
+@pytest.mark.exercise("B9.2", asks="Convert a point from the coordinates of an object")
 def test_the_headlight_of_the_book() -> None:
     about(
         "a headlight at (1.5, -0.75) on a car at (4, 3.85); "
@@ -162,7 +162,7 @@ def test_the_headlight_of_the_book() -> None:
     expect_close(got, (5.27, 4.95), tolerance=0.006)
 
 
-@pytest.mark.exercise("B9.2")
+@pytest.mark.exercise("B9.2", asks="Rotate point first and then add origin")
 def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
     about.read = POINT
     for sign in (1.0, -1.0, 1.0):
@@ -179,7 +179,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
         expect_close(got, (end.real, end.imag), tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.3")
+@pytest.mark.exercise("B9.3", asks="their mean position, weighted by their masses")
 def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
     about.cause = (
@@ -196,7 +196,7 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
 
 
-@pytest.mark.exercise("B9.3")
+@pytest.mark.exercise("B9.3", asks="Both may be lists or tuples, and several masses")
 def test_the_center_of_many_masses(rng: Random) -> None:
     about.read = MASS
     cause = (

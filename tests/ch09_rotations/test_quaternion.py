@@ -22,7 +22,7 @@ def draw_four(rng: Random) -> Quad:
     return number(rng), number(rng), number(rng), number(rng)
 
 
-@pytest.mark.exercise("B9.7")
+@pytest.mark.exercise("B9.7", asks="Compute the length, sqrt(r^2 + i^2 + j^2 + k^2)")
 def test_the_length_of_four_components(rng: Random) -> None:
     about(
         cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2).",
@@ -45,7 +45,7 @@ def test_the_length_of_four_components(rng: Random) -> None:
     expect_kept("q", rijk(quaternion), q)
 
 
-@pytest.mark.exercise("B9.7")
+@pytest.mark.exercise("B9.7", asks="Return True if the length is 1 to within")
 def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
@@ -80,7 +80,7 @@ def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
     expect_exactly(got, True)
 
 
-@pytest.mark.exercise("B9.7")
+@pytest.mark.exercise("B9.7", asks="by dividing each component by the length")
 def test_normalized_it_has_length_one(rng: Random) -> None:
     about.read = NORMALIZE
     drawn, near = draw_four(rng), draw_quad(rng)
@@ -117,7 +117,7 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
     expect_exactly(returned, None)
 
 
-@pytest.mark.exercise("B9.7")
+@pytest.mark.exercise("B9.7", asks="so it becomes (1, 0, 0, 0), the reference")
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
     about.cause = (
@@ -131,7 +131,7 @@ def test_zero_becomes_the_reference() -> None:
     expect_close(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))
 
 
-@pytest.mark.exercise("B9.7")
+@pytest.mark.exercise("B9.7", asks="NaN, infinite or as large as 1e200")
 @pytest.mark.robust
 def test_is_unit_rejects_huge_components_and_nan(rng: Random) -> None:
     about.read = LENGTH
@@ -154,7 +154,7 @@ def test_is_unit_rejects_huge_components_and_nan(rng: Random) -> None:
     expect_exactly(got, False)
 
 
-@pytest.mark.exercise("B9.7")
+@pytest.mark.exercise("B9.7", asks="as large as 1e200 and as small as 1e-200")
 @pytest.mark.robust
 def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     about.read = NORMALIZE
@@ -176,7 +176,7 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
         expect_close(rijk(quaternion), wanted)
 
 
-@pytest.mark.exercise("B9.8")
+@pytest.mark.exercise("B9.8", asks="Return the new quaternion (r, -i, -j, -k)")
 def test_the_conjugate_turns_back(rng: Random) -> None:
     about.read = "the docstring of conjugate"
     q = draw_four(rng)
@@ -198,7 +198,7 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     expect_kept("q", rijk(quaternion), q)
 
 
-@pytest.mark.exercise("B9.8")
+@pytest.mark.exercise("B9.8", asks="check that i · j = k, j · k = i and k · i = j")
 def test_the_table_of_i_j_and_k() -> None:
     about.read = PRODUCT
     units = {
@@ -237,7 +237,7 @@ def test_the_table_of_i_j_and_k() -> None:
         expect_close(got, wanted, cause=named(got, about.cause, slips), tolerance=0.0)
 
 
-@pytest.mark.exercise("B9.8", weight=2)
+@pytest.mark.exercise("B9.8", asks="which rotates by q and then by self", weight=2)
 def test_the_product_of_any_two(rng: Random) -> None:
     about.read = PRODUCT
     a, b = draw_four(rng), draw_four(rng)

@@ -35,7 +35,7 @@ OFF = "the docstring of read_off"
 EASY = "the docstring of easy_inverse"
 
 
-@pytest.mark.exercise("9.5")
+@pytest.mark.exercise("9.5", asks="The rotation consists of the first three columns")
 def test_rotation_and_position_are_read_off(rng: Random) -> None:
     about.read = OFF
     m, p = draw_slight_turn(rng), components(rng)
@@ -72,7 +72,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     expect_kept("the matrix", entries(matrix), twelve)
 
 
-@pytest.mark.exercise("9.6", weight=2)
+@pytest.mark.exercise("9.6", asks="so transpose the 3x3 part", weight=2)
 def test_the_easy_inverse(rng: Random) -> None:
     about.read = EASY
     m, p = matrix_of(draw_quad(rng)), components(rng)
@@ -107,7 +107,7 @@ def test_the_easy_inverse(rng: Random) -> None:
     expect_kept("the matrix", entries(matrix), twelve)
 
 
-@pytest.mark.exercise("9.6", weight=0.5)
+@pytest.mark.exercise("9.6", asks="which is wrong if the 3x3 part is not a rotation", weight=0.5)
 def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     about.read = EASY
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
@@ -128,7 +128,7 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("9.6")
+@pytest.mark.exercise("9.6", asks="invert a matrix that rotates and then translates")
 def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     about.read = EASY
     m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)

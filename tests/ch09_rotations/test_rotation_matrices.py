@@ -51,7 +51,7 @@ def expect_rotation(m: Nine, wanted: bool) -> None:
     expect_exactly(Matrix3(*m).is_rotation(), wanted)
 
 
-@pytest.mark.exercise("B9.6")
+@pytest.mark.exercise("B9.6", asks="Return True if the matrix only rotates")
 def test_accepts_rotations(rng: Random) -> None:
     about.cause = "You reject the identity, but it is a rotation by 0. So return True."
     expect_rotation(IDENTITY, True)
@@ -68,7 +68,7 @@ def test_accepts_rotations(rng: Random) -> None:
     expect_rotation(HALF_TURN, True)
 
 
-@pytest.mark.exercise("B9.6")
+@pytest.mark.exercise("B9.6", asks="without scaling, shear or reflection")
 def test_rejects_matrices_that_are_not_rotations(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     a, b, c, d, e, f, g, h, i = m
@@ -109,7 +109,7 @@ def test_rejects_matrices_that_are_not_rotations(rng: Random) -> None:
         expect_rotation(n, False)
 
 
-@pytest.mark.exercise("B9.6")
+@pytest.mark.exercise("B9.6", asks="both within ROTATION_TOLERANCE")
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = "It may differ from {} by at most ROTATION_TOLERANCE (1e-5)."
@@ -126,7 +126,7 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
         expect_rotation(n, wanted)
 
 
-@pytest.mark.exercise("B9.6")
+@pytest.mark.exercise("B9.6", asks="NaN, infinite or as large as 1e200")
 @pytest.mark.robust
 def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
@@ -137,7 +137,7 @@ def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
     expect_rotation(tuple(1e200 * number for number in m), False)
 
 
-@pytest.mark.exercise("B9.6")
+@pytest.mark.exercise("B9.6", asks="if an entry is NaN, infinite or")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_a_matrix_that_is_not_finite_is_not_a_rotation(bad: float) -> None:
@@ -169,7 +169,7 @@ def from_slips(q: Quad) -> dict[str, Nine]:
     }
 
 
-@pytest.mark.exercise("B9.12")
+@pytest.mark.exercise("B9.12", asks="The columns of the matrix are the axes X, Y and Z")
 def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
@@ -186,7 +186,7 @@ def test_ninety_degrees_about_each_axis() -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.12")
+@pytest.mark.exercise("B9.12", asks="rotates vectors in the same way as the quaternion")
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
     about(
         cause="Check the sign and the factor 2 in every term of the nine numbers.",
@@ -255,7 +255,7 @@ def expect_back(q: Quad) -> None:
     expect_close(got, q, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.13", weight=2)
+@pytest.mark.exercise("B9.13", asks="Convert a rotation matrix to a unit quaternion", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
     about.cause = (
         "The sum of the diagonal is 4 r^2 - 1, which gives r. Compute the others from m[2, 1] - "
@@ -278,7 +278,7 @@ def test_back_from_a_matrix(rng: Random) -> None:
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 
 
-@pytest.mark.exercise("B9.13")
+@pytest.mark.exercise("B9.13", asks="Start with the component whose number is the largest")
 def test_back_from_a_half_turn(rng: Random) -> None:
     about.cause = (
         "In a half-turn r is 0 or almost 0, so a result that you compute from r is inaccurate. "
@@ -303,7 +303,7 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         expect_back(half_turn(axis))
 
 
-@pytest.mark.exercise("B9.13")
+@pytest.mark.exercise("B9.13", asks="so normalize the quaternion at the end")
 def test_the_result_has_length_one(rng: Random) -> None:
     cause = (
         "This matrix differs slightly from a rotation, and so the length of your quaternion is not "

@@ -98,7 +98,7 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
     return {"You swap x and y. Pass each position as (x, y).": swapped} | slips
 
 
-@pytest.mark.exercise("9.7")
+@pytest.mark.exercise("9.7", asks="compute the center of mass (x, y) of a box")
 def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.read = CENTER
     about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
@@ -129,7 +129,7 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     }
 
 
-@pytest.mark.exercise("9.7")
+@pytest.mark.exercise("9.7", asks="The offset is positive if the edge passes")
 def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
@@ -154,7 +154,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
         expect_close(got, wanted, cause=why, unit="m", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7")
+@pytest.mark.exercise("9.7", asks="However, they can differ")
 def test_it_balances_though_the_masses_differ() -> None:
     about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
@@ -183,7 +183,7 @@ def test_it_balances_though_the_masses_differ() -> None:
     expect_close(got, (3.0, 1.0), unit="kg", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7")
+@pytest.mark.exercise("9.7", asks="A stone belongs to the side on which its center lies")
 def test_the_masses_on_both_sides(rng: Random) -> None:
     about.read = BESIDE
     about.cause = (
@@ -202,7 +202,7 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
         expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7")
+@pytest.mark.exercise("9.7", asks="the stone belongs to neither side")
 def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
     about.read = BESIDE
     mass, far = positive_number(rng), positive_number(rng, 0.1, 0.9)
@@ -231,7 +231,7 @@ def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
         expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7", weight=0.5)
+@pytest.mark.exercise("9.7", asks="The functions do not change their arguments", weight=0.5)
 @pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     about.read = "the docstring at the top of exercises.py"
@@ -254,7 +254,7 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     expect_close(got, wanted, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7")
+@pytest.mark.exercise("9.7", asks="Enter at least three stones, and add a line")
 def test_your_own_stones() -> None:
     about("center_of_stones(the stones of your stones.csv)", read=DATA)
     about.cause = (

@@ -58,7 +58,7 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     }
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="Create the quaternion of a rotation by angle")
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
     about.cause = "The scalar part is cos(angle / 2), and the vector part is the normalized axis "
@@ -92,7 +92,7 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
     expect_close(got, quad(axis, angle), tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="Only the direction of the axis matters")
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
     expect_any_length(
         rng,
@@ -101,7 +101,7 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="so the axis may have any length except 0")
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
@@ -110,7 +110,7 @@ def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
         expect_any_length(rng, scale, about.cause)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="if the axis is zero or a number is not finite")
 @pytest.mark.robust
 def test_rejects_an_invalid_axis_or_angle() -> None:
     about.read = MAKE
@@ -163,7 +163,7 @@ def expect_small_turn(unit: Components, small: float) -> None:
     expect_close(got, unit, then="the axis", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9", weight=2)
+@pytest.mark.exercise("B9.9", asks="a new unit vector, and an angle from 0 to pi", weight=2)
 def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
     about.read = BACK
     about.cause = "The angle is 2 atan2(|(i, j, k)|, |r|), and the axis is (i, j, k), normalized."
@@ -196,7 +196,7 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="any axis would be correct, so return X")
 def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     about.read = BACK
     axis, _ = draw_turn(rng)
@@ -234,7 +234,7 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_small_turn(unit, small)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="for angles as small as 1e-200")
 @pytest.mark.robust
 def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     axis, _ = draw_turn(rng)
@@ -247,7 +247,7 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     expect_small_turn(unit, 1e-200)
 
 
-@pytest.mark.exercise("B9.9", weight=0.5)
+@pytest.mark.exercise("B9.9", asks="for every length that is_unit accepts", weight=0.5)
 def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     about.read = BACK
     drawn = draw_quad(rng)
@@ -269,7 +269,7 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
             expect_close(got, axis, then="the axis", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9", weight=0.5)
+@pytest.mark.exercise("B9.9", asks="Convert the rotation to an axis, which is a new", weight=0.5)
 def test_each_axis_is_a_new_vector() -> None:
     about.read = BACK
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
@@ -305,7 +305,7 @@ def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
         )
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="if the length is not 1 (is_unit)")
 @pytest.mark.robust
 def test_to_axis_angle_rejects_all_but_unit_quaternions(rng: Random) -> None:
     expect_unit_wanted(".to_axis_angle()", lambda q: q.to_axis_angle(), draw_quad(rng), BACK)
@@ -329,7 +329,7 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
     }
 
 
-@pytest.mark.exercise("B9.10", weight=2)
+@pytest.mark.exercise("B9.10", asks="return the result as a new vector", weight=2)
 def test_rotates_a_vector(rng: Random) -> None:
     about.read = ROTATE
     half = math.sqrt(0.5)

@@ -78,7 +78,7 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
     }
 
 
-@pytest.mark.exercise("B9.11", weight=2)
+@pytest.mark.exercise("B9.11", asks="Rotate the orientation in place by the rotation", weight=2)
 def test_rotates_a_quaternion_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
@@ -101,7 +101,7 @@ def test_rotates_a_quaternion_by_a_vector(rng: Random) -> None:
         expect_exactly(returned, None, cause=cause_none)
 
 
-@pytest.mark.exercise("B9.11")
+@pytest.mark.exercise("B9.11", asks="To make an exact step, build a quaternion")
 def test_a_steady_rotation_is_exact_in_any_number_of_parts() -> None:
     about.read = BY_VECTOR
     about.cause = (
@@ -134,7 +134,7 @@ def expect_tiny_turn(tiny: float) -> None:
     expect_close(got, 0.5, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.11")
+@pytest.mark.exercise("B9.11", asks="so a zero vector changes nothing")
 def test_rotates_by_a_zero_or_tiny_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     q = draw_quad(rng)
@@ -150,7 +150,7 @@ def test_rotates_by_a_zero_or_tiny_vector(rng: Random) -> None:
     expect_tiny_turn(1e-9)
 
 
-@pytest.mark.exercise("B9.11")
+@pytest.mark.exercise("B9.11", asks="for vectors as short as 1e-200")
 @pytest.mark.robust
 def test_rotates_by_an_extremely_short_vector() -> None:
     expect_tiny_turn(1e-200)
@@ -189,7 +189,7 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
     }
 
 
-@pytest.mark.exercise("B9.11", weight=2)
+@pytest.mark.exercise("B9.11", asks="Do not normalize the result", weight=2)
 def test_the_step_of_the_book(rng: Random) -> None:
     about.read = ADD
     size = positive_number(rng, 0.01, 0.9)

@@ -32,7 +32,10 @@ class Matrix4:
 
     def __init__(self, *entries: float) -> None:
         if len(entries) != 12:
-            raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
+            raise TypeError(
+                f"Matrix4 takes twelve numbers, row by row, got {len(entries)} "
+                "(if they are in a list, write Matrix4(*numbers))"
+            )
         self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:

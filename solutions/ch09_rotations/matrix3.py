@@ -35,7 +35,10 @@ class Matrix3:
 
     def __init__(self, *entries: float) -> None:
         if len(entries) != 9:
-            raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
+            raise TypeError(
+                f"Matrix3 takes nine numbers, row by row, got {len(entries)} "
+                "(if they are in a list, write Matrix3(*numbers))"
+            )
         self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:

@@ -97,6 +97,8 @@ def way_back(q: Quad) -> tuple:
     about.cause = "Return a pair (axis, angle) of a unit Vector3 and an angle in radians."
     orientation = Quaternion(*q)
     axis, angle = back_to_reference(orientation)
+    if isinstance(axis, float):
+        about.cause = "You return the angle first. Return the axis and then the angle."
     expect_kept("the orientation", rijk(orientation), q)
     unit = expect_vector(axis, then="; the axis")
     length = math.hypot(*unit)

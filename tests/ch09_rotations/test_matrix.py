@@ -53,7 +53,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
         "You overwrite the old x before you compute y and z from it. Compute all three results "
         "before you store any of them.": in_place(m, a),
     }
-    why = named(got, about.cause, slips)
+    why = named(got, about.cause, slips, wanted)
     # Three products of numbers up to 90.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     changed = "Your code changes the vector, which it should only read. Return a new vector."
@@ -101,14 +101,23 @@ def test_rows_become_columns(rng: Random) -> None:
     about.call = f"m = {written(m)}; m.transpose(), row by row"
     about.cause = "Row i of the matrix must become column i of the transpose."
     got = entries(matrix.transpose())
+    in_place = "Your code changes the matrix itself. Leave it as it is, and return a new Matrix3."
+    expect_unchanged("the matrix", entries(matrix), m, cause=in_place)
     other = transposed(m)[::-1]
     slips = {
         "You return the matrix itself.": m,
+        "You reverse the order of the rows. Swap rows and columns instead.": (
+            *m[6:],
+            *m[3:6],
+            *m[:3],
+        ),
+        "You reverse the order of the columns. Swap rows and columns instead.": [
+            m[3 * row + column] for row in range(3) for column in (2, 1, 0)
+        ],
         "You flip the matrix over the wrong diagonal.": other,
     }
     why = named(got, about.cause, slips, transposed(m))
     expect_close(got, transposed(m), cause=why, tolerance=0.0)
-    expect_unchanged("the matrix", entries(matrix), m, cause=UNCHANGED)
 
 
 def ring_and_swap() -> tuple[Nine, Nine]:

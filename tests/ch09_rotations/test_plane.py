@@ -11,7 +11,7 @@ import pytest
 from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, wrap_angle
 from ch09_rotations.plane_probes import masses_after
 from draw import number, positive_number
-from expect import about, expect_close, expect_unchanged
+from expect import about, blame, expect_close, expect_unchanged
 from turning import TIGHT, named
 
 Point = tuple[float, float]
@@ -41,6 +41,11 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
                     "them.": angle + turns * math.tau,
                     "You return the angle in degrees. Return it in radians.": math.degrees(angle),
                 }
+                for word, off in (("large", math.pi), ("small", -math.pi)):
+                    slips[
+                        f"Your angle is too {word} by pi. Either you add or subtract pi instead of "
+                        "full turns of 2 pi, or you use atan, which mixes up opposite directions."
+                    ] = angle + off
                 if turns > 1:
                     slips[
                         "You subtract only one full turn of 2 pi. Subtract as many as you need, "
@@ -74,14 +79,14 @@ def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.1", asks="are the same direction too, and both give pi")
 def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
-    about(
-        cause="You return -pi, but the range includes pi and not -pi. Both point in the same "
-        "direction, so return pi.",
-        read=WRAP,
-    )
+    about.read = WRAP
     for angle in (math.pi, -math.pi):
         about.call = f"wrap_angle({'-' if angle < 0.0 else ''}math.pi)"
+        about.cause = "The angles pi and -pi point in the same direction, so return pi for both."
         got = wrap_angle(angle)
+        slip = "You return -pi, but the range includes pi and not -pi. Both point in the same "
+        slip += "direction, so return pi."
+        blame(got, {slip: -math.pi})
         expect_close(got, math.pi, tolerance=0.0)
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
         end = "pi" if angle > 0.0 else "-pi"
@@ -137,6 +142,20 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
         "You treat the angle as degrees. It is already in radians, so don't convert it.": place
         + start * cmath.rect(1.0, math.radians(angle)),
     }
+    end = place + start * turn
+    swapped = start * complex(turn.imag, turn.real)
+    ends |= {
+        "You add only the x of origin. Add its y to the other component.": end - 1j * origin[1],
+        "You add only the y of origin. Add its x to the other component.": end - origin[0],
+        "You swap x and y of the result. Return (x, y).": complex(end.imag, end.real),
+        "You subtract origin. Add it instead.": end - 2.0 * place,
+        "You swap sine and cosine. The rotated x is c x - s y, where c is the cosine and s is the "
+        "sine.": place + swapped,
+        "The sine term of x has the wrong sign. The rotated x is c x - s y.": end
+        + 2.0 * turn.imag * point[1],
+        "The sine term of y has the wrong sign. The rotated y is s x + c y.": end
+        - 2j * turn.imag * point[0],
+    }
     # y computed from an x that has been changed already.
     x = turn.real * point[0] - turn.imag * point[1]
     ends["You compute y from the new x. Use the old x in both formulas."] = place + complex(
@@ -181,19 +200,26 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.3", asks="their mean position, weighted by their masses")
 def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
-    about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
+    about("center_of_mass([6, 2], [(4, 0), (0, 8)])", read=MASS)
     about.cause = (
         "Add up m x and m y over all masses, and then divide both sums by the sum of the masses."
     )
-    got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
+    got = center_of_mass([6.0, 2.0], [(4.0, 0.0), (0.0, 8.0)])
     slips = {
-        "You return the sums of m x and m y. Divide both by the total mass.": (8.0, 16.0),
-        "You divide by the number of masses. Divide by the total mass instead.": (4.0, 8.0),
+        "You return the sums of m x and m y. Divide both by the total mass.": (24.0, 16.0),
+        "You divide by the number of masses. Divide by the total mass instead.": (12.0, 8.0),
         "You return the mean of the positions, which ignores the masses. Multiply each position by "
         "its mass, and divide the sums by the total mass.": (2.0, 4.0),
-        "You swap the masses. Multiply each position by its own mass.": (3.0, 6.0),
+        "You swap the masses. Multiply each position by its own mass.": (1.0, 6.0),
+        "You count only the first mass. If you use a loop, return the result after it, not inside "
+        "it.": (3.0, 0.0),
+        "You count only the last mass. If you use a loop, set the sums to 0 before it, not inside "
+        "it.": (0.0, 2.0),
+        "You don't divide the sum of m y. Divide both sums by the total mass.": (3.0, 16.0),
+        "You don't divide the sum of m x. Divide both sums by the total mass.": (24.0, 2.0),
+        "You swap x and y. Return (x, y).": (2.0, 3.0),
     }
-    expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
+    expect_close(got, (3.0, 2.0), cause=named(got, about.cause, slips))
 
 
 @pytest.mark.exercise("B9.3", asks="Both may be lists or tuples, and several masses")

@@ -15,6 +15,7 @@ from turning import Quad, draw_quad, expect_kept, hamilton, named, rijk, short
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
 PRODUCT = "book 9.4.9"
+RETURN_NEW = "return a new Quaternion with the result."
 
 
 def draw_four(rng: Random) -> Quad:
@@ -186,6 +187,7 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
         "The conjugate keeps r and reverses the signs of i, j and k. Return it as a new quaternion."
     )
     got = rijk(quaternion.conjugate())
+    expect_kept("q", rijk(quaternion), q, f"Leave q as it is, and {RETURN_NEW}")
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
@@ -195,7 +197,33 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=0.0)
-    expect_kept("q", rijk(quaternion), q)
+
+
+def componentwise(a: Quad, b: Quad) -> Quad:
+    """Return the products of the components that are in the same place."""
+    return a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]
+
+
+def without_cross(a: Quad, b: Quad) -> Quad:
+    """Return the product of two quaternions without the vector product of their vector parts."""
+    r, *_ = hamilton(a, b)
+    i, j, k = (a[0] * q + p * b[0] for p, q in zip(a[1:], b[1:], strict=True))
+    return r, i, j, k
+
+
+def without_dot(a: Quad, b: Quad) -> Quad:
+    """Return the product of two quaternions without the scalar product of their vector parts."""
+    return a[0] * b[0], *hamilton(a, b)[1:]
+
+
+PRODUCT_SLIPS = {
+    componentwise: "You multiply the quaternions component by component. Instead, multiply each of "
+    "the four terms of the first by each of the four terms of the second, which gives 16 products.",
+    without_cross: "You leave out the products of two different letters, such as i j = k. They are "
+    "the vector product v x v' of the two vector parts, so add it.",
+    without_dot: "You leave out the products i i, j j and k k. Each of them is -1, so subtract i "
+    "i', j j' and k k' in the scalar part.",
+}
 
 
 @pytest.mark.exercise("B9.8", asks="check that i · j = k, j · k = i and k · i = j")
@@ -217,9 +245,13 @@ def test_the_table_of_i_j_and_k() -> None:
             about.call = f"Quaternion{short(a)} * Quaternion{short(b)}, which is {first} {second}"
             one, other = Quaternion(*a), Quaternion(*b)
             products.append((about.call, f"{first} {second}", a, b, rijk(one * other)))
-            expect_kept("the first factor", rijk(one), a)
-            expect_kept("the second factor", rijk(other), b)
+            instead = f"Leave both factors as they are, and {RETURN_NEW}"
+            expect_kept("the first factor", rijk(one), a, instead)
+            expect_kept("the second factor", rijk(other), b, instead)
     in_reverse = all(got == hamilton(b, a) for *_, a, b, got in products)
+    for wrong, why in PRODUCT_SLIPS.items():
+        if all(got == wrong(a, b) for *_, a, b, got in products):
+            about.cause = why
     for call, name, a, b, got in products:
         about.call, wanted = call, hamilton(a, b)
         first, second = name.split()

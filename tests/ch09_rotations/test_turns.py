@@ -14,6 +14,7 @@ from expect import (
     about,
     expect_close,
     expect_error,
+    expect_that,
     expect_unchanged,
     expect_vector,
     scoped,
@@ -145,6 +146,8 @@ def axis_angle_of(q: Quad) -> tuple:
     about(f"q = Quaternion{short(q)}; q.to_axis_angle()", read=BACK)
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
+    if isinstance(axis, float):
+        about.cause = "You return the angle first. Return the axis and then the angle."
     got = expect_vector(axis, then=", the axis")
     expect_kept("q", rijk(quaternion), q)
     return got, angle
@@ -185,6 +188,9 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
             "You return the angle in degrees. Return it in radians.": math.degrees(angle),
             "Your angle has the wrong sign.": -angle,
             "You return half of the angle for the longer way around.": math.pi - 0.5 * angle,
+            "Your angle is pi minus the right one, because you treat r as the sine of half the "
+            "angle. Either you swap the two arguments of atan2, or you use asin(r). The sine is "
+            "the length of (i, j, k), and it is the first argument of atan2.": math.pi - angle,
         }
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle in radians", cause=why, tolerance=TIGHT)
@@ -227,8 +233,8 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_close(turn, wanted, then="the angle in radians", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = (
-        "You probably compute the angle with acos, which fails near 0, because the cosine rounds "
-        "to 1. Use atan2 instead, and don't treat a small angle as 0."
+        "Either you compute the angle with acos, which fails near 0, because the cosine rounds to "
+        "1, or you treat a small angle as 0. Use atan2 for all angles."
     )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
@@ -284,49 +290,70 @@ def test_each_axis_is_a_new_vector() -> None:
     expect_close(xyz(second), X_AXIS, tolerance=0.0)
 
 
-@scoped
-def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
-    """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
-    about(
-        cause="The length of this quaternion is not 1, so it is not a rotation. Call is_unit() "
-        "first, and raise ValueError if it returns False.",
-        read=read,
-    )
-    for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
-        scaled = tuple(component * length for component in q)
-        expect_error(
-            lambda scaled=scaled: use(Quaternion(*scaled)),
-            ValueError,
-            call=f"q = Quaternion{short(scaled)}, whose length is {length}; q{what}",
-            allowed=lambda: [
-                use(Quaternion(*(component * near for component in q)))
-                for near in (1.0 + 5e-7, 1.0 - 5e-7)
-            ],
-        )
-
-
 @pytest.mark.exercise("B9.9", asks="if the length is not 1 (is_unit)")
 @pytest.mark.robust
 def test_to_axis_angle_rejects_all_but_unit_quaternions(rng: Random) -> None:
-    expect_unit_wanted(".to_axis_angle()", lambda q: q.to_axis_angle(), draw_quad(rng), BACK)
+    about.read = BACK
+    about.cause = "The length of this quaternion is not 1, so it is not a rotation. Call is_unit() "
+    about.cause += "first, and raise ValueError if it returns False."
+    q = draw_quad(rng)
+    for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
+        scaled = tuple(component * length for component in q)
+        expect_error(
+            lambda scaled=scaled: Quaternion(*scaled).to_axis_angle(),
+            ValueError,
+            call=f"q = Quaternion{short(scaled)}, whose length is {length}; q.to_axis_angle()",
+            allowed=lambda: [
+                Quaternion(*(component * near for component in q)).to_axis_angle()
+                for near in (1.0 + 5e-7, 1.0 - 5e-7)
+            ],
+        )
 
 
 def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
     """Return the results of likely mistakes in rotate."""
     back = (q[0], -q[1], -q[2], -q[3])
     once = hamilton(q, (0.0, *v))
+    first = "You put r last, as in Quaternion(x, y, z, 0). It comes first, as in Quaternion(0, x, "
+    first += "y, z)."
+    r_last = hamilton(hamilton(q, (*v, 0.0)), back)
+    u = q[1:]
+    across = hamilton((0.0, *u), (0.0, *v))[1:]  # the vector part of u v, u x v
+    twice = hamilton((0.0, *u), (0.0, *across))[1:]
+    formula = "In v + 2 r (u x v) + 2 u x (u x v), you leave out the 2 of the"
     return {
         "Your code ignores the sign of r, which is negative here. Use the component r "
         "itself.": turned((abs(q[0]), *q[1:]), v),
-        "You compute q* (0, v) q, which rotates in the opposite direction. Put the conjugate q* on "
-        "the right.": turned(back, v),
+        "You rotate in the opposite direction. Either you compute q* (0, v) q, with the conjugate "
+        "on the wrong side, or you compute v x u instead of u x v.": turned(back, v),
         "You compute q (0, v), without q* on the right. Multiply by q* too.": once[1:],
         "You compute (0, v) q*, without q on the left. Multiply by it too.": hamilton(
             (0.0, *v), back
         )[1:],
         "You compute q (0, v) q. Use the conjugate of q on the right.": hamilton(once, q)[1:],
+        first: r_last[1:],
+        f"{first} The result begins with r, too.": r_last[:3],
+        "You return r, i and j of the product. The vector part is i, j and k.": (
+            0.0,
+            *turned(q, v)[:2],
+        ),
+        f"{formula} second term. Multiply this term by 2.": tuple(
+            a + q[0] * b + 2.0 * c for a, b, c in zip(v, across, twice, strict=True)
+        ),
+        f"{formula} third term. Multiply this term by 2.": tuple(
+            a + 2.0 * q[0] * b + c for a, b, c in zip(v, across, twice, strict=True)
+        ),
         "the original v": v,
     }
+
+
+def vector_of(result: object) -> Components:
+    """Return the components of a result of rotate, which must be a vector."""
+    if isinstance(result, Quaternion):
+        cause = "You return the whole product, which is a Quaternion. Return only its vector part, "
+        cause += "as in Vector3(p.i, p.j, p.k)."
+        expect_that(False, f"Quaternion{short(rijk(result))}", "a Vector3", cause=cause)
+    return xyz(result)
 
 
 @pytest.mark.exercise("B9.10", asks="return the result as a new vector", weight=2)
@@ -334,14 +361,17 @@ def test_rotates_a_vector(rng: Random) -> None:
     about.read = ROTATE
     half = math.sqrt(0.5)
     about.call = f"q = Quaternion({half:.6g}, 0, 0, {half:.6g}), a rotation by 90 degrees about Z; "
-    about.call += "q.rotate(Vector3(1, 0, 0))"
+    about.call += "q.rotate(Vector3(1, 2, 3))"
     about.cause = (
         "Compute q (0, v) q*, where q* is the conjugate of q, and (0, v) is the quaternion with r "
         "= 0 and the vector part v."
     )
-    got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
-    why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
-    expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
+    v = Vector3(1.0, 2.0, 3.0)
+    got = vector_of(Quaternion(half, 0.0, 0.0, half).rotate(v))
+    instead = "Return a new vector instead."
+    expect_kept("the vector", xyz(v), (1.0, 2.0, 3.0), instead)
+    why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 2.0, 3.0)))
+    expect_close(got, (-2.0, 1.0, 3.0), cause=why, tolerance=TIGHT)
     about.cause = (
         "Return the vector part of q (0, v) q*, which is v + 2 r (u x v) + 2 u x (u x v) with u = "
         "(i, j, k)."
@@ -350,7 +380,7 @@ def test_rotates_a_vector(rng: Random) -> None:
         q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
         about.call = f"q = Quaternion{short(q)}; q.rotate(Vector3{short(a)})"
-        got = xyz(quaternion.rotate(v))
+        got = vector_of(quaternion.rotate(v))
         # Rounding of a vector of length up to 17, or the effect of a length that is off by 5e-7.
         near = 1e-11 if abs(sign) == 1.0 else 1e-4
         why = named(got, about.cause, rotate_slips(q, a))

@@ -29,6 +29,7 @@ from turning import (
     entries,
     expect_kept,
     hamilton,
+    matrix_of,
     named,
     quad,
     rijk,
@@ -94,6 +95,12 @@ def test_one_turn_after_another(rng: Random) -> None:
         slips["You treat the angles as degrees. They are in radians."] = same_sign(
             in_order(*map(math.radians, angles)), wanted
         )
+        slips["You halve the angles. from_axis_angle already does this, so pass whole angles."] = (
+            same_sign(in_order(*(0.5 * t for t in angles)), wanted)
+        )
+        slips["You use the three angles as one rotation vector. Multiply three rotations."] = (
+            same_sign(quad(angles, math.hypot(*angles)), wanted)
+        )
         slips["You swap x and z."] = same_sign(in_order(*angles[::-1]), wanted)
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -116,6 +123,7 @@ def test_the_rate_map(rng: Random) -> None:
             "You return the identity, as if the rates were the angular velocity.": IDENTITY,
             "Your matrix has the rotation axes as rows. Write them as columns.": transposed(wanted),
             "You use the axes of the object instead of the world.": map_to_own(x, y, z),
+            "the rotation matrix of the three angles": matrix_of(in_order(x, y, z)),
             "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
             ],

@@ -151,7 +151,15 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         + "this term instead.": right - 2.0 * product
         for name, product in products.items()
     }
-    return signs | {
+    left_out = {
+        f"With the rows (a, b, c), (d, e, f) and (g, h, i), your determinant lacks {name}. Add "
+        "this term.": right - product
+        for name, product in products.items()
+    }
+    plus = a * (e * i + f * h) - b * (d * i + f * g) + c * (d * h + e * g)
+    slips = {
+        "You add in the parentheses. The determinant is a (e i - f h) - b (d i - f g) + "
+        "c (d h - e g).": plus,
         "Your determinant has the wrong sign."
         + " It must be negative here, so don't take its absolute value, and check which terms you "
         "subtract." * (right < 0.0): -right,
@@ -164,6 +172,7 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         + b * d * i
         + a * f * h,
     }
+    return signs | left_out | slips
 
 
 @pytest.mark.exercise("B9.5", asks="the factor by which the matrix scales volumes")
@@ -194,6 +203,17 @@ def test_the_determinant(rng: Random) -> None:
     about.call = f"n = {written(n)}; n.determinant()"
     got = Matrix3(*n).determinant()
     expect_close(got, determinant(n), tolerance=1e-31)
+
+
+def unsigned(m: Nine) -> Nine:
+    """Return the inverse of a matrix as it comes out without the signs of the cofactors."""
+    a, b, c, d, e, f, g, h, i = m
+    minors = (
+        *(e * i - f * h, d * i - f * g, d * h - e * g),
+        *(b * i - c * h, a * i - c * g, a * h - b * g),
+        *(b * f - c * e, a * f - c * d, a * e - b * d),
+    )
+    return tuple(minor / determinant(m) for minor in transposed(minors))
 
 
 @pytest.mark.exercise("B9.5", asks="a new matrix that undoes the effect of this one", weight=2)
@@ -237,11 +257,30 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             "You divide by the absolute value of the determinant. Keep its sign.": [
                 -one for one in IDENTITY
             ],
+            "You multiply by the determinant. Divide by it instead.": [
+                determinant(n) ** 2 * one for one in IDENTITY
+            ],
             "You return the transpose. It is the inverse only if the matrix is a rotation.": times(
                 n, transposed(n)
             ),
             "You return the matrix itself instead of its inverse.": times(n, n),
         }
+        for column, name in enumerate(("v x w", "w x u", "u x v")):
+            flipped = [-one if 4 * column == place else one for place, one in enumerate(IDENTITY)]
+            slips[
+                f"Column {column + 1} of your inverse has the wrong sign. With the rows u, v and w "
+                f"it is {name}, in this order, divided by the determinant."
+            ] = flipped
+        if scale == 1.0:
+            minors = unsigned(n)
+            slips[
+                "You leave out the minus signs of the cofactors. In a pattern like that of a "
+                "chessboard, every second number needs one."
+            ] = times(n, minors)
+            slips[
+                "You return the reciprocal of each number. To invert a matrix, you need the "
+                "determinant and products of its rows."
+            ] = times(n, [1.0 / number for number in n])
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):

@@ -29,15 +29,18 @@ def test_the_length_of_four_components(rng: Random) -> None:
         cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2).",
         read=LENGTH,
     )
-    about.call = "Quaternion(1, -3, 5, 1).magnitude()"
-    got = Quaternion(1.0, -3.0, 5.0, 1.0).magnitude()
+    about.call = "Quaternion(2, -5, 4, 6).magnitude()"
+    got = Quaternion(2.0, -5.0, 4.0, 6.0).magnitude()
     slips = {
-        "Your result is the sum of the squares. Take the square root of it.": 36.0,
-        "You leave out r. Add r^2 to the other three squares.": math.sqrt(35.0),
-        "the sum of the four components": 4.0,
-        "the sum of the four absolute values": 10.0,
+        "Your result is the sum of the squares. Take the square root of it.": 81.0,
+        "You leave out r. Add r^2 to the other three squares.": math.sqrt(77.0),
+        "You leave out i. Add i^2 to the other three squares.": math.sqrt(56.0),
+        "You leave out j. Add j^2 to the other three squares.": math.sqrt(65.0),
+        "You leave out k. Add k^2 to the other three squares.": math.sqrt(45.0),
+        "the sum of the four components": 7.0,
+        "the sum of the four absolute values": 17.0,
     }
-    expect_close(got, 6.0, cause=named(got, about.cause, slips))
+    expect_close(got, 9.0, cause=named(got, about.cause, slips))
     q = draw_four(rng)
     about.call = f"q = Quaternion{short(q)}; q.magnitude()"
     quaternion = Quaternion(*q)
@@ -103,6 +106,7 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
             "The quaternion hasn't changed. Assign the new values to the components of self, "
             "because a new quaternion is lost when the method returns.": q,
             "You divide by the squared length instead of the length.": [c / length**2 for c in q],
+            "You multiply by the length instead of dividing by it.": [c * length for c in q],
         }
         if length != 1.0 and abs(length - 1.0) < 1e-6:
             about.cause = (
@@ -112,7 +116,7 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
                 "You leave this quaternion unchanged because is_unit() accepts it. Its length is "
                 "not exactly 1, so divide by it.": q
             }
-        expect_close(got, wanted, cause=named(got, about.cause, slips))
+        expect_close(got, wanted, cause=named(got, about.cause, slips, wanted))
     about.cause = "normalize works in place, so it shouldn't return anything."
     about.call = f"Quaternion{short(q)}.normalize()"
     expect_exactly(returned, None)

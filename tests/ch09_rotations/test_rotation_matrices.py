@@ -160,6 +160,8 @@ def from_slips(q: Quad) -> dict[str, Nine]:
     return {
         "You return the transpose, as the book prints it (E-11). Swap the rows and "
         "columns.": transposed(m),
+        "You unpack the quaternion as i, j, k, r. It begins with r, as in `r, i, j, k = "
+        "q`.": matrix_of((q[3], *q[:3])),
         "You leave out the factor 2 in the off-diagonal entries. Double all six of them.": halves,
         "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the sum of two "
         "squares from 1.": diagonal,
@@ -170,10 +172,15 @@ def from_slips(q: Quad) -> dict[str, Nine]:
 
 
 @pytest.mark.exercise("B9.12", asks="The columns of the matrix are the axes X, Y and Z")
-def test_ninety_degrees_about_each_axis() -> None:
+def test_ninety_degrees_about_each_axis(rng: Random) -> None:
     about.read = FROM
     half = math.sqrt(0.5)
     about.cause = "The columns of the matrix should be the axes X, Y and Z after the rotation."
+    # Only a rotation about no axis of its own tells all mistakes apart.
+    drawn = draw_quad(rng)
+    about.call = f"q = Quaternion{short(drawn)}; Matrix3.from_quaternion(q), row by row"
+    got = entries(Matrix3.from_quaternion(Quaternion(*drawn)))
+    why = named(got, about.cause, from_slips(drawn), matrix_of(drawn))
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
@@ -182,7 +189,6 @@ def test_ninety_degrees_about_each_axis() -> None:
         about.call = f"q = Quaternion{short(q)}, a rotation by 90 degrees about {axes}; "
         about.call += "Matrix3.from_quaternion(q), row by row"
         got = entries(Matrix3.from_quaternion(Quaternion(*q)))
-        why = named(got, about.cause, from_slips(q), wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 

@@ -52,6 +52,9 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
     book += "vector with from_axis_angle."
     first_order = "which is only accurate to first order (E-12). Make an exact rotation from the "
     first_order += "vector with from_axis_angle instead."
+    turn, in_turn = quad(a, size), [*q]
+    for place in range(4):
+        in_turn[place] = hamilton(turn, in_turn)[place]
     make = (
         "but (0, vector) is not a rotation (E-12). Make one from the vector with from_axis_angle."
     )
@@ -73,6 +76,14 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
         "You rotate by 1 radian, no matter how long the vector is. Use its length as the "
         "angle.": hamilton(quad(a, 1.0), q),
         "You rotate in the opposite direction.": hamilton(quad(a, -size), q),
+        "You use the squared length as the angle. Use the length itself.": hamilton(
+            quad(a, size * size), q
+        ),
+        "You replace the old orientation by the new rotation. Multiply the new rotation by q "
+        "instead.": turn,
+        "You add the new rotation to q. Multiply it by q instead.": stepped(q, turn, 1.0),
+        "You change a component of q before you have computed the others. Compute the whole "
+        "product first, and assign its components at the end.": tuple(in_turn),
         "The quaternion hasn't changed. Assign the new values to the components of self, because a "
         "new quaternion is lost when the method returns.": q,
     }
@@ -178,6 +189,13 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         ),
         "You use components of q that you have already changed. Compute all four from "
         "the old q before you assign them.": in_turn,
+        "You multiply by the scale twice. Eq. 9.5 contains it only once.": stepped(
+            q, left, 0.5 * scale * scale
+        ),
+        "You divide by 2 twice. Eq. 9.5 contains the factor 1/2 only once.": stepped(
+            q, left, 0.25 * scale
+        ),
+        "You subtract the change from q. Add it instead.": stepped(q, left, -0.5 * scale),
         "You lose the old q. Add the change to its components instead of replacing them.": stepped(
             (0.0, 0.0, 0.0, 0.0), left, 0.5 * scale
         ),
@@ -204,7 +222,7 @@ def test_the_step_of_the_book(rng: Random) -> None:
         returned = quaternion.add_scaled(v, scale)
         wanted = stepped(q, hamilton((0.0, *a), q), 0.5 * scale)
         got = rijk(quaternion)
-        why = named(got, about.cause, add_slips(q, a, scale))
+        why = named(got, about.cause, add_slips(q, a, scale), wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_kept("the vector", xyz(v), a)
     about.cause = "This method works in place, so it shouldn't return anything."

@@ -79,13 +79,23 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
         "where p is the object's position.": added(about_world, v),
         "You subtract the velocity p'. Add it instead.": subtracted(turning, v),
         "You return only p', without the rotation. Add w x (q - p).": v,
+        "You compute w x q - p + p'. Put parentheses around q - p.": added(
+            subtracted(about_world, place), v
+        ),
+        "You compute w x (q + p). Subtract p from q instead.": added(
+            hamilton((0.0, *w), (0.0, *added(point, place)))[1:], v
+        ),
+        "You compute w x (q - p + p'). Add p' to the vector product, not inside it.": hamilton(
+            (0.0, *w), (0.0, *added(subtracted(point, place), v))
+        )[1:],
     }
-    why = named(got, about.cause, slips)
+    why = named(got, about.cause, slips, wanted)
     # Two products of up to 200 each.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
-        expect_kept(name, xyz(now), before)
+        instead = "If you use += or -= on it, use + or - instead."
+        expect_kept(name, xyz(now), before, instead)
     about.call = f"v = Vector3{short(v)}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
     about.cause = "You return p' itself, so a change of the result also changes p'. Return a new "
     about.cause += "vector, even if nothing rotates."
@@ -100,6 +110,7 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
     change = hamilton((0.0, *new), q)
     longer = tuple(a + 0.5 * h * b for a, b in zip(q, change, strict=True))
     size = math.hypot(*new)
+    gained = tuple(b - a for a, b in zip(old, new, strict=True))  # alpha h
     return {
         "You rotate by the old w. Change w first, and then rotate by the new w.": hamilton(
             quad(old, h * math.hypot(*old)), q
@@ -114,7 +125,11 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
         "You rotate about an axis of the object. Rotate about w in world axes.": hamilton(
             q, quad(new, h * size)
         ),
-        "the old orientation": q,
+        "You rotate by alpha h. Rotate by w h, where w is the new angular velocity.": hamilton(
+            quad(gained, math.hypot(*gained)), q
+        ),
+        "The orientation hasn't changed. Change its components in place, as rotate_by does, "
+        "because a new quaternion assigned to the parameter is lost.": q,
     }
 
 
@@ -135,6 +150,13 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
         "vector assigned to the parameter is lost.": w,
         "You add alpha without multiplying it by h.": added(w, a),
         "You replace w by alpha h instead of adding alpha h to it.": subtracted(new, w),
+        "You multiply alpha by h^2. Multiply it by h only.": tuple(
+            p + h * h * r for p, r in zip(w, a, strict=True)
+        ),
+        "You multiply w itself by h. Use w h only for the rotation.": tuple(h * p for p in new),
+        "You subtract alpha h. Add it instead.": tuple(
+            p - h * r for p, r in zip(w, a, strict=True)
+        ),
     }
     why = named(got, about.cause, slips)
     expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
@@ -221,6 +243,7 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
     """Return the lengths that likely mistakes give."""
     turn = abs(speed) * duration / count
     growth = 1.0 + 0.25 * turn * turn
+    grown = 0.5 * count * math.log1p(0.25 * (speed * duration) ** 2)
     added, start = 1.0 + count * (math.sqrt(growth) - 1.0), 1.0 + 0.125 * count * turn * turn
     return {
         "the squared length, without the square root": growth**count,
@@ -228,19 +251,31 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
         "You add the same amount to the length in every step, instead of multiplying it.": added,
         f"You return 1 + {count} (w h)^2 / 8, which is only an approximation.": start,
         "You use w h instead of w h / 2.": (1.0 + turn * turn) ** (0.5 * count),
+        "You use the whole duration as h. Divide it by the number of steps.": math.exp(
+            min(grown, 700.0)
+        ),
+        "You return how much longer the quaternion is. Return its length.": growth ** (0.5 * count)
+        - 1.0,
     }
 
 
-def lag_slips(right: float, turn: float) -> dict[str, float]:
+def lag_slips(right: float, turn: float, count: int) -> dict[str, float]:
     """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
         "You return half of the angle, because a quaternion contains half the angle of rotation. "
         "Double your result.": 0.5 * right,
-        "You return the actual angle. Subtract it from the intended angle.": turn - right,
+        "Either you return the actual angle instead of subtracting it from the intended one, or "
+        "you read the actual angle off the last quaternion, which shows at most half a turn. Add "
+        "up the angles of the steps.": turn - right,
+        "You use atan(w h) instead of 2 atan(w h / 2).": turn - count * math.atan(turn / count),
         "Your angle has the wrong sign."
         + " If the speed is negative, the angle is negative too." * (turn < 0.0): -right,
         "You return the angle in degrees. Return it in radians.": math.degrees(right),
-    }
+    } | (
+        {"You return what a single step misses. Multiply it by the number of steps.": right / count}
+        if count > 2
+        else {}
+    )
 
 
 @pytest.mark.exercise("B9.19", asks="The first result is the length of the quaternion")
@@ -250,12 +285,13 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     about.cause += "2 pi and h = 1/60."
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
-    why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
+    wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
+    swapped = {"You swap the two results. Return the length first, and then the angle.": wanted}
+    why = named(length, about.cause, length_slips(math.tau, 1.0, 60) | swapped)
     expect_close(length, 1.0856, then=LENGTH, cause=why, tolerance=5e-5)
     about.cause = "A step should rotate by w h, but it rotates by only 2 atan(w h / 2). Return the "
     about.cause += "sum of these differences over all steps."
-    wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
-    why = named(lag, about.cause, lag_slips(wanted, math.tau))
+    why = named(lag, about.cause, lag_slips(wanted, math.tau, 60))
     expect_close(lag, wanted, then=LAG, cause=why, tolerance=TIGHT)
 
 
@@ -276,7 +312,7 @@ def test_the_drift_of_a_few_rotations(rng: Random) -> None:
         expect_close(length, wanted, then=LENGTH, cause=why, tolerance=near)
         about.cause = "Return the intended angle, which is the speed times the duration, minus the "
         about.cause += "angle of all steps together."
-        why = named(lag, about.cause, lag_slips(missing, speed * duration))
+        why = named(lag, about.cause, lag_slips(missing, speed * duration, steps_))
         expect_close(lag, missing, then=LAG, cause=why, tolerance=1e-10)
 
 

@@ -62,7 +62,8 @@ def test_two_turns_end_where_two_others_do() -> None:
     about.cause += "right-handed."
     slips = {
         "You return the two angles in the wrong order. Return (a, b).": (90.0, -90.0),
-        "Only the sign of your angle a is wrong. Change this sign.": (90.0, 90.0),
+        "Either the sign of a is wrong, or your axes rotate with the object. Here the axes stay "
+        "fixed in the room.": (90.0, 90.0),
         "Only the sign of your angle b is wrong. Change this sign.": (-90.0, -90.0),
         "You return radians. Return degrees.": (-0.5 * math.pi, 0.5 * math.pi),
     }
@@ -102,6 +103,7 @@ def way_back(q: Quad) -> tuple:
     expect_kept("the orientation", rijk(orientation), q)
     unit = expect_vector(axis, then="; the axis")
     length = math.hypot(*unit)
+    about.cause = "Your axis is not a unit vector. Divide it by its length."
     expect_close(length, 1.0, then="; the length of the axis", tolerance=TIGHT)
     about.cause = "Your angle is not in the range from -pi to pi. Use the smaller angle about the "
     about.cause += "opposite axis instead."
@@ -173,12 +175,21 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     slips = {
         "You add the product of the two i components to r. Subtract it, because i i = -1.": added,
         "You multiply the quaternions component by component.": (r * s, i * j, 0.0, 0.0),
+        "You subtract the two products in i. Add them.": (wanted[0], r * j - i * s, 0.0, 0.0),
+        "You swap r and i of the result.": (wanted[1], wanted[0], 0.0, 0.0),
     }
-    why = named(got, about.cause, slips)
+    why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    about.cause = "You also multiply components that are zero, as the general product a * b does. "
-    about.cause += "Leave out the terms with j and k, so that four multiplications remain."
     count = multiplications((r, i), (s, j))
+    about.cause = (
+        "You also multiply components that are zero. Leave out the terms with j and k, so "
+    )
+    about.cause += "that four multiplications remain."
+    if count == 16:
+        about.cause = "You also multiply components that are zero, as the general product a * b "
+        about.cause += (
+            "does. Leave out the terms with j and k, so that four multiplications remain."
+        )
     expect_that(count <= 4, f"{count} multiplications", "at most 4 multiplications")
 
 
@@ -205,13 +216,19 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
             "You return only the new rotation. Multiply it by the orientation, on its right.": turn,
             "You rotate by half the angle.": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
             "You rotate by the rate alone.": hamilton(quad(X_AXIS, rate), q),
+            "You divide the rate by the duration. Multiply them.": hamilton(
+                quad(X_AXIS, rate / duration), q
+            ),
+            "You convert the angle to degrees. from_axis_angle takes radians.": hamilton(
+                quad(X_AXIS, math.degrees(rate * duration)), q
+            ),
             "You rotate in the opposite direction.": hamilton(quad(X_AXIS, -rate * duration), q),
             "You take a step of Eq. 9.5.": stepped(q, rate, duration, 1),
         }
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_kept("the orientation", rijk(orientation), q)
+        expect_kept("the orientation", rijk(orientation), q, "Work on orientation.copy() instead.")
     about.call = f"q = Quaternion{short(q)}; turned_by_sense(q, 0, 1).r = 9.0; q"
     about.cause = "You return q itself, so a change of the result also changes q. Return a copy."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
@@ -226,6 +243,11 @@ def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
         q = tuple(old + new for old, new in zip(q, change, strict=True))
     length = math.hypot(*q)
     return tuple(component / length for component in q)
+
+
+def angle_of(q: Quad) -> float:
+    """Return the angle of a rotation, from 0 to pi."""
+    return 2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0]))
 
 
 @pytest.mark.exercise("9.4", asks="normalize only after the last one", weight=2)
@@ -256,6 +278,12 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
             "Each of your steps takes the whole duration. Divide it by the number of "
             "steps.": stepped(q, rate, duration * steps, steps),
             f"You take a single step. Take {steps} steps instead.": stepped(q, rate, duration, 1),
+            "You divide the rate by the number of steps, too. Divide only the duration.": stepped(
+                q, rate / steps, duration, steps
+            ),
+            f"You take one step too many. Take {steps}.": stepped(
+                q, rate, duration * (steps + 1) / steps, steps + 1
+            ),
             "You don't normalize the result. Normalize it at the end.": [size * c for c in wanted],
             "You compute the exact rotation instead of taking steps of Eq. 9.5. Call add_scaled in "
             "each step.": hamilton(quad(X_AXIS, rate * duration), q),
@@ -271,13 +299,21 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         slips = {
             "You return half of the angle. Double it.": 0.5 * missing,
             "You return a negative angle.": -missing,
+            "You return the distance between the two quaternions. Return the angle of the rotation "
+            "from one to the other.": 2.0 * math.sin(0.25 * missing),
+            "You multiply the two orientations. Multiply one by the conjugate of the "
+            "other.": angle_of(hamilton(hamilton(quad(X_AXIS, rate * duration), q), wanted)),
+            "You subtract the angles of two rotations about different axes. Return the angle of "
+            "the rotation from one orientation to the other.": abs(
+                angle_of(hamilton(quad(X_AXIS, rate * duration), q)) - angle_of(wanted)
+            ),
             "You return the angle in degrees.": math.degrees(missing),
         }
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
             why = "You use acos, which loses half of the digits of a small angle. Use atan2."
         expect_close(error, missing, call=name, cause=why, unit="rad", tolerance=1e-11)
-        expect_kept("the orientation", rijk(orientation), q)
+        expect_kept("the orientation", rijk(orientation), q, "Work on orientation.copy() instead.")
 
 
 @pytest.mark.exercise("9.4", asks="the angle in radians, from 0 to pi")

@@ -58,6 +58,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
         "You subtract the translation. Add it instead.": subtracted(applied(m, a), p),
         "You use the first nine entries as the rotation, but every fourth entry belongs to the "
         "translation.": applied(twelve[:9], a),
+        "You use the last three entries as the translation. The entries are stored row by row, so "
+        "every fourth entry belongs to the translation.": added(applied(twelve[:9], a), twelve[9:]),
     }
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
@@ -85,6 +87,13 @@ def test_one_transformation_after_another(rng: Random) -> None:
         "You rotate both translations to get the last column.": joined(
             times(m, n), applied(m, added(p, q))
         ),
+        "Your last column is b.transform(p), where p is the translation of a. Swap a and b in "
+        "it.": joined(times(m, n), moved(n, q, p)),
+        "You multiply the 3x3 parts in the wrong order. The 3x3 part of a is on the left.": joined(
+            times(n, m), moved(m, p, q)
+        ),
+        "You multiply each number of a by the number of b in the same position. Multiply rows by "
+        "columns.": [x * y for x, y in zip(first, second, strict=True)],
         "Your result is the product in the other order, b.product(a). Swap the two "
         "factors.": joined(times(n, m), moved(n, q, p)),
     }
@@ -192,6 +201,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
             "The translation of the inverse should be -A p, where p is the translation of m, and A "
             "is the inverse of its 3x3 part."
         )
+        if isinstance(got, tuple) and len(got) == 9:
+            about.cause = "Your result is a Matrix3. Return a Matrix4, with a translation too."
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
             got = moved(linear, move, there)
@@ -200,12 +211,17 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 applied(transposed(m), subtracted(there, p)),
             )
             slips = {
+                "You don't invert the 3x3 part. Use Matrix3.inverse.": subtracted(
+                    applied(m, there), applied(m, p)
+                ),
                 "You use -p as the translation.": subtracted(plain, p),
                 "You use p as the translation.": added(plain, p),
                 "You leave out the minus sign of the translation.": added(
                     plain, applied(linear, p)
                 ),
                 "Your inverse has no translation.": plain,
+                "You multiply the translation by the 3x3 part of m. Multiply it by the inverse of "
+                "this part instead.": subtracted(plain, applied(m, p)),
                 "You transpose the 3x3 part, but the transpose is the inverse only for a rotation. "
                 "Use Matrix3.inverse instead.": turned_back,
                 "You don't divide by the determinant. Use Matrix3.inverse, which does.": [

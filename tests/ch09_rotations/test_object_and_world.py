@@ -63,7 +63,8 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
         "Your last column is -p instead of p.": joined(m, subtracted((0.0, 0.0, 0.0), p)),
         "You put the position after the nine numbers of the rotation. The entries are stored row "
         "by row, so put each component at the end of its row.": (*m, *p),
-        "You transpose the rotation, as the book prints it (E-11).": joined(transposed(m), p),
+        "You transpose the rotation. Either you copy the book's matrix (E-11), or you use the "
+        "conjugate of q.": joined(transposed(m), p),
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -92,6 +93,7 @@ def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str,
     to_go_back = " To rotate back, multiply by the transpose of the 3x3 part."
     if method == "transform_inverse":
         shifted += to_go_back
+        reversed_ = "You rotate the vector back but don't subtract the translation."
     elif method == "transform_inverse_direction":
         rotated += to_go_back
     else:
@@ -106,6 +108,7 @@ def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str,
         "You rotate back and then subtract the translation.": subtracted(applied(back, a), p),
         "You rotate back and then add the translation.": moved(back, p, a),
         "You add the translation and then rotate back.": applied(back, added(a, p)),
+        "You subtract the vector from the translation.": applied(back, subtracted(p, a)),
     }
     general = "You use a general inverse, which is slower and differs slightly from the transpose "
     general += "here. "
@@ -152,28 +155,33 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
 
 
 @pytest.mark.exercise("B9.16", asks="It converts them to the old basis, applies m")
-def test_a_rotation_in_other_axes() -> None:
+def test_a_rotation_in_other_axes(rng: Random) -> None:
     about.read = BASIS
+    about.cause = "Return basis @ m @ basis.inverse()."
+    # Rotations about no axis of their own tell all mistakes apart.
+    m, basis = matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))
+    about.call = f"m = {written(m)}; basis = {written(basis)}; change_basis(m, basis), row by row"
+    got = entries(change_basis(Matrix3(*m), Matrix3(*basis)))
+    back = transposed(basis)
+    slips = {
+        "You swap basis and its inverse, so you return basis.inverse() @ m @ basis.": times(
+            times(back, m), basis
+        ),
+        "You return basis @ m, without the inverse on the right.": times(basis, m),
+        "You return only m @ basis.": times(m, basis),
+        "You return m @ basis.inverse(), without the basis on the left.": times(m, back),
+        "You return only basis.inverse() @ m.": times(back, m),
+        "You return basis @ m @ basis, without the inverse.": times(times(basis, m), basis),
+        "You use the inverse of m. Use m itself.": times(times(basis, transposed(m)), back),
+        "m itself": m,
+    }
+    why = named(got, about.cause, slips)
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
     about.call = f"m = {written(about_z)}; basis = {written(z_to_x)}; change_basis(m, basis), row "
     about.call += "by row"
-    about.cause = "Return basis @ m @ basis.inverse()."
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = tuple(round(n, 15) for n in matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi)))
-    back = transposed(z_to_x)
-    slips = {
-        "You swap basis and its inverse, so you return basis.inverse() @ m @ basis.": times(
-            times(back, about_z), z_to_x
-        ),
-        "You return basis @ m, without the inverse on the right.": times(z_to_x, about_z),
-        "You return only m @ basis.": times(about_z, z_to_x),
-        "You return m @ basis.inverse(), without the basis on the left.": times(about_z, back),
-        "You return only basis.inverse() @ m.": times(back, about_z),
-        "You return basis @ m @ basis, without the inverse.": times(times(z_to_x, about_z), z_to_x),
-        "m itself": about_z,
-    }
-    why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 

@@ -6,12 +6,14 @@ from random import Random
 
 import pytest
 
+from ch02_vectors.vector import Vector3
 from ch09_rotations.exercises import easy_inverse, read_off
 from ch09_rotations.matrix import Matrix4
 from draw import components
 from expect import (
     about,
     expect_close,
+    is_plain,
     xyz,
 )
 from turning import (
@@ -47,12 +49,17 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
         "position (a Vector3)."
     )
     rotation, position = read_off(matrix)
+    if isinstance(rotation, Vector3):
+        about.cause = "You return the position first. Return the rotation and then the position."
     name = f"{about.call}; the rotation, row by row"
     got = entries(rotation)
     slips = {
         "You return the transpose of the rotation. Don't swap rows and columns.": transposed(m),
         "You return the first nine entries. Leave out every fourth one, because it belongs to the "
         "position.": twelve[:9],
+        "You return the last three columns as the rotation. Return the first three.": [
+            n for place, n in enumerate(twelve) if place % 4
+        ],
     }
     why = named(got, about.cause, slips)
     # If you compute it from transformed points, numbers up to 11 are rounded.
@@ -67,6 +74,8 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
         "You return the position of the inverse matrix.": (-x, -y, -z),
     }
     about.cause = "Return the last column instead."
+    if is_plain(position):
+        about.cause = "Return the position as a Vector3."
     why = named(got, about.cause, slips)
     expect_close(got, p, call=name, cause=why, tolerance=0.0)
     expect_kept("the matrix", entries(matrix), twelve)
@@ -90,6 +99,14 @@ def test_the_easy_inverse(rng: Random) -> None:
     slips = {
         "Your last column is -p.": joined(t, subtracted((0.0, 0.0, 0.0), p)),
         "Your last column is p.": joined(t, p),
+        "Your last column is R p, where R is the rotation of m.": joined(t, turned_on),
+        "The minus sign applies only to the first of the three products. Put the whole sum in "
+        "parentheses.": joined(
+            t, subtracted((x, y, z), tuple(2.0 * n * p[0] for n in (t[0], t[3], t[6])))
+        ),
+        "You put the position after the nine numbers of the rotation. The entries are stored row "
+        "by row, so put each component at the end of its row.": (*t, -x, -y, -z),
+        "You return a Matrix3. Return a Matrix4, with the position of the inverse.": t,
         "Your last column is T p, without the minus sign.": joined(t, (x, y, z)),
         "Your last column is -R p, where R is the rotation of m.": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)

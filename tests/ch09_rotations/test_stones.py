@@ -102,7 +102,7 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
 def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.read = CENTER
     about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
-    for count in (1, 4):
+    for count in (4, 1):
         stones = draw_stones(rng, count)
         about.call = with_stones(stones, "center_of_stones(stones)")
         got = center_of_stones(stones)
@@ -114,13 +114,22 @@ def test_the_center_of_a_box_with_stones(rng: Random) -> None:
 def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     """Return the offsets that likely mistakes give."""
     center = middle(stones)
+    cosine, sine = math.cos(angle), math.sin(angle)
     sides = sorted((left_of(complex(x, y), angle), mass) for _, mass, x, y in stones)
     passed = accumulate(mass for _, mass in sides)
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
+    # The first angle is 0, and the offset is then positive.
+    sign = "You measure the offset to the right, so its sign is wrong. Measure it to the left."
+    if angle:
+        sign = "Your offset is never negative. If the edge passes to the right of the corner, "
+        sign += "return a negative number."
     return {
-        "You measure the offset to the right, so its sign is wrong. Measure it to the "
-        "left.": -left_of(center, angle),
+        sign: -left_of(center, angle),
+        "You add the two products. Subtract sin(angle) x from cos(angle) y.": cosine * center.imag
+        + sine * center.real,
+        "You swap sine and cosine. The offset is cos(angle) y - sin(angle) x.": sine * center.imag
+        - cosine * center.real,
         "You measure the offset along the edge. Measure it at a right angle to the edge, to the "
         "left.": left_of(center, angle - 0.5 * math.pi),
         "You treat the angle as degrees.": left_of(center, math.radians(angle)),
@@ -146,7 +155,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
         "cos(angle))."
     )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
-    for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
+    for angle in (small, -small, large, -large, large + math.tau, 0.5 * math.pi):
         about.call = with_stones(stones, f"balance_offset(stones, angle={angle})")
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
@@ -170,6 +179,8 @@ def test_it_balances_though_the_masses_differ() -> None:
         "You swap the two masses. This edge points along +X, so its left side is the side with the "
         "larger y.": (3.0, 1.0),
         "You count the stones on each side. Add their masses instead.": (1.0, 1.0),
+        "You add up mass times distance. These products are equal on both sides, but the masses "
+        "are not, so add only the masses.": (0.3, 0.3),
         "You use an edge through the corner of the box. Move the edge to the left by the result of "
         "balance_offset.": (4.0, 0.0),
     }
@@ -180,6 +191,8 @@ def test_it_balances_though_the_masses_differ() -> None:
         "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its left."
     )
     got = masses_beside(stones, 0.5 * math.pi)
+    only_y = "You compare y with the offset. The offset of a stone is cos(angle) y - sin(angle) x."
+    about.cause = named(got, about.cause, {only_y: (4.0, 0.0)})
     expect_close(got, (3.0, 1.0), unit="kg", tolerance=TIGHT)
 
 

@@ -65,8 +65,9 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
         f"You multiply (0, vector) by q and normalize the product, {make}": unit(left),
         f"You use Eq. 9.9, {first_order}": stepped(q, left, 0.5),
         f"You use Eq. 9.9 and normalize, {first_order}": unit(stepped(q, left, 0.5)),
-        "You rotate about the object's own axes. Put the new rotation on the left of q, not on the "
-        "right.": hamilton(q, quad(a, size)),
+        "You rotate about the object's own axes. Either the new rotation is on the right of q, or "
+        "you rotate the vector by q first. Use the vector as it is, with the new rotation on the "
+        "left.": hamilton(q, quad(a, size)),
         "You rotate by half the angle. The angle is the whole length of the vector.": hamilton(
             quad(a, 0.5 * size), q
         ),

@@ -20,9 +20,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(), and they may have any values. The length is checked
-    only when a method needs a unit quaternion. Quaternion() is the reference orientation, which
-    represents no rotation.
+    The components are converted by float(), and they may have any values. Only ``to_axis_angle``
+    checks that the length is 1. Quaternion() is the reference orientation, which represents no
+    rotation.
     """
 
     __slots__ = ("i", "j", "k", "r")

@@ -1,7 +1,6 @@
 """Functions that solve the exercises of the book's chapter 9.
 
 The functions do not change their arguments. Angles are in radians unless a docstring says degrees.
-An argument of the wrong type raises TypeError.
 """
 
 from __future__ import annotations
@@ -38,9 +37,6 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
     >>> round(angle, 6), [round(component, 6) for component in axis]  # 120 degrees
     (2.094395, [-0.57735, -0.57735, -0.57735])
-
-    Raises:
-        ValueError: if the length is not 1 (``Quaternion.is_unit``).
     """
     raise NotImplementedError("Exercise 9.2: One rotation back to the reference")
 
@@ -52,9 +48,6 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
     >>> product_without_j_and_k(Quaternion(2, 3, 0, 0), Quaternion(4, -1, 0, 0))
     Quaternion(11.0, 10.0, 0.0, 0.0)
-
-    Raises:
-        ValueError: if a j or k is not zero.
     """
     raise NotImplementedError("Exercise 9.3a: Two quaternions without j and k")
 
@@ -64,9 +57,6 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 
     The axis never changes, so you can compute the result with a single rotation. ``rate`` is in
     rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
-
-    Raises:
-        ValueError: if the rate is not finite, or the duration is not positive and finite.
     """
     raise NotImplementedError("Exercise 9.4: A steady rotation, at once and in steps")
 
@@ -83,11 +73,6 @@ def turned_by_steps(
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
     ([0.223607, 0.67082, 0.223607, 0.67082], 0.072705)
-
-    Raises:
-        ValueError: if the orientation's length is not 1 (``Quaternion.is_unit``), the rate is not
-            finite, the duration is not positive and finite, or ``steps`` is less than 1.
-        TypeError: if ``steps`` is not a whole number.
     """
     raise NotImplementedError("Exercise 9.4: A steady rotation, at once and in steps")
 
@@ -100,9 +85,6 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 
     >>> read_off(Matrix4(0, -1, 0, 4, 1, 0, 0, 5, 0, 0, 1, 6))
     (Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), Vector3(4.0, 5.0, 6.0))
-
-    Raises:
-        ValueError: if the first three columns are not a rotation (``Matrix3.is_rotation``).
     """
     raise NotImplementedError("Exercise 9.5: Reading off rotation and position")
 
@@ -123,9 +105,6 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 
     Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The box
     has a mass too, so include it as one of the stones unless its mass is negligible.
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``center_of_mass``.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
 
@@ -140,10 +119,6 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
     The result is the offset of the edge: its distance in m from the corner of the box at x = y = 0.
     Look along the edge in its direction. The offset is positive if the edge passes to the left of
     the corner. Left is the direction (-sin(angle), cos(angle)).
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
-            finite.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
 
@@ -159,8 +134,5 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
 
     A stone belongs to the side on which its center lies. If its center is within 1e-9 m of the
     edge, the stone belongs to neither side.
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``balance_offset``.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")

@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions are the same as in matrix3.py. Vectors are columns, a product applies its right
-factor first, and wrong arguments raise the same errors. You can also import Matrix3 from here.
+The conventions are the same as in matrix3.py. Vectors are columns, and a product applies its
+right factor first. You can also import Matrix3 from here.
 """
 
 from __future__ import annotations
@@ -32,7 +32,10 @@ class Matrix4:
 
     def __init__(self, *entries: float) -> None:
         if len(entries) != 12:
-            raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
+            raise TypeError(
+                f"Matrix4 takes twelve numbers, row by row, got {len(entries)} "
+                "(if they are in a list, write Matrix4(*numbers))"
+            )
         self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:
@@ -104,9 +107,6 @@ class Matrix4:
 
         ``q`` is the orientation of the object and ``p`` its position, so the matrix rotates by
         ``q`` and then adds ``p``.
-
-        Raises:
-            ValueError: if the length of ``q`` is not 1 (``is_unit``).
         """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
@@ -140,14 +140,10 @@ class Matrix4:
 def change_basis(m: M, basis: M) -> M:
     """Express the transformation ``m`` in a new basis, as the product basis * m * basis^-1.
 
-    ``m`` transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
+    The two arguments are both a Matrix3 or both a Matrix4, whose translations count too. ``m``
+    transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
     coordinates. The returned matrix performs the same transformation on vectors given in the new
-    basis. It converts them to the old basis, applies ``m``, and converts them back.
-
-    Raises:
-        ValueError: if ``basis`` has no inverse.
-        TypeError: if the two are not matrices of the same size.
-
-    Book: section 9.4.6.
+    basis. It converts them to the old basis, applies ``m``, and converts them back. Book: section
+    9.4.6.
     """
     raise NotImplementedError("Exercise B9.16: A change of basis")

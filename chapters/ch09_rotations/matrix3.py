@@ -1,9 +1,7 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, so every method returns a new object. The
-methods raise TypeError for an argument of the wrong type, but they do not check the components of a
-vector.
+applies b first and then a. Matrices are immutable, so every method returns a new object.
 """
 
 from __future__ import annotations
@@ -36,7 +34,10 @@ class Matrix3:
 
     def __init__(self, *entries: float) -> None:
         if len(entries) != 9:
-            raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
+            raise TypeError(
+                f"Matrix3 takes nine numbers, row by row, got {len(entries)} "
+                "(if they are in a list, write Matrix3(*numbers))"
+            )
         self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:
@@ -102,9 +103,8 @@ class Matrix3:
         This ratio does not depend on the scale of the matrix.
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is at most ``SINGULAR``
-                (1e-13) times the product of the rows' lengths. The message shows the determinant,
-                and its ratio to that product.
+            ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
+                rows' lengths.
 
         Book: section 9.4.3.
         """
@@ -116,7 +116,8 @@ class Matrix3:
         The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
         with itself must be 1, and its scalar product with each other row must be 0, both within
         ``ROTATION_TOLERANCE``. The determinant must also be positive, because it is negative for a
-        reflection. If one of these conditions fails, or if an entry is NaN, return False.
+        reflection. If one of these conditions fails, or if an entry is NaN, infinite or as large as
+        1e200, return False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
@@ -126,9 +127,6 @@ class Matrix3:
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
         transpose of this matrix, which rotates in the opposite direction (erratum E-11).
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``).
         """
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
@@ -138,9 +136,7 @@ class Matrix3:
         The diagonal determines four numbers: 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
         component whose number is the largest, which is at least 1, and compute the other components
         from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
-        r^2 should be 0.
-
-        Raises:
-            ValueError: if this is not a rotation (``is_rotation``).
+        r^2 should be 0. The matrix may differ slightly from a rotation, so normalize the quaternion
+        at the end.
         """
         raise NotImplementedError("Exercise B9.13: From a matrix to a quaternion")

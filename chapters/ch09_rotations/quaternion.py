@@ -4,9 +4,6 @@ A quaternion of length 1 represents an orientation, and also the rotation from t
 orientation. The rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis
 sin(angle/2)). The quaternions q and -q represent the same orientation. As in the book, rotations
 are right-handed and about world axes, so ``b * a`` rotates by a first and then by b.
-
-The methods raise TypeError for an argument of the wrong type. A vector that you rotate may have any
-components, even NaN.
 """
 
 from __future__ import annotations
@@ -23,9 +20,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(), and they may have any values. The length is checked
-    only when a method needs a unit quaternion. Quaternion() is the reference orientation, which
-    represents no rotation.
+    The components are converted by float(), and they may have any values. Only ``to_axis_angle``
+    checks that the length is 1. Quaternion() is the reference orientation, which represents no
+    rotation.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -74,7 +71,7 @@ class Quaternion:
     def is_unit(self) -> bool:
         """Return True if the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
 
-        If a component is NaN, the result is False.
+        If a component is NaN, infinite or as large as 1e200, the result is False.
         """
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
@@ -110,6 +107,7 @@ class Quaternion:
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
+            TypeError: if the axis is not a Vector3 or the angle is not a number.
 
         Book: Eq. 9.4.
         """
@@ -121,7 +119,7 @@ class Quaternion:
         The angle is in radians. The quaternions q and -q represent the same rotation, so they give
         the same result. For a half-turn, you may return either the axis or its opposite. For an
         angle of 0, any axis would be correct, so return X. The result must also be correct for
-        angles as small as 1e-200.
+        angles as small as 1e-200, and for every length that ``is_unit`` accepts.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -132,10 +130,6 @@ class Quaternion:
         """Rotate the vector ``v`` by this quaternion, and return the result as a new vector.
 
         The result is q (0, v) q*, where q* is the conjugate of this quaternion q.
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``), because such a quaternion
-                would also scale ``v``.
         """
         raise NotImplementedError("Exercise B9.10: Rotating a vector")
 
@@ -143,13 +137,11 @@ class Quaternion:
         """Rotate the orientation in place by the rotation vector ``vector``.
 
         The direction of ``vector`` is the axis of the rotation, in world axes. Its length is the
-        angle in radians, so a zero vector changes nothing. The new orientation is exp((0,
-        vector)/2) q, where q is the old one. Eq. 9.9 is only a first-order approximation of this
-        product. The book's listing contains two errors: it multiplies by (0, vector), which is not
-        a rotation, and it does so on the wrong side (erratum E-12).
-
-        Raises:
-            ValueError: if the vector is not finite.
+        angle in radians, so a zero vector changes nothing. The result must also be correct for
+        vectors as short as 1e-200. The new orientation is exp((0, vector)/2) q, where q is the old
+        one. Eq. 9.9 is only a first-order approximation of this product. The book's listing
+        contains two errors: it multiplies by (0, vector), which is not a rotation, and it does so
+        on the wrong side (erratum E-12).
         """
         raise NotImplementedError("Exercise B9.11: Rotating by a vector: exactly, and by Eq. 9.5")
 
@@ -160,8 +152,5 @@ class Quaternion:
         time step for an orientation. It is only a first-order approximation of the rotation, and it
         makes the quaternion longer (erratum E-31). Do not normalize the result, because the
         exercises measure this error.
-
-        Raises:
-            ValueError: if the vector or the scale is not finite. In that case nothing changes.
         """
         raise NotImplementedError("Exercise B9.11: Rotating by a vector: exactly, and by Eq. 9.5")

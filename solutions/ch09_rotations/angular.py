@@ -1,14 +1,14 @@
 """Angular velocity and acceleration, and a time step for an orientation (book 9.3, 9.4.11).
 
 An angular velocity is a vector in world axes. Its direction is the axis of rotation, and its length
-is the angular speed in rad/s. The functions raise TypeError for an argument of the wrong type.
+is the angular speed in rad/s.
 """
 
 from __future__ import annotations
 
 import math
 
-from ch02_vectors.arguments import finite, finite_vector, positive, whole
+from ch02_vectors.arguments import finite, finite_vector, instance_of, positive, whole
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
@@ -20,12 +20,7 @@ def velocity_of_point(
 
     The object moves with ``velocity`` in m/s, and rotates about ``position`` in m with
     ``angular_velocity`` in rad/s. ``point`` is the world position of the point in m. The result is
-    a new vector in m/s.
-
-    Raises:
-        ValueError: if a component is not finite.
-
-    Book: Eq. 9.6.
+    a new vector in m/s, and the arguments do not change. Book: Eq. 9.6.
     """
     arm = finite_vector("point", point) - finite_vector("position", position)
     turning = finite_vector("angular_velocity", angular_velocity).cross(arm)
@@ -42,16 +37,12 @@ def integrate_rotation(
 
     The step is semi-implicit Euler: first the angular velocity w changes to w' = w + alpha h, and
     then the orientation rotates by w' h. After that it is normalized, because rounding errors would
-    otherwise let its length drift. ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration``
-    (h) in s. If the axis of rotation changes, the method has only order 1.
-
-    Raises:
-        ValueError: if the duration is not positive and finite, or a component is not finite. After
-            this error, and also after a TypeError, both arguments are unchanged.
+    otherwise let its length drift. ``angular_acceleration`` (alpha) is in rad/s^2 and does not
+    change, and ``duration`` (h) is in s. If the axis of rotation changes, the method has only order
+    1.
     """
     positive("duration", duration)
-    if not isinstance(orientation, Quaternion):
-        raise TypeError(f"orientation must be a Quaternion, got {orientation!r}")
+    instance_of("orientation", orientation, Quaternion)
     acceleration = finite_vector("angular_acceleration", angular_acceleration)
     new_velocity = finite_vector("angular_velocity", angular_velocity) + acceleration * duration
     orientation.rotate_by(new_velocity * duration)
@@ -67,17 +58,12 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     that the errors add up. The first result is the length of the quaternion at the end, which
     should be 1. The second result says how far the rotation lags behind, in radians:
     ``angular_speed`` times ``duration``, minus the actual angle of rotation. This angle is negative
-    for a negative speed. Normalizing would correct the length (erratum E-31), but not the angle.
+    for a negative speed. At a speed of 0 nothing rotates, so the results are 1 and 0. Normalizing
+    would correct the length (erratum E-31), but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)
     (1.0856, 0.3284)
-
-    Raises:
-        ValueError: if ``angular_speed`` is not finite, ``duration`` is not positive and finite, or
-            ``steps`` is less than 1.
-        TypeError: if ``steps`` is not a whole number.
-        OverflowError: if the length is too large for a float.
     """
     half = 0.5 * finite("angular_speed", angular_speed) * positive("duration", duration)
     half /= whole("steps", steps)  # half the angle of a step, which is added at a right angle to q

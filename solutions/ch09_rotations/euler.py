@@ -5,10 +5,7 @@ X axis, then by y about the Y axis, and then by z about the Z axis. All three ax
 world. Every orientation can be described in this way (erratum E-33). But if y is a quarter turn,
 the second rotation turns the X axis onto Z or -Z. The first and the last rotation then have the
 same axis, so one degree of freedom is lost. This state is called gimbal lock, and it is the reason
-why engines store orientations as quaternions.
-
-The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
-wrong type.
+why engines store orientations as quaternions. The functions do not change their arguments.
 """
 
 from __future__ import annotations
@@ -44,7 +41,7 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
     - Second column, for y: the Y axis, after it has been rotated by z.
     - Third column, for z: the Z axis itself, because the rotation by z comes last.
 
-    The matrix does not depend on x, but x must be finite too.
+    The matrix does not depend on x.
     """
     finite("x", x)
     cos_y, sin_y = math.cos(finite("y", y)), math.sin(y)

@@ -1,14 +1,13 @@
 """Functions that solve the exercises of the book's chapter 9.
 
 The functions do not change their arguments. Angles are in radians unless a docstring says degrees.
-An argument of the wrong type raises TypeError.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ch02_vectors.arguments import finite, positive, whole
+from ch02_vectors.arguments import finite, instance_of, positive, whole
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4
 from ch09_rotations.plane import Point, angle_to_vector, center_of_mass
@@ -42,11 +41,8 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
     >>> round(angle, 6), [round(component, 6) for component in axis]  # 120 degrees
     (2.094395, [-0.57735, -0.57735, -0.57735])
-
-    Raises:
-        ValueError: if the length is not 1 (``Quaternion.is_unit``).
     """
-    _quaternion("orientation", orientation)
+    instance_of("orientation", orientation, Quaternion)
     return orientation.conjugate().to_axis_angle()
 
 
@@ -57,14 +53,9 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
     >>> product_without_j_and_k(Quaternion(2, 3, 0, 0), Quaternion(4, -1, 0, 0))
     Quaternion(11.0, 10.0, 0.0, 0.0)
-
-    Raises:
-        ValueError: if a j or k is not zero.
     """
-    for name, q in (("a", a), ("b", b)):
-        _quaternion(name, q)
-        if not (q.j == 0.0 and q.k == 0.0):
-            raise ValueError(f"{name} must have j and k zero, got {q!r}")
+    instance_of("a", a, Quaternion)
+    instance_of("b", b, Quaternion)
     return Quaternion(a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r)
 
 
@@ -73,11 +64,8 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 
     The axis never changes, so you can compute the result with a single rotation. ``rate`` is in
     rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
-
-    Raises:
-        ValueError: if the rate is not finite, or the duration is not positive and finite.
     """
-    _quaternion("orientation", orientation)
+    instance_of("orientation", orientation, Quaternion)
     angle = finite("rate", rate) * positive("duration", duration)
     return Quaternion.from_axis_angle(Vector3(1.0, 0.0, 0.0), angle) * orientation
 
@@ -94,11 +82,6 @@ def turned_by_steps(
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
     ([0.223607, 0.67082, 0.223607, 0.67082], 0.072705)
-
-    Raises:
-        ValueError: if the orientation's length is not 1 (``Quaternion.is_unit``), the rate is not
-            finite, the duration is not positive and finite, or ``steps`` is less than 1.
-        TypeError: if ``steps`` is not a whole number.
     """
     right = turned_by_sense(orientation, rate, duration)
     spin = Vector3(rate, 0.0, 0.0)
@@ -117,17 +100,9 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 
     >>> read_off(Matrix4(0, -1, 0, 4, 1, 0, 0, 5, 0, 0, 1, 6))
     (Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), Vector3(4.0, 5.0, 6.0))
-
-    Raises:
-        ValueError: if the first three columns are not a rotation (``Matrix3.is_rotation``).
     """
-    if not isinstance(matrix, Matrix4):
-        raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
-    a, b, c, x, d, e, f, y, g, h, i, z = matrix
-    rotation = Matrix3(a, b, c, d, e, f, g, h, i)
-    if not rotation.is_rotation():
-        raise ValueError(f"matrix must be a rotation and a translation, got {matrix!r}")
-    return rotation, Vector3(x, y, z)
+    a, b, c, x, d, e, f, y, g, h, i, z = instance_of("matrix", matrix, Matrix4)
+    return Matrix3(a, b, c, d, e, f, g, h, i), Vector3(x, y, z)
 
 
 def easy_inverse(matrix: Matrix4) -> Matrix4:
@@ -138,9 +113,7 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     3x3 part is not a rotation. Do not check for this, because the check would take most of the time
     that the shortcut saves.
     """
-    if not isinstance(matrix, Matrix4):
-        raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
-    a, b, c, x, d, e, f, y, g, h, i, z = matrix
+    a, b, c, x, d, e, f, y, g, h, i, z = instance_of("matrix", matrix, Matrix4)
     return Matrix4(
         *(a, d, g, -(a * x + d * y + g * z)),
         *(b, e, h, -(b * x + e * y + h * z)),
@@ -153,9 +126,6 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 
     Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The box
     has a mass too, so include it as one of the stones unless its mass is negligible.
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``center_of_mass``.
     """
     masses = [mass for _, mass, _, _ in stones]
     return center_of_mass(masses, [(x, y) for _, _, x, y in stones])
@@ -171,10 +141,6 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
     The result is the offset of the edge: its distance in m from the corner of the box at x = y = 0.
     Look along the edge in its direction. The offset is positive if the edge passes to the left of
     the corner. Left is the direction (-sin(angle), cos(angle)).
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
-            finite.
     """
     x, y = center_of_stones(stones)
     along = angle_to_vector(angle)
@@ -192,9 +158,6 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
 
     A stone belongs to the side on which its center lies. If its center is within 1e-9 m of the
     edge, the stone belongs to neither side.
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``balance_offset``.
     """
     offset = balance_offset(stones, angle)
     cosine, sine = angle_to_vector(angle)
@@ -206,9 +169,3 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
         elif side < -_ON_THE_LINE:
             right += mass
     return left, right
-
-
-def _quaternion(name: str, q: Quaternion) -> None:
-    """Raise TypeError for anything that is not a Quaternion."""
-    if not isinstance(q, Quaternion):
-        raise TypeError(f"{name} must be a Quaternion, got {q!r}")

@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions are the same as in matrix3.py. Vectors are columns, a product applies its right
-factor first, and wrong arguments raise the same errors. You can also import Matrix3 from here.
+The conventions are the same as in matrix3.py. Vectors are columns, and a product applies its
+right factor first. You can also import Matrix3 from here.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar, overload
 
+from ch02_vectors.arguments import instance_of
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix3 import ROTATION_TOLERANCE as ROTATION_TOLERANCE
 from ch09_rotations.matrix3 import SINGULAR as SINGULAR
@@ -32,7 +33,10 @@ class Matrix4:
 
     def __init__(self, *entries: float) -> None:
         if len(entries) != 12:
-            raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
+            raise TypeError(
+                f"Matrix4 takes twelve numbers, row by row, got {len(entries)} "
+                "(if they are in a list, write Matrix4(*numbers))"
+            )
         self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:
@@ -67,8 +71,7 @@ class Matrix4:
 
         You can also write ``m @ v``. Book: section 9.4.2.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
+        instance_of("v", v, Vector3)
         x, y, z = v.x, v.y, v.z
         a, b, c, p, d, e, f, q, g, h, i, r = self.entries
         return Vector3(
@@ -80,8 +83,7 @@ class Matrix4:
 
         Book: section 9.4.2.
         """
-        if not isinstance(m, Matrix4):
-            raise TypeError(f"m must be a Matrix4, got {m!r}")
+        instance_of("m", m, Matrix4)
         linear = _linear(self).product(_linear(m))
         return _joined(linear, self.transform(_translation(m)))
 
@@ -114,13 +116,8 @@ class Matrix4:
 
         ``q`` is the orientation of the object and ``p`` its position, so the matrix rotates by
         ``q`` and then adds ``p``.
-
-        Raises:
-            ValueError: if the length of ``q`` is not 1 (``is_unit``).
         """
-        if not isinstance(p, Vector3):
-            raise TypeError(f"p must be a Vector3, got {p!r}")
-        return _joined(Matrix3.from_quaternion(q), p)
+        return _joined(Matrix3.from_quaternion(q), instance_of("p", p, Vector3))
 
     def transform_inverse(self, v: Vector3) -> Vector3:
         """Find the point that ``transform`` maps to ``v``, and return it as a new vector.
@@ -130,8 +127,7 @@ class Matrix4:
         part. This is faster than inverting the matrix. However, it is correct only if the 3x3 part
         is a rotation, whose transpose is its inverse. Book: section 9.4.5.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
+        instance_of("v", v, Vector3)
         a, b, c, p, d, e, f, q, g, h, i, r = self.entries
         x, y, z = v.x - p, v.y - q, v.z - r
         return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
@@ -142,8 +138,7 @@ class Matrix4:
         The translation moves points, but it does not change directions, such as a normal. Book:
         section 9.4.5.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
+        instance_of("v", v, Vector3)
         x, y, z = v.x, v.y, v.z
         a, b, c, _, d, e, f, _, g, h, i, _ = self.entries
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
@@ -154,8 +149,7 @@ class Matrix4:
         Multiply ``v`` by the transpose of the 3x3 part, which for a rotation is also the inverse.
         Book: section 9.4.5.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
+        instance_of("v", v, Vector3)
         x, y, z = v.x, v.y, v.z
         a, b, c, _, d, e, f, _, g, h, i, _ = self.entries
         return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
@@ -164,18 +158,12 @@ class Matrix4:
 def change_basis(m: M, basis: M) -> M:
     """Express the transformation ``m`` in a new basis, as the product basis * m * basis^-1.
 
-    ``m`` transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
+    The two arguments are both a Matrix3 or both a Matrix4, whose translations count too. ``m``
+    transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
     coordinates. The returned matrix performs the same transformation on vectors given in the new
-    basis. It converts them to the old basis, applies ``m``, and converts them back.
-
-    Raises:
-        ValueError: if ``basis`` has no inverse.
-        TypeError: if the two are not matrices of the same size.
-
-    Book: section 9.4.6.
+    basis. It converts them to the old basis, applies ``m``, and converts them back. Book: section
+    9.4.6.
     """
-    if not isinstance(m, (Matrix3, Matrix4)) or type(m) is not type(basis):
-        raise TypeError(f"m and basis must be matrices of the same size, got {m!r} and {basis!r}")
     return basis.product(m).product(basis.inverse())
 
 

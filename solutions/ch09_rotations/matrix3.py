@@ -1,9 +1,7 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, so every method returns a new object. The
-methods raise TypeError for an argument of the wrong type, but they do not check the components of a
-vector.
+applies b first and then a. Matrices are immutable, so every method returns a new object.
 """
 
 from __future__ import annotations
@@ -11,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import overload
 
+from ch02_vectors.arguments import instance_of
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
@@ -36,7 +35,10 @@ class Matrix3:
 
     def __init__(self, *entries: float) -> None:
         if len(entries) != 9:
-            raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
+            raise TypeError(
+                f"Matrix3 takes nine numbers, row by row, got {len(entries)} "
+                "(if they are in a list, write Matrix3(*numbers))"
+            )
         self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:
@@ -71,8 +73,7 @@ class Matrix3:
 
         You can also write ``m @ v``. Book: section 9.4.2.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
+        instance_of("v", v, Vector3)
         x, y, z = v.x, v.y, v.z
         a, b, c, d, e, f, g, h, i = self.entries
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
@@ -82,8 +83,7 @@ class Matrix3:
 
         Book: section 9.4.2.
         """
-        if not isinstance(m, Matrix3):
-            raise TypeError(f"m must be a Matrix3, got {m!r}")
+        instance_of("m", m, Matrix3)
         a, b, c, d, e, f, g, h, i = self.entries
         j, k, l, n, o, p, q, r, s = m.entries  # noqa: E741
         return Matrix3(
@@ -116,9 +116,8 @@ class Matrix3:
         This ratio does not depend on the scale of the matrix.
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is at most ``SINGULAR``
-                (1e-13) times the product of the rows' lengths. The message shows the determinant,
-                and its ratio to that product.
+            ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
+                rows' lengths.
 
         Book: section 9.4.3.
         """
@@ -141,7 +140,8 @@ class Matrix3:
         The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
         with itself must be 1, and its scalar product with each other row must be 0, both within
         ``ROTATION_TOLERANCE``. The determinant must also be positive, because it is negative for a
-        reflection. If one of these conditions fails, or if an entry is NaN, return False.
+        reflection. If one of these conditions fails, or if an entry is NaN, infinite or as large as
+        1e200, return False.
         """
         products = self.product(self.transpose())
         identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -156,15 +156,8 @@ class Matrix3:
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
         transpose of this matrix, which rotates in the opposite direction (erratum E-11).
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``).
         """
-        if not isinstance(q, Quaternion):
-            raise TypeError(f"q must be a Quaternion, got {q!r}")
-        if not q.is_unit():
-            raise ValueError(f"q must have length 1, got {q!r}")
-        r, i, j, k = q
+        r, i, j, k = instance_of("q", q, Quaternion)
         return Matrix3(
             *(1.0 - 2.0 * (j * j + k * k), 2.0 * (i * j - k * r), 2.0 * (i * k + j * r)),
             *(2.0 * (i * j + k * r), 1.0 - 2.0 * (i * i + k * k), 2.0 * (j * k - i * r)),
@@ -177,13 +170,9 @@ class Matrix3:
         The diagonal determines four numbers: 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
         component whose number is the largest, which is at least 1, and compute the other components
         from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
-        r^2 should be 0.
-
-        Raises:
-            ValueError: if this is not a rotation (``is_rotation``).
+        r^2 should be 0. The matrix may differ slightly from a rotation, so normalize the quaternion
+        at the end.
         """
-        if not self.is_rotation():
-            raise ValueError(f"the matrix must be a rotation, got {self!r}")
         a, b, c, d, e, f, g, h, i = self.entries
         candidates = (
             Quaternion(1.0 + a + e + i, h - f, c - g, d - b),

@@ -1,8 +1,7 @@
 """Angles, directions and points in the plane, and the center of mass (book 9.1).
 
 A point or direction is a tuple (x, y). Angles are in radians, counter-clockwise from the X axis
-toward the Y axis. The functions do not change their arguments. They raise ValueError for a number
-that is not finite, and TypeError for anything that is not a number.
+toward the Y axis. The functions do not change their arguments.
 """
 
 from __future__ import annotations
@@ -19,7 +18,8 @@ def wrap_angle(angle: float) -> float:
     """Convert an angle to the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
     Angles that differ by a full turn point in the same direction, so wrap them before you compare
-    them. The angles pi and -pi are the same direction too, and both give pi.
+    them. The angles pi and -pi are the same direction too, and both give pi. An angle may contain
+    hundreds of thousands of turns, so remove them all at once and not one by one.
     """
     wrapped = math.remainder(finite("angle", angle), math.tau)
     return wrapped if wrapped > -math.pi else math.pi
@@ -51,19 +51,9 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
     """Compute the center of mass of several bodies: their mean position, weighted by their masses.
 
-    ``masses`` are in kg. ``positions`` are in m, in the same order as the masses.
-
-    Raises:
-        ValueError: if there are no masses, if the numbers of masses and positions differ, if a mass
-            is not positive, or if a number is not finite.
-
-    Book: section 9.1.3.
+    ``masses`` are in kg. ``positions`` are in m, in the same order as the masses. Both may be
+    lists or tuples, and several masses may be equal. Book: section 9.1.3.
     """
-    if not masses or len(masses) != len(positions):
-        raise ValueError(
-            "masses and positions must have the same length, 1 or more, "
-            f"got {len(masses)} masses and {len(positions)} positions"
-        )
     total = math.fsum(positive("masses", mass) for mass in masses)
     shares = [mass / total for mass in masses]
     x = math.fsum(s * finite("positions", p[0]) for s, p in zip(shares, positions, strict=True))

@@ -4,9 +4,6 @@ A quaternion of length 1 represents an orientation, and also the rotation from t
 orientation. The rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis
 sin(angle/2)). The quaternions q and -q represent the same orientation. As in the book, rotations
 are right-handed and about world axes, so ``b * a`` rotates by a first and then by b.
-
-The methods raise TypeError for an argument of the wrong type. A vector that you rotate may have any
-components, even NaN.
 """
 
 from __future__ import annotations
@@ -14,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from ch02_vectors.arguments import finite, finite_vector
+from ch02_vectors.arguments import finite, finite_vector, instance_of
 from ch02_vectors.vector import Vector3
 
 # How far the length of an orientation may be from 1. Rounding errors stay far below this. Steps of
@@ -25,9 +22,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(), and they may have any values. The length is checked
-    only when a method needs a unit quaternion. Quaternion() is the reference orientation, which
-    represents no rotation.
+    The components are converted by float(), and they may have any values. Only ``to_axis_angle``
+    checks that the length is 1. Quaternion() is the reference orientation, which represents no
+    rotation.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -76,7 +73,7 @@ class Quaternion:
     def is_unit(self) -> bool:
         """Return True if the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
 
-        If a component is NaN, the result is False.
+        If a component is NaN, infinite or as large as 1e200, the result is False.
         """
         return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
@@ -108,8 +105,7 @@ class Quaternion:
 
         Book: section 9.4.9.
         """
-        if not isinstance(q, Quaternion):
-            return NotImplemented
+        instance_of("q", q, Quaternion)
         return Quaternion(
             self.r * q.r - self.i * q.i - self.j * q.j - self.k * q.k,
             self.r * q.i + self.i * q.r + self.j * q.k - self.k * q.j,
@@ -126,6 +122,7 @@ class Quaternion:
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
+            TypeError: if the axis is not a Vector3 or the angle is not a number.
 
         Book: Eq. 9.4.
         """
@@ -144,7 +141,7 @@ class Quaternion:
         The angle is in radians. The quaternions q and -q represent the same rotation, so they give
         the same result. For a half-turn, you may return either the axis or its opposite. For an
         angle of 0, any axis would be correct, so return X. The result must also be correct for
-        angles as small as 1e-200.
+        angles as small as 1e-200, and for every length that ``is_unit`` accepts.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -162,15 +159,8 @@ class Quaternion:
         """Rotate the vector ``v`` by this quaternion, and return the result as a new vector.
 
         The result is q (0, v) q*, where q* is the conjugate of this quaternion q.
-
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``), because such a quaternion
-                would also scale ``v``.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(f"v must be a Vector3, got {v!r}")
-        if not self.is_unit():
-            raise ValueError(f"the quaternion must have length 1, got {self!r}")
+        instance_of("v", v, Vector3)
         # The same product without the terms that are zero: v + 2 r (u x v) + 2 u x (u x v).
         u = Vector3(self.i, self.j, self.k)
         across = u.cross(v)
@@ -182,13 +172,11 @@ class Quaternion:
         """Rotate the orientation in place by the rotation vector ``vector``.
 
         The direction of ``vector`` is the axis of the rotation, in world axes. Its length is the
-        angle in radians, so a zero vector changes nothing. The new orientation is exp((0,
-        vector)/2) q, where q is the old one. Eq. 9.9 is only a first-order approximation of this
-        product. The book's listing contains two errors: it multiplies by (0, vector), which is not
-        a rotation, and it does so on the wrong side (erratum E-12).
-
-        Raises:
-            ValueError: if the vector is not finite.
+        angle in radians, so a zero vector changes nothing. The result must also be correct for
+        vectors as short as 1e-200. The new orientation is exp((0, vector)/2) q, where q is the old
+        one. Eq. 9.9 is only a first-order approximation of this product. The book's listing
+        contains two errors: it multiplies by (0, vector), which is not a rotation, and it does so
+        on the wrong side (erratum E-12).
         """
         angle = finite_vector("vector", vector).magnitude()
         if angle > 0.0:
@@ -202,9 +190,6 @@ class Quaternion:
         time step for an orientation. It is only a first-order approximation of the rotation, and it
         makes the quaternion longer (erratum E-31). Do not normalize the result, because the
         exercises measure this error.
-
-        Raises:
-            ValueError: if the vector or the scale is not finite. In that case nothing changes.
         """
         half = 0.5 * finite("scale", scale)
         rate = Quaternion(0.0, *finite_vector("vector", vector)) * self

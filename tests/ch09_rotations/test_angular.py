@@ -15,9 +15,7 @@ from draw import Components, components, number, positive_number
 from expect import (
     about,
     expect_close,
-    expect_error,
     expect_exactly,
-    expect_finite_numbers,
     expect_unchanged,
     xyz,
 )
@@ -43,7 +41,7 @@ LENGTH = "; the length of the quaternion after all steps"
 LAG = "; the angle in radians by which the rotation lags behind"
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="Compute the velocity of a point on an object")
 def test_a_point_of_a_rotating_object() -> None:
     about.read = POINT
     about.call = "q = Vector3(1, 0, 0); p = p' = Vector3(); w = Vector3(0, 0, 2); "
@@ -60,7 +58,7 @@ def test_a_point_of_a_rotating_object() -> None:
     expect_close(got, (0.0, 2.0, 0.0), cause=named(got, about.cause, slips))
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="a new vector in m/s, and the arguments do not change")
 def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     about.read = POINT
     point, place, v, w = (components(rng) for _ in range(4))
@@ -81,13 +79,23 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
         "where p is the object's position.": added(about_world, v),
         "You subtract the velocity p'. Add it instead.": subtracted(turning, v),
         "You return only p', without the rotation. Add w x (q - p).": v,
+        "You compute w x q - p + p'. Put parentheses around q - p.": added(
+            subtracted(about_world, place), v
+        ),
+        "You compute w x (q + p). Subtract p from q instead.": added(
+            hamilton((0.0, *w), (0.0, *added(point, place)))[1:], v
+        ),
+        "You compute w x (q - p + p'). Add p' to the vector product, not inside it.": hamilton(
+            (0.0, *w), (0.0, *added(subtracted(point, place), v))
+        )[1:],
     }
-    why = named(got, about.cause, slips)
+    why = named(got, about.cause, slips, wanted)
     # Two products of up to 200 each.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
-        expect_kept(name, xyz(now), before)
+        instead = "If you use += or -= on it, use + or - instead."
+        expect_kept(name, xyz(now), before, instead)
     about.call = f"v = Vector3{short(v)}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
     about.cause = "You return p' itself, so a change of the result also changes p'. Return a new "
     about.cause += "vector, even if nothing rotates."
@@ -96,38 +104,13 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     expect_unchanged("v", xyz(given[2]), v)
 
 
-@pytest.mark.exercise("B9.18")
-@pytest.mark.robust
-def test_rejects_invalid_vectors() -> None:
-    about.read = "the docstring of velocity_of_point"
-    good = (1.0, 2.0, 3.0)
-    for place in range(4):
-        name = ("point", "position", "velocity", "angular velocity")[place]
-        for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
-            problem = "is a tuple" if bad is None else "contains NaN or infinity"
-            about.cause = f"The {name} {problem}. Check it with finite_vector from arguments.py, "
-            about.cause += "which raises the error for you."
-            vectors = [Vector3(*good) for _ in range(4)]
-            if bad is not None:
-                vectors[place] = Vector3(*bad)
-            shown = [f"Vector3{short(good)}" for _ in range(4)]
-            shown[place] = str(good) if bad is None else f"Vector3{short(bad)}"
-            expect_error(
-                lambda vectors=vectors, place=place, bad=bad: velocity_of_point(
-                    *vectors[:place], good if bad is None else vectors[place], *vectors[place + 1 :]
-                ),
-                TypeError if bad is None else ValueError,
-                call=f"velocity_of_point({', '.join(shown)})",
-                allowed=lambda: velocity_of_point(*(Vector3(*good) for _ in range(4))),
-            )
-
-
 def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str, Quad]:
     """Return the orientations that likely mistakes give after a step."""
     mean = tuple(0.5 * (a + b) for a, b in zip(old, new, strict=True))
     change = hamilton((0.0, *new), q)
     longer = tuple(a + 0.5 * h * b for a, b in zip(q, change, strict=True))
     size = math.hypot(*new)
+    gained = tuple(b - a for a, b in zip(old, new, strict=True))  # alpha h
     return {
         "You rotate by the old w. Change w first, and then rotate by the new w.": hamilton(
             quad(old, h * math.hypot(*old)), q
@@ -142,11 +125,15 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
         "You rotate about an axis of the object. Rotate about w in world axes.": hamilton(
             q, quad(new, h * size)
         ),
-        "the old orientation": q,
+        "You rotate by alpha h. Rotate by w h, where w is the new angular velocity.": hamilton(
+            quad(gained, math.hypot(*gained)), q
+        ),
+        "The orientation hasn't changed. Change its components in place, as rotate_by does, "
+        "because a new quaternion assigned to the parameter is lost.": q,
     }
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="then the orientation rotates by w' h")
 def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
@@ -163,6 +150,13 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
         "vector assigned to the parameter is lost.": w,
         "You add alpha without multiplying it by h.": added(w, a),
         "You replace w by alpha h instead of adding alpha h to it.": subtracted(new, w),
+        "You multiply alpha by h^2. Multiply it by h only.": tuple(
+            p + h * h * r for p, r in zip(w, a, strict=True)
+        ),
+        "You multiply w itself by h. Use w h only for the rotation.": tuple(h * p for p in new),
+        "You subtract alpha h. Add it instead.": tuple(
+            p - h * r for p, r in zip(w, a, strict=True)
+        ),
     }
     why = named(got, about.cause, slips)
     expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
@@ -177,7 +171,7 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     expect_exactly(returned, None, then="the returned value")
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="The step is semi-implicit Euler")
 def test_many_steps_about_one_axis(rng: Random) -> None:
     about.read = STEP
     axis = components(rng)
@@ -200,7 +194,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     expect_kept("alpha", alpha, a)
 
 
-@pytest.mark.exercise("B9.18")
+@pytest.mark.exercise("B9.18", asks="After that it is normalized")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     about.read = STEP
     about.cause = "You don't normalize q, so the error in its length remains. Normalize q at the "
@@ -215,7 +209,7 @@ def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
         expect_close(got, 1.0, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.18", weight=0.5)
+@pytest.mark.exercise("B9.18", asks="so a zero vector changes nothing", weight=0.5)
 def test_a_step_from_rest(rng: Random) -> None:
     about.read = STEP
     q, a, h = draw_quad(rng), components(rng), 0.1
@@ -234,69 +228,6 @@ def test_a_step_from_rest(rng: Random) -> None:
         expect_close(got, wanted, then="; q", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.18")
-@pytest.mark.robust
-def test_an_invalid_step_changes_nothing(rng: Random) -> None:
-    about.read = STEP
-    q, w, a, nan = draw_quad(rng), components(rng), components(rng), math.nan
-    changed = "An invalid call must not change anything. Check all arguments before you change any."
-    for velocity, acceleration, h, error in (
-        (w, a, 0.0, ValueError),
-        (w, a, -0.1, ValueError),
-        (w, a, nan, ValueError),
-        (w, a, math.inf, ValueError),
-        (w, a, "0.1", TypeError),
-        ((nan, 0.0, 1.0), a, 0.1, ValueError),
-        ((0.0, math.inf, 1.0), a, 0.1, ValueError),
-        (w, (nan, 0.0, 1.0), 0.1, ValueError),
-        (w, (0.0, math.inf, 1.0), 0.1, ValueError),
-        (w, None, 0.1, TypeError),
-    ):
-        orientation, spin = Quaternion(*q), Vector3(*velocity)
-        more = None if acceleration is None else Vector3(*acceleration)
-        shown = "None" if more is None else f"Vector3{short(acceleration)}"
-        about.call = f"integrate_rotation(q, Vector3{short(velocity)}, {shown}, {h!r})"
-        which = "velocity" if acceleration is a else "acceleration"
-        about.cause = f"The angular {which} must be a finite Vector3, so raise "
-        if velocity is w and acceleration is a:
-            about.cause = f"The duration is {h!r}. It must be a positive, finite number, so raise "
-        about.cause += f"{error.__name__}."
-        expect_error(
-            lambda orientation=orientation, spin=spin, more=more, h=h: integrate_rotation(
-                orientation, spin, more, h
-            ),
-            error,
-            allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        )
-        expect_unchanged("q", rijk(orientation), q, cause=changed)
-        if velocity is w:
-            expect_unchanged("the angular velocity", xyz(spin), w, cause=changed)
-    spin = Vector3(*w)
-    about.call = f"integrate_rotation({q}, Vector3{short(w)}, Vector3{short(a)}, 0.1)"
-    expect_error(
-        lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
-        TypeError,
-        allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="The orientation is a tuple, not a Quaternion, so raise TypeError.",
-    )
-    expect_unchanged("the angular velocity", xyz(spin), w, cause=changed)
-    for name, velocity, acceleration in (
-        (f"{w}, Vector3{short(a)}", w, Vector3(*a)),
-        (f"Vector3{short(w)}, {a}", Vector3(*w), a),
-    ):
-        orientation = Quaternion(*q)
-        about.call = f"integrate_rotation(q, {name}, 0.1)"
-        expect_error(
-            lambda orientation=orientation, velocity=velocity, acceleration=acceleration: (
-                integrate_rotation(orientation, velocity, acceleration, 0.1)
-            ),
-            TypeError,
-            allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="One of the vectors is a tuple, not a Vector3, so raise TypeError.",
-        )
-        expect_unchanged("q", rijk(orientation), q, cause=changed)
-
-
 def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
     """Return the length and the missing angle after steps of Eq. 9.5, one by one in the plane."""
     point, turned = complex(1.0, 0.0), 0.0
@@ -312,6 +243,7 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
     """Return the lengths that likely mistakes give."""
     turn = abs(speed) * duration / count
     growth = 1.0 + 0.25 * turn * turn
+    grown = 0.5 * count * math.log1p(0.25 * (speed * duration) ** 2)
     added, start = 1.0 + count * (math.sqrt(growth) - 1.0), 1.0 + 0.125 * count * turn * turn
     return {
         "the squared length, without the square root": growth**count,
@@ -319,38 +251,51 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
         "You add the same amount to the length in every step, instead of multiplying it.": added,
         f"You return 1 + {count} (w h)^2 / 8, which is only an approximation.": start,
         "You use w h instead of w h / 2.": (1.0 + turn * turn) ** (0.5 * count),
+        "You use the whole duration as h. Divide it by the number of steps.": math.exp(
+            min(grown, 700.0)
+        ),
+        "You return how much longer the quaternion is. Return its length.": growth ** (0.5 * count)
+        - 1.0,
     }
 
 
-def lag_slips(right: float, turn: float) -> dict[str, float]:
+def lag_slips(right: float, turn: float, count: int) -> dict[str, float]:
     """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
         "You return half of the angle, because a quaternion contains half the angle of rotation. "
         "Double your result.": 0.5 * right,
-        "You return the actual angle. Subtract it from the intended angle.": turn - right,
+        "Either you return the actual angle instead of subtracting it from the intended one, or "
+        "you read the actual angle off the last quaternion, which shows at most half a turn. Add "
+        "up the angles of the steps.": turn - right,
+        "You use atan(w h) instead of 2 atan(w h / 2).": turn - count * math.atan(turn / count),
         "Your angle has the wrong sign."
         + " If the speed is negative, the angle is negative too." * (turn < 0.0): -right,
         "You return the angle in degrees. Return it in radians.": math.degrees(right),
-    }
+    } | (
+        {"You return what a single step misses. Multiply it by the number of steps.": right / count}
+        if count > 2
+        else {}
+    )
 
 
-@pytest.mark.exercise("B9.19")
+@pytest.mark.exercise("B9.19", asks="The first result is the length of the quaternion")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     about("first_order_drift(angular_speed=2 pi, duration=1, steps=60)", read=DRIFT)
     about.cause = "Each of the 60 steps multiplies the length by sqrt(1 + (w h / 2)^2), where w = "
     about.cause += "2 pi and h = 1/60."
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
-    why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
+    wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
+    swapped = {"You swap the two results. Return the length first, and then the angle.": wanted}
+    why = named(length, about.cause, length_slips(math.tau, 1.0, 60) | swapped)
     expect_close(length, 1.0856, then=LENGTH, cause=why, tolerance=5e-5)
     about.cause = "A step should rotate by w h, but it rotates by only 2 atan(w h / 2). Return the "
     about.cause += "sum of these differences over all steps."
-    wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
-    why = named(lag, about.cause, lag_slips(wanted, math.tau))
+    why = named(lag, about.cause, lag_slips(wanted, math.tau, 60))
     expect_close(lag, wanted, then=LAG, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.19")
+@pytest.mark.exercise("B9.19", asks="This angle is negative for a negative speed")
 def test_the_drift_of_a_few_rotations(rng: Random) -> None:
     about.read = DRIFT
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
@@ -367,33 +312,13 @@ def test_the_drift_of_a_few_rotations(rng: Random) -> None:
         expect_close(length, wanted, then=LENGTH, cause=why, tolerance=near)
         about.cause = "Return the intended angle, which is the speed times the duration, minus the "
         about.cause += "angle of all steps together."
-        why = named(lag, about.cause, lag_slips(missing, speed * duration))
+        why = named(lag, about.cause, lag_slips(missing, speed * duration, steps_))
         expect_close(lag, missing, then=LAG, cause=why, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B9.19")
+@pytest.mark.exercise("B9.19", asks="At a speed of 0 nothing rotates")
 def test_no_drift_at_a_speed_of_zero() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
     about.cause = "At a speed of 0 nothing rotates, so the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
     expect_close(got, (1.0, 0.0), tolerance=TIGHT)
-
-
-@pytest.mark.exercise("B9.19")
-@pytest.mark.robust
-def test_rejects_an_invalid_speed_duration_or_step_count() -> None:
-    about.read = DRIFT
-    expect_finite_numbers(
-        "first_order_drift(angular_speed={}, duration={}, steps=3)",
-        lambda speed, duration: first_order_drift(speed, duration, 3),
-        (1, 1),
-        ((1, 0.0), (1, -1.0)),
-    )
-    for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
-        about.cause = f"{bad!r} is not a whole number of at least 1, so raise {error.__name__}."
-        expect_error(
-            lambda bad=bad: first_order_drift(1.0, 1.0, bad),
-            error,
-            call=f"first_order_drift(1, 1, {bad!r})",
-            allowed=lambda: first_order_drift(1.0, 1.0, 2),
-        )

@@ -21,8 +21,6 @@ from expect import (
     about,
     expect_between,
     expect_close,
-    expect_error,
-    expect_finite_numbers,
     expect_that,
     expect_unchanged,
     expect_vector,
@@ -45,7 +43,6 @@ from turning import (
     turned,
 )
 
-FIRST_LINES = "the docstring at the top of exercises.py"
 BACK = "the docstring of back_to_reference"
 PLANE = "the docstring of product_without_j_and_k"
 SENSE = "the docstring of turned_by_sense"
@@ -55,7 +52,7 @@ BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
 # 9.1 Two rotations and two others
 
 
-@pytest.mark.exercise("9.1")
+@pytest.mark.exercise("9.1", asks="The result is the same if you rotate the object by")
 def test_two_turns_end_where_two_others_do() -> None:
     about.read = "the docstring of two_other_turns"
     about.call, about.cause = "two_other_turns()", "Return a and b as a pair, in degrees."
@@ -65,7 +62,8 @@ def test_two_turns_end_where_two_others_do() -> None:
     about.cause += "right-handed."
     slips = {
         "You return the two angles in the wrong order. Return (a, b).": (90.0, -90.0),
-        "Only the sign of your angle a is wrong. Change this sign.": (90.0, 90.0),
+        "Either the sign of a is wrong, or your axes rotate with the object. Here the axes stay "
+        "fixed in the room.": (90.0, 90.0),
         "Only the sign of your angle b is wrong. Change this sign.": (-90.0, -90.0),
         "You return radians. Return degrees.": (-0.5 * math.pi, 0.5 * math.pi),
     }
@@ -81,7 +79,7 @@ def test_two_turns_end_where_two_others_do() -> None:
         expect_close(got, wanted, tolerance=0.0)
 
 
-@pytest.mark.exercise("9.1")
+@pytest.mark.exercise("9.1", asks="in degrees, from -180 to 180")
 def test_the_angles_are_within_half_a_turn() -> None:
     about.read = "the docstring of two_other_turns"
     about.call = "two_other_turns()"
@@ -100,9 +98,12 @@ def way_back(q: Quad) -> tuple:
     about.cause = "Return a pair (axis, angle) of a unit Vector3 and an angle in radians."
     orientation = Quaternion(*q)
     axis, angle = back_to_reference(orientation)
+    if isinstance(axis, float):
+        about.cause = "You return the angle first. Return the axis and then the angle."
     expect_kept("the orientation", rijk(orientation), q)
     unit = expect_vector(axis, then="; the axis")
     length = math.hypot(*unit)
+    about.cause = "Your axis is not a unit vector. Divide it by its length."
     expect_close(length, 1.0, then="; the length of the axis", tolerance=TIGHT)
     about.cause = "Your angle is not in the range from -pi to pi. Use the smaller angle about the "
     about.cause += "opposite axis instead."
@@ -113,7 +114,7 @@ def way_back(q: Quad) -> tuple:
     return unit, angle
 
 
-@pytest.mark.exercise("9.2", weight=2)
+@pytest.mark.exercise("9.2", asks="find the rotation that takes an orientation back", weight=2)
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
@@ -135,7 +136,7 @@ def test_one_turn_leads_back(rng: Random) -> None:
         expect_close(got, reference, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.2")
+@pytest.mark.exercise("9.2", asks="the angle is 0 and the axis may be any unit vector")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
     about(
         cause="This orientation is already the reference, so the angle should be 0, and the axis "
@@ -155,33 +156,10 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
         expect_close(got, wanted, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.2")
-@pytest.mark.robust
-def test_rejects_what_is_not_an_orientation() -> None:
-    about.cause = "The length of this quaternion is not 1, so it is not an orientation. Raise "
-    about.cause += "ValueError if its is_unit() returns False."
-    for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
-        expect_error(
-            lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
-            ValueError,
-            call=f"back_to_reference(Quaternion{short(numbers)})",
-            allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
-            read=BACK,
-        )
-    expect_error(
-        lambda: back_to_reference((1.0, 0.0, 0.0, 0.0)),
-        TypeError,
-        call="back_to_reference((1, 0, 0, 0))",
-        allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
-        cause="The orientation is a tuple, not a Quaternion, so raise TypeError.",
-        read=FIRST_LINES,
-    )
-
-
 # 9.3a Two quaternions without j and k
 
 
-@pytest.mark.exercise("9.3a")
+@pytest.mark.exercise("9.3a", asks="with only four multiplications")
 def test_a_product_without_j_and_k(rng: Random) -> None:
     about.read = PLANE
     (r, i), (s, j) = ((number(rng, 1.5), number(rng, 1.5)) for _ in range(2))
@@ -197,52 +175,28 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     slips = {
         "You add the product of the two i components to r. Subtract it, because i i = -1.": added,
         "You multiply the quaternions component by component.": (r * s, i * j, 0.0, 0.0),
+        "You subtract the two products in i. Add them.": (wanted[0], r * j - i * s, 0.0, 0.0),
+        "You swap r and i of the result.": (wanted[1], wanted[0], 0.0, 0.0),
     }
-    why = named(got, about.cause, slips)
+    why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    about.cause = "You also multiply components that are zero, as the general product a * b does. "
-    about.cause += "Leave out the terms with j and k, so that four multiplications remain."
     count = multiplications((r, i), (s, j))
-    expect_that(count <= 4, f"{count} multiplications", "at most 4 multiplications")
-
-
-@pytest.mark.exercise("9.3a")
-@pytest.mark.robust
-def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
-    about.read = PLANE
-    r, i, n = number(rng), number(rng), number(rng)
-    good = (r, i, 0.0, 0.0)
-    pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
-    for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
-        for a, b in ((bad, good), (good, bad)):
-            both = [f"{name} = {c:.6g}" for name, c in zip("jk", bad[2:], strict=True) if c]
-            about.cause = f"{'The first' if a is bad else 'The second'} quaternion has "
-            about.cause += f"{' and '.join(both)}. Raise ValueError unless both j and k are 0."
-            about.cause += " NaN is not 0." * any(map(math.isnan, bad))
-            expect_error(
-                lambda a=a, b=b: product_without_j_and_k(Quaternion(*a), Quaternion(*b)),
-                ValueError,
-                call=f"product_without_j_and_k(Quaternion{short(a)}, Quaternion{short(b)})",
-                allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
-            )
-    for which, attempt in (
-        ("2.0, Quaternion()", lambda: product_without_j_and_k(2.0, Quaternion())),
-        ("Quaternion(), 2.0", lambda: product_without_j_and_k(Quaternion(), 2.0)),
-    ):
-        expect_error(
-            attempt,
-            TypeError,
-            call=f"product_without_j_and_k({which})",
-            allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
-            cause="One argument is a number, not a Quaternion, so raise TypeError.",
-            read=FIRST_LINES,
+    about.cause = (
+        "You also multiply components that are zero. Leave out the terms with j and k, so "
+    )
+    about.cause += "that four multiplications remain."
+    if count == 16:
+        about.cause = "You also multiply components that are zero, as the general product a * b "
+        about.cause += (
+            "does. Leave out the terms with j and k, so that four multiplications remain."
         )
+    expect_that(count <= 4, f"{count} multiplications", "at most 4 multiplications")
 
 
 # 9.4 A steady rotation, in one step and in many
 
 
-@pytest.mark.exercise("9.4")
+@pytest.mark.exercise("9.4", asks="at a constant rate about the world's X axis")
 def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
     about.read = SENSE
     size = positive_number(rng, 0.2, 4.0)
@@ -262,13 +216,19 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
             "You return only the new rotation. Multiply it by the orientation, on its right.": turn,
             "You rotate by half the angle.": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
             "You rotate by the rate alone.": hamilton(quad(X_AXIS, rate), q),
+            "You divide the rate by the duration. Multiply them.": hamilton(
+                quad(X_AXIS, rate / duration), q
+            ),
+            "You convert the angle to degrees. from_axis_angle takes radians.": hamilton(
+                quad(X_AXIS, math.degrees(rate * duration)), q
+            ),
             "You rotate in the opposite direction.": hamilton(quad(X_AXIS, -rate * duration), q),
             "You take a step of Eq. 9.5.": stepped(q, rate, duration, 1),
         }
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_kept("the orientation", rijk(orientation), q)
+        expect_kept("the orientation", rijk(orientation), q, "Work on orientation.copy() instead.")
     about.call = f"q = Quaternion{short(q)}; turned_by_sense(q, 0, 1).r = 9.0; q"
     about.cause = "You return q itself, so a change of the result also changes q. Return a copy."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
@@ -285,7 +245,12 @@ def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
     return tuple(component / length for component in q)
 
 
-@pytest.mark.exercise("9.4", weight=2)
+def angle_of(q: Quad) -> float:
+    """Return the angle of a rotation, from 0 to pi."""
+    return 2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0]))
+
+
+@pytest.mark.exercise("9.4", asks="normalize only after the last one", weight=2)
 def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
     about.read = BY_STEPS
     for q, steps, share in (
@@ -313,6 +278,12 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
             "Each of your steps takes the whole duration. Divide it by the number of "
             "steps.": stepped(q, rate, duration * steps, steps),
             f"You take a single step. Take {steps} steps instead.": stepped(q, rate, duration, 1),
+            "You divide the rate by the number of steps, too. Divide only the duration.": stepped(
+                q, rate / steps, duration, steps
+            ),
+            f"You take one step too many. Take {steps}.": stepped(
+                q, rate, duration * (steps + 1) / steps, steps + 1
+            ),
             "You don't normalize the result. Normalize it at the end.": [size * c for c in wanted],
             "You compute the exact rotation instead of taking steps of Eq. 9.5. Call add_scaled in "
             "each step.": hamilton(quad(X_AXIS, rate * duration), q),
@@ -328,16 +299,24 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         slips = {
             "You return half of the angle. Double it.": 0.5 * missing,
             "You return a negative angle.": -missing,
+            "You return the distance between the two quaternions. Return the angle of the rotation "
+            "from one to the other.": 2.0 * math.sin(0.25 * missing),
+            "You multiply the two orientations. Multiply one by the conjugate of the "
+            "other.": angle_of(hamilton(hamilton(quad(X_AXIS, rate * duration), q), wanted)),
+            "You subtract the angles of two rotations about different axes. Return the angle of "
+            "the rotation from one orientation to the other.": abs(
+                angle_of(hamilton(quad(X_AXIS, rate * duration), q)) - angle_of(wanted)
+            ),
             "You return the angle in degrees.": math.degrees(missing),
         }
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
             why = "You use acos, which loses half of the digits of a small angle. Use atan2."
         expect_close(error, missing, call=name, cause=why, unit="rad", tolerance=1e-11)
-        expect_kept("the orientation", rijk(orientation), q)
+        expect_kept("the orientation", rijk(orientation), q, "Work on orientation.copy() instead.")
 
 
-@pytest.mark.exercise("9.4")
+@pytest.mark.exercise("9.4", asks="the angle in radians, from 0 to pi")
 def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
@@ -348,53 +327,3 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
     expect_close(got, wanted, unit="rad", tolerance=1e-11)
-
-
-@pytest.mark.exercise("9.4")
-@pytest.mark.robust
-def test_rejects_invalid_rates_durations_and_steps() -> None:
-    bad = ((1, 0.0), (1, -1.0))
-    expect_finite_numbers(
-        "turned_by_sense(Quaternion(), rate={}, duration={})",
-        lambda rate, duration: turned_by_sense(Quaternion(), rate, duration),
-        (1, 2),
-        bad,
-        read=SENSE,
-    )
-    expect_finite_numbers(
-        "turned_by_steps(Quaternion(), rate={}, duration={})",
-        lambda rate, duration: turned_by_steps(Quaternion(), rate, duration),
-        (1, 2),
-        bad,
-        read=BY_STEPS,
-    )
-    for steps, error in ((0, ValueError), (-1, ValueError), (2.0, TypeError)):
-        about.cause = f"{steps!r} is not a whole number of at least 1, so raise {error.__name__}."
-        expect_error(
-            lambda steps=steps: turned_by_steps(Quaternion(), 1.0, 2.0, steps),
-            error,
-            call=f"turned_by_steps(Quaternion(), 1, 2, {steps})",
-            allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0, 3),
-            read=BY_STEPS,
-        )
-    about.cause = "The length of this quaternion is not 1, so raise ValueError."
-    for length in (2.0, 1.000002):
-        expect_error(
-            lambda length=length: turned_by_steps(Quaternion(length, 0.0, 0.0, 0.0), 1.0, 2.0),
-            ValueError,
-            call=f"turned_by_steps(Quaternion({length}, 0, 0, 0), 1, 2)",
-            allowed=lambda: [
-                turned_by_steps(Quaternion(near, 0.0, 0.0, 0.0), 1.0, 2.0)
-                for near in (1.0, 1.0 + 5e-7)
-            ],
-            read=BY_STEPS,
-        )
-    for name, function in (("sense", turned_by_sense), ("steps", turned_by_steps)):
-        expect_error(
-            lambda function=function: function((1.0, 0.0, 0.0, 0.0), 1.0, 2.0),
-            TypeError,
-            call=f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
-            allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
-            cause="The orientation is a tuple, not a Quaternion, so raise TypeError.",
-            read=FIRST_LINES,
-        )

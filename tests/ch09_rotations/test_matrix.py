@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from random import Random
 
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import Matrix3, Matrix4
+from ch09_rotations.matrix import Matrix3
 from draw import Components, components
 from expect import UNCHANGED, about, expect_close, expect_error, expect_unchanged, xyz
 from turning import (
@@ -38,7 +37,7 @@ def in_place(m: Nine, a: Components) -> Components:
     return x, y, m[6] * x + m[7] * y + m[8] * z
 
 
-@pytest.mark.exercise("B9.4")
+@pytest.mark.exercise("B9.4", asks="Multiply the matrix by the vector v")
 def test_a_matrix_times_a_vector(rng: Random) -> None:
     about.read = TIMES
     m, a = draw_matrix(rng), components(rng)
@@ -54,7 +53,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
         "You overwrite the old x before you compute y and z from it. Compute all three results "
         "before you store any of them.": in_place(m, a),
     }
-    why = named(got, about.cause, slips)
+    why = named(got, about.cause, slips, wanted)
     # Three products of numbers up to 90.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     changed = "Your code changes the vector, which it should only read. Return a new vector."
@@ -64,7 +63,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B9.4")
+@pytest.mark.exercise("B9.4", asks="a new matrix that applies m first")
 def test_a_matrix_times_a_matrix(rng: Random) -> None:
     about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
@@ -94,31 +93,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     expect_close(got, times(m, n), tolerance=1e-11)
 
 
-@pytest.mark.exercise("B9.4")
-@pytest.mark.robust
-def test_a_matrix_times_something_else_is_refused() -> None:
-    about.read = "the docstring at the top of matrix.py"
-    v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    about.cause = "The argument is a tuple. Raise TypeError if it is not a Vector3."
-    expect_error(
-        lambda: m.transform((1.0, 2.0, 3.0)),
-        TypeError,
-        call="Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
-        allowed=lambda: [m.transform(v), m.transform(Vector3(math.inf, math.nan, 0.0))],
-    )
-    twelve = Matrix4(1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6)
-    for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0), ("Matrix4(...)", twelve)):
-        kind = "number" if name == "2.0" else name.partition("(")[0]
-        about.cause = f"The argument is a {kind}. Raise TypeError if it is not a Matrix3."
-        expect_error(
-            lambda other=other: m.product(other),
-            TypeError,
-            call=f"Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).product({name})",
-            allowed=lambda: m.product(m),
-        )
-
-
-@pytest.mark.exercise("B9.4")
+@pytest.mark.exercise("B9.4", asks="Swap the rows and columns of the matrix")
 def test_rows_become_columns(rng: Random) -> None:
     about.read = "book 9.4.3"
     m = draw_matrix(rng)
@@ -126,14 +101,23 @@ def test_rows_become_columns(rng: Random) -> None:
     about.call = f"m = {written(m)}; m.transpose(), row by row"
     about.cause = "Row i of the matrix must become column i of the transpose."
     got = entries(matrix.transpose())
+    in_place = "Your code changes the matrix itself. Leave it as it is, and return a new Matrix3."
+    expect_unchanged("the matrix", entries(matrix), m, cause=in_place)
     other = transposed(m)[::-1]
     slips = {
         "You return the matrix itself.": m,
+        "You reverse the order of the rows. Swap rows and columns instead.": (
+            *m[6:],
+            *m[3:6],
+            *m[:3],
+        ),
+        "You reverse the order of the columns. Swap rows and columns instead.": [
+            m[3 * row + column] for row in range(3) for column in (2, 1, 0)
+        ],
         "You flip the matrix over the wrong diagonal.": other,
     }
     why = named(got, about.cause, slips, transposed(m))
     expect_close(got, transposed(m), cause=why, tolerance=0.0)
-    expect_unchanged("the matrix", entries(matrix), m, cause=UNCHANGED)
 
 
 def ring_and_swap() -> tuple[Nine, Nine]:
@@ -167,7 +151,15 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         + "this term instead.": right - 2.0 * product
         for name, product in products.items()
     }
-    return signs | {
+    left_out = {
+        f"With the rows (a, b, c), (d, e, f) and (g, h, i), your determinant lacks {name}. Add "
+        "this term.": right - product
+        for name, product in products.items()
+    }
+    plus = a * (e * i + f * h) - b * (d * i + f * g) + c * (d * h + e * g)
+    slips = {
+        "You add in the parentheses. The determinant is a (e i - f h) - b (d i - f g) + "
+        "c (d h - e g).": plus,
         "Your determinant has the wrong sign."
         + " It must be negative here, so don't take its absolute value, and check which terms you "
         "subtract." * (right < 0.0): -right,
@@ -180,9 +172,10 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         + b * d * i
         + a * f * h,
     }
+    return signs | left_out | slips
 
 
-@pytest.mark.exercise("B9.5")
+@pytest.mark.exercise("B9.5", asks="the factor by which the matrix scales volumes")
 def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
@@ -212,7 +205,18 @@ def test_the_determinant(rng: Random) -> None:
     expect_close(got, determinant(n), tolerance=1e-31)
 
 
-@pytest.mark.exercise("B9.5", weight=2)
+def unsigned(m: Nine) -> Nine:
+    """Return the inverse of a matrix as it comes out without the signs of the cofactors."""
+    a, b, c, d, e, f, g, h, i = m
+    minors = (
+        *(e * i - f * h, d * i - f * g, d * h - e * g),
+        *(b * i - c * h, a * i - c * g, a * h - b * g),
+        *(b * f - c * e, a * f - c * d, a * e - b * d),
+    )
+    return tuple(minor / determinant(m) for minor in transposed(minors))
+
+
+@pytest.mark.exercise("B9.5", asks="a new matrix that undoes the effect of this one", weight=2)
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     about.read = INVERSE
     m = draw_matrix(rng)
@@ -253,11 +257,30 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             "You divide by the absolute value of the determinant. Keep its sign.": [
                 -one for one in IDENTITY
             ],
+            "You multiply by the determinant. Divide by it instead.": [
+                determinant(n) ** 2 * one for one in IDENTITY
+            ],
             "You return the transpose. It is the inverse only if the matrix is a rotation.": times(
                 n, transposed(n)
             ),
             "You return the matrix itself instead of its inverse.": times(n, n),
         }
+        for column, name in enumerate(("v x w", "w x u", "u x v")):
+            flipped = [-one if 4 * column == place else one for place, one in enumerate(IDENTITY)]
+            slips[
+                f"Column {column + 1} of your inverse has the wrong sign. With the rows u, v and w "
+                f"it is {name}, in this order, divided by the determinant."
+            ] = flipped
+        if scale == 1.0:
+            minors = unsigned(n)
+            slips[
+                "You leave out the minus signs of the cofactors. In a pattern like that of a "
+                "chessboard, every second number needs one."
+            ] = times(n, minors)
+            slips[
+                "You return the reciprocal of each number. To invert a matrix, you need the "
+                "determinant and products of its rows."
+            ] = times(n, [1.0 / number for number in n])
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
@@ -295,7 +318,7 @@ def expect_no_inverse(m: Nine) -> None:
     )
 
 
-@pytest.mark.exercise("B9.5")
+@pytest.mark.exercise("B9.5", asks="reject a matrix if its determinant is too small")
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause = (
@@ -316,7 +339,7 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
             expect_no_inverse(tuple(scale * number for number in (*a, *b, *third)))
 
 
-@pytest.mark.exercise("B9.5")
+@pytest.mark.exercise("B9.5", asks="at most SINGULAR (1e-13) times the product")
 @pytest.mark.robust
 def test_how_near_to_singular_is_too_near() -> None:
     about.read = INVERSE
@@ -337,15 +360,3 @@ def test_how_near_to_singular_is_too_near() -> None:
         about.call = f"m = {written(m)}; m.inverse().entries[0]"
         got = entries(Matrix3(*m).inverse())
         expect_close(got[0] if isinstance(got, tuple) else got, 0.5)
-
-
-@pytest.mark.exercise("B9.5", weight=0.5)
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [math.nan, math.inf])
-def test_a_matrix_that_is_not_finite_has_no_inverse(bad: float) -> None:
-    about.cause = (
-        "Every comparison with NaN is False. Write `if not abs(determinant) > limit`, which also "
-        "catches NaN."
-    )
-    expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
-    expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from random import Random
 
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import Matrix3, Matrix4
+from ch09_rotations.matrix import Matrix4
 from draw import Components, components
 from expect import about, expect_close, expect_error, xyz
 from turning import (
@@ -35,10 +34,9 @@ from turning import (
 POINT = "book 9.4.2, and the docstring of Matrix4.transform"
 TIMES = "book 9.4.2, and the docstring of Matrix4.product"
 INVERSE = "book 9.4.3, and the docstring of Matrix4.inverse"
-FIRST_LINES = "the docstring at the top of matrix.py"
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="add the translation, and return a new vector")
 def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     about.read = POINT
     m, p, a = draw_matrix(rng), components(rng), components(rng)
@@ -60,6 +58,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
         "You subtract the translation. Add it instead.": subtracted(applied(m, a), p),
         "You use the first nine entries as the rotation, but every fourth entry belongs to the "
         "translation.": applied(twelve[:9], a),
+        "You use the last three entries as the translation. The entries are stored row by row, so "
+        "every fourth entry belongs to the translation.": added(applied(twelve[:9], a), twelve[9:]),
     }
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
@@ -69,7 +69,7 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     expect_close(got, moved(m, p, a), tolerance=LOOSE)
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="a new matrix that applies m first")
 def test_one_transformation_after_another(rng: Random) -> None:
     about.read = TIMES
     m, p, n, q = draw_matrix(rng), components(rng), draw_matrix(rng), components(rng)
@@ -87,6 +87,13 @@ def test_one_transformation_after_another(rng: Random) -> None:
         "You rotate both translations to get the last column.": joined(
             times(m, n), applied(m, added(p, q))
         ),
+        "Your last column is b.transform(p), where p is the translation of a. Swap a and b in "
+        "it.": joined(times(m, n), moved(n, q, p)),
+        "You multiply the 3x3 parts in the wrong order. The 3x3 part of a is on the left.": joined(
+            times(n, m), moved(m, p, q)
+        ),
+        "You multiply each number of a by the number of b in the same position. Multiply rows by "
+        "columns.": [x * y for x, y in zip(first, second, strict=True)],
         "Your result is the product in the other order, b.product(a). Swap the two "
         "factors.": joined(times(n, m), moved(n, q, p)),
     }
@@ -139,7 +146,7 @@ def overwritten(m: Nine, p: Components) -> tuple[Nine, Components]:
     return (*d[0:3], *d[4:7], *d[8:11]), (d[3], d[7], d[11])
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="Compute the determinant of the 3x3 part")
 def test_the_determinant_ignores_the_translation(rng: Random) -> None:
     about.read = "book 9.4.3, and E-28"
     m, p = draw_mirror(rng), components(rng)
@@ -164,7 +171,7 @@ def test_the_determinant_ignores_the_translation(rng: Random) -> None:
     expect_close(got, determinant(small), tolerance=1e-31)
 
 
-@pytest.mark.exercise("B9.14", weight=2)
+@pytest.mark.exercise("B9.14", asks="by the negative of the translation", weight=2)
 def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     about.read = INVERSE
     drawn = draw_matrix(rng)
@@ -194,6 +201,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
             "The translation of the inverse should be -A p, where p is the translation of m, and A "
             "is the inverse of its 3x3 part."
         )
+        if isinstance(got, tuple) and len(got) == 9:
+            about.cause = "Your result is a Matrix3. Return a Matrix4, with a translation too."
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
             got = moved(linear, move, there)
@@ -202,12 +211,17 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 applied(transposed(m), subtracted(there, p)),
             )
             slips = {
+                "You don't invert the 3x3 part. Use Matrix3.inverse.": subtracted(
+                    applied(m, there), applied(m, p)
+                ),
                 "You use -p as the translation.": subtracted(plain, p),
                 "You use p as the translation.": added(plain, p),
                 "You leave out the minus sign of the translation.": added(
                     plain, applied(linear, p)
                 ),
                 "Your inverse has no translation.": plain,
+                "You multiply the translation by the 3x3 part of m. Multiply it by the inverse of "
+                "this part instead.": subtracted(plain, applied(m, p)),
                 "You transpose the 3x3 part, but the transpose is the inverse only for a rotation. "
                 "Use Matrix3.inverse instead.": turned_back,
                 "You don't divide by the determinant. Use Matrix3.inverse, which does.": [
@@ -226,54 +240,23 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         expect_kept("m", entries(matrix), twelve)
 
 
-@pytest.mark.exercise("B9.14")
+@pytest.mark.exercise("B9.14", asks="if Matrix3.inverse rejects the 3x3 part")
 @pytest.mark.robust
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
     singular = "The 3x3 part of this matrix is singular, so the matrix has no inverse. "
-    infinite = "The 3x3 part contains infinity or NaN, so the matrix has no inverse. "
     planes = []
     for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
         a, b = components(rng), components(rng)
         plane = (*a, *b, *(1.3 * x - 0.7 * y for x, y in zip(a, b, strict=True)))
         planes += [plane, tuple(1e6 * number for number in plane)]
-    bad = [(*plane[:4], n, *IDENTITY[5:]) for n in (math.nan, math.inf)]
-    for linear in (flat, (0.0,) * 9, *planes, *bad):
+    for linear in (flat, (0.0,) * 9, *planes):
         twelve = joined(linear, components(rng))
-        about.cause = infinite if linear in bad else singular
-        about.cause += "Raise ValueError, as Matrix3.inverse does for the 3x3 part."
+        about.cause = f"{singular}Raise ValueError, as Matrix3.inverse does for the 3x3 part."
         expect_error(
             lambda twelve=twelve: Matrix4(*twelve).inverse(),
             ValueError,
             call=f"m = {written(twelve, exact=True)}; m.inverse()",
             allowed=lambda: Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))).inverse(),
-        )
-
-
-def small_pair() -> tuple:
-    """Return a Matrix4, and two objects of other types: a Matrix3 and a tuple."""
-    return Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))), Matrix3(*IDENTITY), (1.0, 2.0, 3.0)
-
-
-@pytest.mark.exercise("B9.14")
-@pytest.mark.robust
-def test_rejects_other_vectors_and_matrices() -> None:
-    about.read = FIRST_LINES
-    matrix, nine, three = small_pair()
-    v = Vector3(1.0, 2.0, 3.0)
-    for name, attempt, allowed in (
-        ("m.transform((1, 2, 3))", lambda: matrix.transform(three), lambda: matrix.transform(v)),
-        ("m.product(Matrix3(...))", lambda: matrix.product(nine), lambda: matrix.product(matrix)),
-        ("m.product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
-    ):
-        kind = "vector" if "Vector3" in name else "Matrix3"
-        about.cause = f"The argument is a {kind}, not a Matrix4, so raise TypeError."
-        if "transform" in name:
-            about.cause = "The argument is a tuple, not a Vector3, so raise TypeError."
-        expect_error(
-            attempt,
-            TypeError,
-            call=f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); {name}",
-            allowed=allowed,
         )

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4, change_basis
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components
-from expect import about, expect_close, expect_error, xyz
+from expect import about, expect_close, xyz
 from turning import (
     LOOSE,
     TIGHT,
@@ -38,13 +38,12 @@ from turning import (
 
 WORLD = "book 9.4.5"
 BASIS = "book 9.4.6, and the docstring of change_basis"
-FIRST_LINES = "the docstring at the top of matrix.py"
 METHODS = pytest.mark.parametrize(
     "method", ["transform_inverse", "transform_direction", "transform_inverse_direction"]
 )
 
 
-@pytest.mark.exercise("B9.15")
+@pytest.mark.exercise("B9.15", asks="the matrix rotates by q and then adds p")
 def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     about.read = "book 9.4.4"
     q, p = draw_quad(rng), components(rng)
@@ -64,7 +63,8 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
         "Your last column is -p instead of p.": joined(m, subtracted((0.0, 0.0, 0.0), p)),
         "You put the position after the nine numbers of the rotation. The entries are stored row "
         "by row, so put each component at the end of its row.": (*m, *p),
-        "You transpose the rotation, as the book prints it (E-11).": joined(transposed(m), p),
+        "You transpose the rotation. Either you copy the book's matrix (E-11), or you use the "
+        "conjugate of q.": joined(transposed(m), p),
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -77,59 +77,6 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
     expect_kept("q", rijk(orientation), near)
-
-
-@pytest.mark.exercise("B9.15")
-@pytest.mark.robust
-def test_rejects_an_invalid_orientation_or_position() -> None:
-    about.read = "the docstring of from_orientation_and_position"
-    p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
-    off = (
-        "The length of this quaternion is not 1, so it is not an orientation. Call "
-        "Matrix3.from_quaternion, which raises ValueError."
-    )
-    for name, attempt, error, cause in (
-        (
-            "Quaternion(0.6, 0, 0.81, 0), Vector3(1, 2, 3)",
-            lambda: Matrix4.from_orientation_and_position(Quaternion(0.6, 0.0, 0.81, 0.0), p),
-            ValueError,
-            off,
-        ),
-        (
-            "Quaternion(0.6000012, 0, 0.8000016, 0), Vector3(1, 2, 3)",
-            lambda: Matrix4.from_orientation_and_position(
-                Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
-            ),
-            ValueError,
-            "The length of this quaternion is 1 + 2e-6, which is too far from 1 for is_unit(), so "
-            "raise ValueError.",
-        ),
-        (
-            "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
-            lambda: Matrix4.from_orientation_and_position(Quaternion(math.nan, 0.0, 0.0, 0.0), p),
-            ValueError,
-            off,
-        ),
-        (
-            "(0.6, 0, 0.8, 0), Vector3(1, 2, 3)",
-            lambda: Matrix4.from_orientation_and_position((0.6, 0.0, 0.8, 0.0), p),
-            TypeError,
-            "The orientation is a tuple, not a Quaternion, so raise TypeError.",
-        ),
-        (
-            "Quaternion(0.6, 0, 0.8, 0), (1, 2, 3)",
-            lambda: Matrix4.from_orientation_and_position(q, (1.0, 2.0, 3.0)),
-            TypeError,
-            "The position is a tuple, not a Vector3, so raise TypeError.",
-        ),
-    ):
-        about.cause = cause
-        expect_error(
-            attempt,
-            error,
-            call=f"Matrix4.from_orientation_and_position({name})",
-            allowed=lambda: Matrix4.from_orientation_and_position(q, p),
-        )
 
 
 def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str, Components]:
@@ -146,6 +93,7 @@ def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str,
     to_go_back = " To rotate back, multiply by the transpose of the 3x3 part."
     if method == "transform_inverse":
         shifted += to_go_back
+        reversed_ = "You rotate the vector back but don't subtract the translation."
     elif method == "transform_inverse_direction":
         rotated += to_go_back
     else:
@@ -160,6 +108,7 @@ def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str,
         "You rotate back and then subtract the translation.": subtracted(applied(back, a), p),
         "You rotate back and then add the translation.": moved(back, p, a),
         "You add the translation and then rotate back.": applied(back, added(a, p)),
+        "You subtract the vector from the translation.": applied(back, subtracted(p, a)),
     }
     general = "You use a general inverse, which is slower and differs slightly from the transpose "
     general += "here. "
@@ -171,7 +120,7 @@ def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str,
     return slips
 
 
-@pytest.mark.exercise("B9.15")
+@pytest.mark.exercise("B9.15", asks="then multiply by the transpose of the 3x3 part")
 @METHODS
 def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     about.read = f"{WORLD}, and the docstring of {method}"
@@ -205,49 +154,38 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     expect_kept("the matrix", entries(matrix), twelve)
 
 
-@pytest.mark.exercise("B9.15")
-@pytest.mark.robust
-@METHODS
-def test_rejects_a_tuple_instead_of_a_vector(rng: Random, method: str) -> None:
-    twelve, a = joined(matrix_of(draw_quad(rng)), components(rng)), components(rng)
-    matrix = Matrix4(*twelve)
-    expect_error(
-        lambda: getattr(matrix, method)(a),
-        TypeError,
-        call=f"m = {written(twelve)}; m.{method}({a})",
-        allowed=lambda: getattr(matrix, method)(Vector3(*a)),
-        cause="The argument is a tuple, not a Vector3, so raise TypeError.",
-        read=FIRST_LINES,
-    )
-
-
-@pytest.mark.exercise("B9.16")
-def test_a_rotation_in_other_axes() -> None:
+@pytest.mark.exercise("B9.16", asks="It converts them to the old basis, applies m")
+def test_a_rotation_in_other_axes(rng: Random) -> None:
     about.read = BASIS
+    about.cause = "Return basis @ m @ basis.inverse()."
+    # Rotations about no axis of their own tell all mistakes apart.
+    m, basis = matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))
+    about.call = f"m = {written(m)}; basis = {written(basis)}; change_basis(m, basis), row by row"
+    got = entries(change_basis(Matrix3(*m), Matrix3(*basis)))
+    back = transposed(basis)
+    slips = {
+        "You swap basis and its inverse, so you return basis.inverse() @ m @ basis.": times(
+            times(back, m), basis
+        ),
+        "You return basis @ m, without the inverse on the right.": times(basis, m),
+        "You return only m @ basis.": times(m, basis),
+        "You return m @ basis.inverse(), without the basis on the left.": times(m, back),
+        "You return only basis.inverse() @ m.": times(back, m),
+        "You return basis @ m @ basis, without the inverse.": times(times(basis, m), basis),
+        "You use the inverse of m. Use m itself.": times(times(basis, transposed(m)), back),
+        "m itself": m,
+    }
+    why = named(got, about.cause, slips)
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
     about.call = f"m = {written(about_z)}; basis = {written(z_to_x)}; change_basis(m, basis), row "
     about.call += "by row"
-    about.cause = "Return basis @ m @ basis.inverse()."
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = tuple(round(n, 15) for n in matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi)))
-    back = transposed(z_to_x)
-    slips = {
-        "You swap basis and its inverse, so you return basis.inverse() @ m @ basis.": times(
-            times(back, about_z), z_to_x
-        ),
-        "You return basis @ m, without the inverse on the right.": times(z_to_x, about_z),
-        "You return only m @ basis.": times(about_z, z_to_x),
-        "You return m @ basis.inverse(), without the basis on the left.": times(about_z, back),
-        "You return only basis.inverse() @ m.": times(back, about_z),
-        "You return basis @ m @ basis, without the inverse.": times(times(z_to_x, about_z), z_to_x),
-        "m itself": about_z,
-    }
-    why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.16")
+@pytest.mark.exercise("B9.16", asks="as the product basis * m * basis^-1")
 def test_any_matrix_in_any_axes(rng: Random) -> None:
     about.read = BASIS
     m, basis = draw_matrix(rng), draw_mirror(rng)
@@ -268,7 +206,7 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     expect_kept("basis", entries(other), basis)
 
 
-@pytest.mark.exercise("B9.16")
+@pytest.mark.exercise("B9.16", asks="both a Matrix4, whose translations count too")
 def test_a_motion_with_a_translation(rng: Random) -> None:
     about.read = BASIS
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
@@ -288,41 +226,3 @@ def test_a_motion_with_a_translation(rng: Random) -> None:
     wanted = moved(basis, q, moved(m, p, a))
     # Three products of numbers up to 90.
     expect_close(got, wanted, tolerance=1e-9)
-
-
-@pytest.mark.exercise("B9.16")
-@pytest.mark.robust
-def test_a_basis_must_fit(rng: Random) -> None:
-    about.read = BASIS
-    nine, twelve = draw_mirror(rng), joined(draw_matrix(rng), components(rng))
-    small, large = Matrix3(*nine), Matrix4(*twelve)
-    flat = Matrix3(*(0.0,) * 9)
-    v = Vector3(1.0, 2.0, 3.0)
-    sizes = (
-        "m and basis have different sizes, so you can't multiply them. Raise TypeError unless "
-        "type(m) is type(basis)."
-    )
-    none = "The argument {} is a vector, not a matrix, so raise TypeError."
-    none_m, none_basis = none.format("m"), none.format("basis")
-    for name, attempt, error, cause in (
-        ("Matrix3(...), Matrix4(...)", lambda: change_basis(small, large), TypeError, sizes),
-        ("Matrix4(...), Matrix3(...)", lambda: change_basis(large, small), TypeError, sizes),
-        ("Vector3(...), Vector3(...)", lambda: change_basis(v, v), TypeError, none_m),
-        ("Vector3(...), Matrix3(...)", lambda: change_basis(v, small), TypeError, none_m),
-        ("Matrix3(...), Vector3(...)", lambda: change_basis(small, v), TypeError, none_basis),
-        ("Matrix4(...), Vector3(...)", lambda: change_basis(large, v), TypeError, none_basis),
-        (
-            "Matrix3(...), a Matrix3 of zeros",
-            lambda: change_basis(small, flat),
-            ValueError,
-            "This basis is singular, so it has no inverse. basis.inverse() raises ValueError, so "
-            "let this error through.",
-        ),
-    ):
-        about.cause = cause
-        expect_error(
-            attempt,
-            error,
-            call=f"change_basis({name})",
-            allowed=lambda: [change_basis(small, small), change_basis(large, large)],
-        )

@@ -1,4 +1,4 @@
-"""What a quaternion turns: build tasks B9.9 and B9.10."""
+"""Quaternions, axes and angles: build task B9.9."""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
-from draw import Components, components
+from draw import Components
 from expect import (
     about,
     expect_close,
     expect_error,
-    expect_unchanged,
     expect_vector,
     scoped,
     xyz,
@@ -26,25 +25,35 @@ from turning import (
     draw_quad,
     draw_turn,
     expect_kept,
-    hamilton,
     named,
     quad,
     rijk,
     same_sign,
     short,
-    turned,
 )
 
 MAKE = "book 9.2.4, Eq. 9.4, and the docstring of from_axis_angle"
 BACK = "the docstring of to_axis_angle"
-ROTATE = "the docstring of rotate"
-FIRST_LINES = "the docstring at the top of quaternion.py"
 
 
 def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
+    r, *vector = quad(axis, angle)
+    plain = (cosine, *(component * sine for component in axis))
     return {
+        "You use half of the angle in the cosine, but the whole angle in the sine.": (
+            cosine,
+            *quad(axis, 2.0 * angle)[1:],
+        ),
+        "You use half of the angle in the sine, but the whole angle in the cosine.": (
+            math.cos(angle),
+            *vector,
+        ),
+        "You divide the angle by 4. Divide it by 2 only.": quad(axis, 0.5 * angle),
+        "You put r last. It is the first argument of Quaternion.": (*vector, r),
+        "You normalize the quaternion instead of the axis. Normalize the axis before you multiply "
+        "it by the sine.": tuple(component / math.hypot(*plain) for component in plain),
         "You use the whole angle. Use half the angle instead.": quad(axis, 2.0 * angle),
         "You use the whole angle instead of half of it, and you don't normalize the axis.": (
             math.cos(angle),
@@ -59,7 +68,7 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     }
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="Create the quaternion of a rotation by angle")
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
     about.cause = "The scalar part is cos(angle / 2), and the vector part is the normalized axis "
@@ -93,7 +102,7 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
     expect_close(got, quad(axis, angle), tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="Only the direction of the axis matters")
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
     expect_any_length(
         rng,
@@ -102,7 +111,7 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="so the axis may have any length except 0")
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
@@ -111,7 +120,7 @@ def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
         expect_any_length(rng, scale, about.cause)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="if the axis is zero or a number is not finite")
 @pytest.mark.robust
 def test_rejects_an_invalid_axis_or_angle() -> None:
     about.read = MAKE
@@ -136,7 +145,7 @@ def test_rejects_an_invalid_axis_or_angle() -> None:
         TypeError,
         call="Quaternion.from_axis_angle((0, 1, 1), 1.0)",
         allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
-        read=FIRST_LINES,
+        read=MAKE,
     )
 
 
@@ -146,6 +155,8 @@ def axis_angle_of(q: Quad) -> tuple:
     about(f"q = Quaternion{short(q)}; q.to_axis_angle()", read=BACK)
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
+    if isinstance(axis, float):
+        about.cause = "You return the angle first. Return the axis and then the angle."
     got = expect_vector(axis, then=", the axis")
     expect_kept("q", rijk(quaternion), q)
     return got, angle
@@ -164,7 +175,7 @@ def expect_small_turn(unit: Components, small: float) -> None:
     expect_close(got, unit, then="the axis", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9", weight=2)
+@pytest.mark.exercise("B9.9", asks="a new unit vector, and an angle from 0 to pi", weight=2)
 def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
     about.read = BACK
     about.cause = "The angle is 2 atan2(|(i, j, k)|, |r|), and the axis is (i, j, k), normalized."
@@ -186,6 +197,9 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
             "You return the angle in degrees. Return it in radians.": math.degrees(angle),
             "Your angle has the wrong sign.": -angle,
             "You return half of the angle for the longer way around.": math.pi - 0.5 * angle,
+            "Your angle is pi minus the right one, because you treat r as the sine of half the "
+            "angle. Either you swap the two arguments of atan2, or you use asin(r). The sine is "
+            "the length of (i, j, k), and it is the first argument of atan2.": math.pi - angle,
         }
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle in radians", cause=why, tolerance=TIGHT)
@@ -197,7 +211,7 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="any axis would be correct, so return X")
 def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     about.read = BACK
     axis, _ = draw_turn(rng)
@@ -228,14 +242,14 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_close(turn, wanted, then="the angle in radians", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = (
-        "You probably compute the angle with acos, which fails near 0, because the cosine rounds "
-        "to 1. Use atan2 instead, and don't treat a small angle as 0."
+        "Either you compute the angle with acos, which fails near 0, because the cosine rounds to "
+        "1, or you treat a small angle as 0. Use atan2 for all angles."
     )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
 
 
-@pytest.mark.exercise("B9.9")
+@pytest.mark.exercise("B9.9", asks="for angles as small as 1e-200")
 @pytest.mark.robust
 def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     axis, _ = draw_turn(rng)
@@ -248,7 +262,7 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     expect_small_turn(unit, 1e-200)
 
 
-@pytest.mark.exercise("B9.9", weight=0.5)
+@pytest.mark.exercise("B9.9", asks="for every length that is_unit accepts", weight=0.5)
 def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     about.read = BACK
     drawn = draw_quad(rng)
@@ -270,7 +284,7 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
             expect_close(got, axis, then="the axis", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.9", weight=0.5)
+@pytest.mark.exercise("B9.9", asks="Convert the rotation to an axis, which is a new", weight=0.5)
 def test_each_axis_is_a_new_vector() -> None:
     about.read = BACK
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
@@ -285,108 +299,21 @@ def test_each_axis_is_a_new_vector() -> None:
     expect_close(xyz(second), X_AXIS, tolerance=0.0)
 
 
-@scoped
-def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
-    """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
-    about(
-        cause="The length of this quaternion is not 1, so it is not a rotation. Call is_unit() "
-        "first, and raise ValueError if it returns False.",
-        read=read,
-    )
+@pytest.mark.exercise("B9.9", asks="if the length is not 1 (is_unit)")
+@pytest.mark.robust
+def test_to_axis_angle_rejects_all_but_unit_quaternions(rng: Random) -> None:
+    about.read = BACK
+    about.cause = "The length of this quaternion is not 1, so it is not a rotation. Call is_unit() "
+    about.cause += "first, and raise ValueError if it returns False."
+    q = draw_quad(rng)
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
         scaled = tuple(component * length for component in q)
         expect_error(
-            lambda scaled=scaled: use(Quaternion(*scaled)),
+            lambda scaled=scaled: Quaternion(*scaled).to_axis_angle(),
             ValueError,
-            call=f"q = Quaternion{short(scaled)}, whose length is {length}; q{what}",
+            call=f"q = Quaternion{short(scaled)}, whose length is {length}; q.to_axis_angle()",
             allowed=lambda: [
-                use(Quaternion(*(component * near for component in q)))
+                Quaternion(*(component * near for component in q)).to_axis_angle()
                 for near in (1.0 + 5e-7, 1.0 - 5e-7)
-            ],
-        )
-
-
-@pytest.mark.exercise("B9.9")
-@pytest.mark.robust
-def test_to_axis_angle_rejects_all_but_unit_quaternions(rng: Random) -> None:
-    expect_unit_wanted(".to_axis_angle()", lambda q: q.to_axis_angle(), draw_quad(rng), BACK)
-
-
-def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
-    """Return the results of likely mistakes in rotate."""
-    back = (q[0], -q[1], -q[2], -q[3])
-    once = hamilton(q, (0.0, *v))
-    return {
-        "Your code ignores the sign of r, which is negative here. Use the component r "
-        "itself.": turned((abs(q[0]), *q[1:]), v),
-        "You compute q* (0, v) q, which rotates in the opposite direction. Put the conjugate q* on "
-        "the right.": turned(back, v),
-        "You compute q (0, v), without q* on the right. Multiply by q* too.": once[1:],
-        "You compute (0, v) q*, without q on the left. Multiply by it too.": hamilton(
-            (0.0, *v), back
-        )[1:],
-        "You compute q (0, v) q. Use the conjugate of q on the right.": hamilton(once, q)[1:],
-        "the original v": v,
-    }
-
-
-@pytest.mark.exercise("B9.10", weight=2)
-def test_rotates_a_vector(rng: Random) -> None:
-    about.read = ROTATE
-    half = math.sqrt(0.5)
-    about.call = f"q = Quaternion({half:.6g}, 0, 0, {half:.6g}), a rotation by 90 degrees about Z; "
-    about.call += "q.rotate(Vector3(1, 0, 0))"
-    about.cause = (
-        "Compute q (0, v) q*, where q* is the conjugate of q, and (0, v) is the quaternion with r "
-        "= 0 and the vector part v."
-    )
-    got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
-    why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
-    expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
-    about.cause = (
-        "Return the vector part of q (0, v) q*, which is v + 2 r (u x v) + 2 u x (u x v) with u = "
-        "(i, j, k)."
-    )
-    for sign in (1.0, -1.0, 1.0 + 5e-7):
-        q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
-        quaternion, v = Quaternion(*q), Vector3(*a)
-        about.call = f"q = Quaternion{short(q)}; q.rotate(Vector3{short(a)})"
-        got = xyz(quaternion.rotate(v))
-        # Rounding of a vector of length up to 17, or the effect of a length that is off by 5e-7.
-        near = 1e-11 if abs(sign) == 1.0 else 1e-4
-        why = named(got, about.cause, rotate_slips(q, a))
-        expect_close(got, turned(q, a), cause=why, tolerance=near)
-        expect_kept("the vector", xyz(v), a)
-        expect_kept("q", rijk(quaternion), q)
-    about.call = f"v = Vector3{short(a)}; Quaternion().rotate(v).invert(); v"
-    about.cause = (
-        "You return v itself, so a change of the result also changes v. Return a new vector, even "
-        "if the rotation is by 0."
-    )
-    same = Quaternion().rotate(v)
-    same.invert()
-    expect_unchanged("v", xyz(v), a)
-
-
-@pytest.mark.exercise("B9.10")
-@pytest.mark.robust
-def test_rotate_rejects_all_but_unit_quaternions(rng: Random) -> None:
-    v = Vector3(1.0, 2.0, 3.0)
-    expect_unit_wanted(".rotate(Vector3(1, 2, 3))", lambda q: q.rotate(v), draw_quad(rng), ROTATE)
-
-
-@pytest.mark.exercise("B9.10")
-@pytest.mark.robust
-def test_rotate_rejects_all_but_vectors(rng: Random) -> None:
-    about(cause="The argument is not a Vector3, so raise TypeError.", read=FIRST_LINES)
-    q = draw_quad(rng)
-    for other in ((1.0, 2.0, 3.0), 1.0):
-        expect_error(
-            lambda other=other: Quaternion(*q).rotate(other),
-            TypeError,
-            call=f"Quaternion{short(q)}.rotate({other})",
-            allowed=lambda: [
-                Quaternion(*q).rotate(Vector3(*any_will_do))
-                for any_will_do in ((1.0, 2.0, 3.0), (math.inf, math.nan, 0.0))
             ],
         )

@@ -157,6 +157,7 @@ def named(
 
     A slip that is not a sentence completes "Your result is". If no slip gives these numbers, but
     only one or two numbers of a matrix differ from ``wanted``, name their rows and columns instead.
+    Of a vector or a quaternion, name the only component that differs.
     """
     sentences = {
         slip if slip.endswith(".") else f"Your result is {slip}.": slips[slip] for slip in slips
@@ -164,24 +165,43 @@ def named(
     likely = expect.named(got, cause, sentences)
     if likely != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
         return likely
-    columns, near = len(wanted) // 3, 1e-9 * max(map(abs, wanted))
+    near = 1e-9 * max(map(abs, wanted))
     if not all(type(g) in (int, float) for g in got):
         return cause
     wrong = {  # whether only the sign is wrong, keyed by the place
-        f"row {place // columns + 1}, column {place % columns + 1}": abs(g + w) <= near
+        _place(len(wanted), place): abs(g + w) <= near
         for place, (g, w) in enumerate(zip(got, wanted, strict=True))
         if not abs(g - w) <= near
     }
-    if len(wrong) not in (1, 2):
+    if len(wanted) < 9 and len(wrong) == 1:
+        ((component, sign),) = wrong.items()
+        return f"Only {'the sign of ' * sign}{component} is wrong. {cause}"
+    if len(wrong) not in (1, 2) or len(wanted) < 9:
         return cause
     what = ("the sign in ", "the signs in ")[len(wrong) - 1] if all(wrong.values()) else ""
     return f"Your matrix is right except for {what}{' and '.join(wrong)}. {cause}"
 
 
-def expect_kept(name: str, now: Sequence[float], before: Sequence[float]) -> None:
-    """Expect that a call did not change an object that it should only read."""
+def _place(count: int, place: int) -> str:
+    """Return the name of a component of a vector or quaternion, or the place in a matrix."""
+    if count < 9:
+        return ("xyz" if count == 3 else "rijk")[place]
+    columns = count // 3
+    return f"row {place // columns + 1}, column {place % columns + 1}"
+
+
+def expect_kept(
+    name: str,
+    now: Sequence[float],
+    before: Sequence[float],
+    instead: str = "Use local variables instead.",
+) -> None:
+    """Expect that a call did not change an object that it should only read.
+
+    ``instead`` says what to do instead.
+    """
     __tracebackhide__ = True
-    cause = f"Your code changes {name}, which it should only read. Use local variables instead."
+    cause = f"Your code changes {name}, which it should only read. {instead}"
     expect.expect_unchanged(name, now, before, cause=cause)
 
 

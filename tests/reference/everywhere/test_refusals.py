@@ -59,10 +59,12 @@ from ch08_mass_aggregate.tilting_platform import balancing_mass
 from ch08_mass_aggregate.trebuchet import PIVOT_HEIGHT, START, Design
 from ch08_mass_aggregate.wheel import Wheel
 from ch08_mass_aggregate.world import ParticleWorld
-from ch09_rotations.euler import rate_map
+from ch09_rotations import exercises as rotation_exercises
+from ch09_rotations.angular import first_order_drift, integrate_rotation, velocity_of_point
+from ch09_rotations.euler import euler_rates, rate_map
 from ch09_rotations.free_box import FreeBox
-from ch09_rotations.matrix import Matrix3, Matrix4
-from ch09_rotations.plane import angle_to_vector
+from ch09_rotations.matrix import Matrix3, Matrix4, change_basis
+from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, wrap_angle
 from ch09_rotations.quaternion import Quaternion
 
 NAN, INF = math.nan, math.inf
@@ -255,7 +257,21 @@ VALUES: dict[str, list[Refused]] = {
     "ch09_rotations": [
         ("y", NAN, lambda x: rate_map(0, x, 0)),
         ("z", NAN, lambda x: rate_map(0, 0, x)),
-        ("angle", INF, lambda x: angle_to_vector(x)),
+        *(("angle", INF, call) for call in (wrap_angle, angle_to_vector)),
+        ("point[0]", NAN, lambda x: rotate_point((x, 0.0), 1.0, (0.0, 0.0))),
+        ("origin[1]", NAN, lambda x: rotate_point((0.0, 0.0), 1.0, (0.0, x))),
+        ("masses", 0.0, lambda x: center_of_mass([x], [(0.0, 0.0)])),
+        ("positions", INF, lambda x: center_of_mass([1.0], [(0.0, x)])),
+        ("vector", NOWHERE, lambda x: Quaternion().rotate_by(x)),
+        ("scale", INF, lambda x: Quaternion().add_scaled(UP, x)),
+        ("angular_velocity", NOWHERE, lambda x: euler_rates(0.0, 0.0, 0.0, x)),
+        ("point", NOWHERE, lambda x: velocity_of_point(x, UP, UP, UP)),
+        ("duration", 0.0, lambda x: integrate_rotation(Quaternion(), UP, UP, x)),
+        ("angular_acceleration", NOWHERE, lambda x: integrate_rotation(Quaternion(), UP, x, 1.0)),
+        ("angular_speed", INF, lambda x: first_order_drift(x, 1.0, 1)),
+        ("steps", 0, lambda x: first_order_drift(1.0, 1.0, x)),
+        ("rate", NAN, lambda x: rotation_exercises.turned_by_sense(Quaternion(), x, 1.0)),
+        ("steps", 0, lambda x: rotation_exercises.turned_by_steps(Quaternion(), 1.0, 1.0, x)),
         ("mass", 0.0, lambda x: FreeBox(x, ONES, ONES)),
         ("mass", INF, lambda x: FreeBox(x, ONES, ONES)),
         *(("sides", x, lambda x: FreeBox(1.0, Vector3(1, x, 1), ONES)) for x in (0.0, -1.0, NAN)),
@@ -298,6 +314,20 @@ TYPES: dict[str, list[Refused]] = {
         *(("nine numbers", n, lambda n: Matrix3(*range(n))) for n in (8, 12)),
         *(("twelve numbers", n, lambda n: Matrix4(*range(n))) for n in (9, 16)),
         ("sides", (1, 1, 1), lambda x: FreeBox(1.0, x, ONES)),
+        *(
+            ("v", (1, 2, 3), call)
+            for matrix in (Matrix3(*range(9)), Matrix4(*range(12)))
+            for call in (matrix.transform, Quaternion().rotate)
+        ),
+        ("q", 2.0, lambda x: Quaternion() * x),
+        ("q", (1, 0, 0, 0), Matrix3.from_quaternion),
+        ("p", None, lambda x: Matrix4.from_orientation_and_position(Quaternion(), x)),
+        ("m", UP, lambda x: change_basis(x, Matrix3(*range(9)))),
+        ("orientation", UP, lambda x: integrate_rotation(x, UP, UP, 1.0)),
+        ("orientation", None, rotation_exercises.back_to_reference),
+        ("a must", 1.0, lambda x: rotation_exercises.product_without_j_and_k(x, Quaternion())),
+        ("matrix", UP, rotation_exercises.read_off),
+        ("matrix", Matrix3(*range(9)), rotation_exercises.easy_inverse),
         ("'Matrix3' and", "int", lambda _: Matrix3(*range(9)) @ 2),
         ("'Matrix3' and", "Matrix4", lambda _: Matrix3(*range(9)) @ Matrix4(*range(12))),
         ("'Matrix4' and", "Matrix3", lambda _: Matrix4(*range(12)) @ Matrix3(*range(9))),

@@ -68,8 +68,7 @@ def test_a_hundred_thousand_steps_leave_the_matrix_orthogonal() -> None:
     # About four roundings per step, which may add up at most to their sum.
     assert by_eq_95.magnitude() == pytest.approx(grown, rel=STEPS * 2e-16)
     assert skew(by_eq_95) > 1e20
-    with pytest.raises(ValueError, match="q must have length 1"):
-        Matrix3.from_quaternion(by_eq_95)
+    assert not by_eq_95.is_unit()
 
 
 def test_a_hundred_thousand_steps_end_where_scipy_does() -> None:

@@ -199,9 +199,6 @@ class FireworksShow:
         light their payloads, starting with the payloads of the oldest firework. The parent of a
         payload is the particle of the firework that burned out.
 
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing moves.
-
         Book 4.2.3.
         """
         raise NotImplementedError("Exercise B4.6: The show goes on")

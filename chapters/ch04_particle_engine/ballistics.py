@@ -122,8 +122,8 @@ class BallisticRange:
         """Advance the targets and the shots by one time step, and remove shots that are spent.
 
         ``duration`` is in s. First the targets move. Then each shot moves, and its age increases by
-        the duration. In exercise B4.3, remove every shot that is spent now. You add two more rules
-        in later exercises:
+        the duration. Move each particle with one call of ``integrate``. In exercise B4.3, remove
+        every shot that is spent now. You add two more rules in later exercises:
 
         - In exercise 4.1, replace each grenade by the shots that ``grenade_after`` returns.
         - In exercise 4.3c, call ``strike_first`` with the path of each shot before anything else,

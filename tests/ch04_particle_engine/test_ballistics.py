@@ -33,7 +33,7 @@ def types_of(at: Any) -> tuple[str, ...]:
 # 4.3a Aiming
 
 
-@pytest.mark.exercise("4.3a")
+@pytest.mark.exercise("4.3a", asks="is the horizontal angle from Z toward X")
 def test_the_axes_of_aiming(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     about.read = "the docstring of aim"
@@ -114,7 +114,7 @@ def test_the_axes_of_aiming(rng: Random) -> None:
         expect_close(got, wanted, unit="m/s")
 
 
-@pytest.mark.exercise("4.3a")
+@pytest.mark.exercise("4.3a", asks="split the level part of the velocity")
 def test_azimuth_and_elevation_together(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
@@ -136,7 +136,7 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
 # B4.2 Fire a shot
 
 
-@pytest.mark.exercise("B4.2")
+@pytest.mark.exercise("B4.2", asks="Everything else comes from SHOT_TYPES")
 @pytest.mark.parametrize("name", TABLE)
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
@@ -189,7 +189,7 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
-@pytest.mark.exercise("B4.2")
+@pytest.mark.exercise("B4.2", asks="Create a new particle for each shot")
 def test_shots_are_in_the_order_of_firing_and_share_nothing(
     rng: Random,
 ) -> None:
@@ -221,7 +221,7 @@ def test_shots_are_in_the_order_of_firing_and_share_nothing(
     expect_exactly(len(BallisticRange().shots), 0)
 
 
-@pytest.mark.exercise("B4.2")
+@pytest.mark.exercise("B4.2", asks="flies in the direction of the two angles")
 def test_an_azimuth_rotates_the_shot_and_keeps_its_elevation(rng: Random) -> None:
     azimuth = round(rng.uniform(0.3, 1.2), 3)
     about.read = "the docstring of fire"
@@ -246,7 +246,7 @@ def test_an_azimuth_rotates_the_shot_and_keeps_its_elevation(rng: Random) -> Non
         expect_close(got, wanted, unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B4.2")
+@pytest.mark.exercise("B4.2", asks="If elevation is None, use the angle of that velocity")
 def test_a_given_elevation_replaces_that_of_the_type(rng: Random) -> None:
     about.read = "the docstring of fire"
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
@@ -280,7 +280,7 @@ def test_a_given_elevation_replaces_that_of_the_type(rng: Random) -> None:
         expect_close(got, (0.0, -20.0, 0.0))
 
 
-@pytest.mark.exercise("B4.2")
+@pytest.mark.exercise("B4.2", asks="flies in the direction of the two angles")
 def test_fire_uses_azimuth_and_elevation_together(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
     about.call = (

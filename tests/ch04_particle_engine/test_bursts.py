@@ -14,7 +14,7 @@ from expect import about, blame, expect_close, expect_that, expect_unchanged
 BURST = "the docstring of burst_positions"
 
 
-@pytest.mark.exercise("B4.9")
+@pytest.mark.exercise("B4.9", asks="list in the order of the speeds")
 def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
@@ -70,7 +70,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     expect_close(got, wanted, unit="m", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B4.9")
+@pytest.mark.exercise("B4.9", asks="needs to be computed only once per call")
 def test_drag_factors_is_called_once_for_all_sparks() -> None:
     about.call = "burst_positions(...) with 50 speeds; the number of calls to drag_factors"
     about.cause = (
@@ -85,7 +85,7 @@ def test_drag_factors_is_called_once_for_all_sparks() -> None:
     expect_close(len(positions), 50, call=name)
 
 
-@pytest.mark.exercise("B4.9")
+@pytest.mark.exercise("B4.9", asks="All sparks start at the same position")
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
     about(

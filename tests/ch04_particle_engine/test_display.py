@@ -34,7 +34,7 @@ def types(of: Any) -> list[int]:
     return [firework.type for firework in of.show.fireworks]
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="Find the rocket nearest to the point (x, y)")
 def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.read = "the docstring of find_rocket"
@@ -74,7 +74,7 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
         expect_that(found is None, "the rocket", "no rocket (None)")
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="also accept a rocket at exactly the distance REACH")
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
     about(
         cause=(
@@ -91,7 +91,7 @@ def test_a_rocket_at_exactly_the_reach_is_found() -> None:
         expect_that(found is not None, "no rocket (None)", "the rocket")
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="Measure distances in the X-Y plane")
 def test_the_distance_to_a_rocket_leaves_out_z(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.call = f"one rocket at x = {x}, y = {y}, z = 40; find_rocket(display, {x}, {y})"
@@ -104,7 +104,7 @@ def test_the_distance_to_a_rocket_leaves_out_z(rng: Random) -> None:
     expect_that(found is not None, "no rocket (None)", "the rocket")
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="A rocket is any firework that lights others")
 def test_sparks_are_not_rockets() -> None:
     about.call = (
         "a spark of type 2 at (0, 20) and a rocket of type 1 at (2, 20); find_rocket(display, 0, "
@@ -127,7 +127,7 @@ def test_sparks_are_not_rockets() -> None:
     expect_that(found is None, "the spark", "no rocket (None)")
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="Skip rockets with an age of 0 or less")
 def test_a_rocket_without_a_fuse_is_skipped() -> None:
     about.read = "the docstring of find_rocket"
     for age, cause in (
@@ -157,7 +157,7 @@ def test_a_rocket_without_a_fuse_is_skipped() -> None:
         expect_exactly(what, 3, then="; the type of the rocket that it returns")
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="launch another rocket of its type")
 def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     about.call = (
         "a rocket of type 1 at (0, 20) and a rocket of type 3 at (9, 20); click(display, 9, 20)"
@@ -201,7 +201,7 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     )
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="3 points if the rocket had less than LATE s")
 def test_a_late_click_scores_more() -> None:
     about.read = "the docstring of click"
     for fuse, score, cause in (
@@ -255,7 +255,7 @@ def test_a_late_click_scores_more() -> None:
     expect_exactly(a_game.score, 2, unit="points")
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="the click counts as a miss")
 def test_a_click_far_from_every_rocket_is_a_miss() -> None:
     about.call = "a rocket at (0, 20), far away from the click; click(display, 30, 20)"
     about.cause = (
@@ -285,7 +285,7 @@ def test_a_click_far_from_every_rocket_is_a_miss() -> None:
     expect_exactly(counted, (2, 2))
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="another rocket of its type, if the show has room")
 def test_a_click_in_a_full_show_counts_too() -> None:
     about.call = "a show with one slot, which a rocket at (0, 20) has taken; click(display, 0, 20)"
     about.cause = (
@@ -304,7 +304,7 @@ def test_a_click_in_a_full_show_counts_too() -> None:
     expect_close(age, 0.0, then="; the age of the rocket in s", tolerance=0.0)
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="no rocket is left or too many clicks have missed")
 def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     about.read = "the docstring of is_over"
     rocket, spark = (1, 0.0, 20.0), (2, 0.0, 20.0)
@@ -371,7 +371,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     expect_exactly(display.is_over(a_game), False)
 
 
-@pytest.mark.exercise("P4.1")
+@pytest.mark.exercise("P4.1", asks="When the game is over, a click does nothing")
 def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20) and 6 misses so far, so the game is over; click(display, 0, 20)")
     about.cause = (

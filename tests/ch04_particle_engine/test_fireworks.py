@@ -53,7 +53,7 @@ def expect_even(name: str, drawn: list[float], low: float, high: float) -> None:
 # B4.4 A firework from its rule
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="are drawn uniformly between the rule's limits")
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
@@ -78,7 +78,7 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     expect_even("the ages", ages, 0.5, 1.4)
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="rule's limits, independently of each other")
 def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None:
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
@@ -114,7 +114,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         expect_between(correlation, -tolerance, tolerance, then=name)
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="at one of LAUNCH_PLACES, chosen at random")
 def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
@@ -147,7 +147,7 @@ def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> No
         expect_between(found, least, most, then=name)
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="the velocity of the parent is added")
 def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
     data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
@@ -177,7 +177,7 @@ def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) ->
     expect_close(family[2][5:8], wanted, then=third, unit="m/s")
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="it has a mass of 1 kg, the acceleration GRAVITY")
 def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
     type, damping = rng.randrange(1, 10), round(rng.uniform(0.1, 0.9), 3)
     data: probes.RuleData = (type, 1.0, 2.0, STILL, STILL, damping, ())
@@ -204,7 +204,7 @@ def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
         expect_close(firework[11], 1.0, then="; firework.particle.mass")
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="with random numbers from random")
 def test_every_random_number_comes_from_the_given_generator(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (

@@ -37,7 +37,7 @@ def by_the_law(
     return start + duration * moved, (speed - rest) * all_kept + rest
 
 
-@pytest.mark.exercise("B4.3")
+@pytest.mark.exercise("B4.3", asks="A shot is spent if it is below the ground (y < 0)")
 def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> None:
     about.read = "the docstring of is_spent; book 4.1.2, the listing"
     for position, age, spent, cause in (
@@ -115,7 +115,7 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
         expect_exactly(got, spent)
 
 
-@pytest.mark.exercise("B4.3")
+@pytest.mark.exercise("B4.3", asks="each shot moves, and its age increases by the duration")
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
     about.call = (
@@ -160,7 +160,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     expect_close(at.shots[1].age, h, then="[1].age", unit="s")
 
 
-@pytest.mark.exercise("B4.3")
+@pytest.mark.exercise("B4.3", asks="Move each particle with one call of integrate")
 def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
     frames = rng.randrange(20, 80)
     h = 1.0 / 60.0
@@ -188,7 +188,7 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         expect_close(velocity, wanted, then=".velocity", tolerance=1e-9)
 
 
-@pytest.mark.exercise("B4.3")
+@pytest.mark.exercise("B4.3", asks="remove every shot that is spent now")
 def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
     about.read = "the docstring of update; book 4.1.2"
     h = 1.0 / 32.0
@@ -242,7 +242,7 @@ def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
         expect_exactly(got, wanted, unit="updates")
 
 
-@pytest.mark.exercise("B4.3")
+@pytest.mark.exercise("B4.3", asks="Build a new list of the remaining shots")
 def test_spent_shots_next_to_each_other_are_all_removed() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = (
@@ -263,7 +263,7 @@ def test_spent_shots_next_to_each_other_are_all_removed() -> None:
         expect_exactly(flying[i], wanted, then=f" {i + 1}")
 
 
-@pytest.mark.exercise("B4.3")
+@pytest.mark.exercise("B4.3", asks="Move each particle with one call of integrate")
 def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short() -> None:
     # With damping .99 as drag, the exact values are 3.0347583 s and 119.557788 m.
     wanted = (3.0347583, 119.557788)

@@ -45,7 +45,7 @@ def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
     return about.call, at
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="reverse its vertical velocity and multiply it by BOUNCE")
 def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
     x, vx, vz = number(rng), number(rng), number(rng)
     y, drawn = -round(rng.uniform(0.1, 0.9), 3), -round(rng.uniform(2.0, 9.0), 3)
@@ -95,7 +95,7 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
         expect_close(xyz(p.velocity), wanted, then="; p.velocity", unit="m/s")
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="on or above the ground does not change")
 def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
     about.read = "the docstring of bounce"
@@ -122,7 +122,7 @@ def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
     expect_close(p.position.y, 0.0, tolerance=0.0)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="If it is also moving down")
 def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> None:
     about.cause = (
         "This grenade is already moving up or is at rest. Move it to y = 0, but change its "
@@ -143,7 +143,7 @@ def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> No
         expect_unchanged("p.velocity", xyz(p.velocity), v, cause=up)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="so that a burst conserves momentum")
 def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     x, v, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     a, damping = components(rng), round(rng.uniform(0.1, 0.8), 3)
@@ -192,7 +192,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     expect_close(total, wanted, then=name, unit="kg m/s", tolerance=1e-11)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="piece flies at FRAGMENT_SPEED in a different direction")
 def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about(
@@ -224,7 +224,7 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     expect_exactly(near, 0, then=name)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="The particle of the grenade does not change")
 def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = (
@@ -246,7 +246,7 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     expect_unchanged("pieces[1].position", now, x)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="now below the ground, let it bounce first")
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
     about.call = 'r = BallisticRange(); r.fire("grenade"); '
@@ -281,7 +281,7 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     expect_that(risen > 0.5, f"{risen:.6g} m", "more than 0.5 m", then=highest)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="If the age of the grenade has reached FUSE")
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     about(
         cause="The fuse of a grenade burns for 4 s (FUSE). Until then, keep the grenade in the "
@@ -312,7 +312,7 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     expect_close(ages, (0.0,) * 12, then="; the ages of the shots in s", tolerance=0.0)
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="replace each grenade by the shots")
 def test_other_shots_fly_on_and_spent_fragments_are_removed() -> None:
     about.read = "the docstrings of update and is_spent"
     about.cause = "Only the grenade bursts, and the fireball keeps flying."
@@ -330,7 +330,7 @@ def test_other_shots_fly_on_and_spent_fragments_are_removed() -> None:
     expect_exactly(len(at.shots), 0, then="; the number of shots")
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="an empty list if is_spent is True for it")
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); len(grenade_after(shot))'
     about.cause = (
@@ -354,7 +354,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     expect_exactly(left, [("grenade", 2.0)], then="; (type, age) of each shot in the result")
 
 
-@pytest.mark.exercise("4.1")
+@pytest.mark.exercise("4.1", asks="let it bounce first. Then check its fuse")
 def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> None:
     about.read = "the docstring of grenade_after"
     about.call = (

@@ -25,7 +25,7 @@ def words(leaves: dict[int, list[int]]) -> str:
     return f"rules in which {start}{last}; endless_types(rules)"
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="the types of firework that light themselves again")
 def test_rules_that_end_have_no_endless_types() -> None:
     about.read = "the docstring of endless_types"
     for leaves in (
@@ -53,7 +53,7 @@ def test_rules_that_end_have_no_endless_types() -> None:
         expect_exactly(got, [])
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="light themselves again, directly")
 def test_a_type_that_lights_itself_is_endless(rng: Random) -> None:
     type = rng.randrange(2, 9)
     leaves = {1: [], type: [1, type]}
@@ -66,7 +66,7 @@ def test_a_type_that_lights_itself_is_endless(rng: Random) -> None:
     expect_exactly(probes.endless(leaves), [type])
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="Return the types in ascending order")
 def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
     about.read = "the docstring of endless_types"
     ring = rng.sample(range(1, 90), 40)
@@ -110,7 +110,7 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
         expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="remember which types you have visited")
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     about.call = (
         "rules for 31 pairs of types, where each type lights both types of the next pair; "
@@ -131,7 +131,7 @@ def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
 READ = "the docstring of own_types; book 4.2.2"
 
 
-@pytest.mark.exercise("4.2")
+@pytest.mark.exercise("4.2", asks="must have payloads, of types 1 to 11")
 def test_your_types_are_10_and_11_and_one_has_a_payload() -> None:
     about(
         "own_types(); the types of the rules that it returns",
@@ -158,7 +158,7 @@ def test_your_types_are_10_and_11_and_one_has_a_payload() -> None:
     expect_exactly(unknown, [], then=" whose types are not from 1 to 11")
 
 
-@pytest.mark.exercise("4.2")
+@pytest.mark.exercise("4.2", asks="The two rules must differ from each other")
 def test_your_types_differ_from_all_others() -> None:
     about.call = (
         "the two rules of own_types() and the nine in FIREWORK_TYPES; the pairs of types whose "
@@ -197,7 +197,7 @@ def own_endless_types() -> list[int]:
     return endless
 
 
-@pytest.mark.exercise("4.2")
+@pytest.mark.exercise("4.2", asks="comes from it must burn out within 40 s")
 def test_your_types_burn_and_come_to_an_end() -> None:
     # The show is always the same, so that a type with short enough fuses never fails by chance.
     seed = 5

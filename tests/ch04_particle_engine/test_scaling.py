@@ -10,7 +10,7 @@ from ch04_particle_engine import scaling
 from expect import about, blame, cause_of, expect_close
 
 
-@pytest.mark.exercise("B4.1")
+@pytest.mark.exercise("B4.1", asks="the kinetic energy of a shot, m v^2 / 2")
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about(
         "muzzle_energy(mass=0.005, speed=500)",
@@ -36,7 +36,7 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     expect_close(got, 0.5 * mass * speed * speed, unit="J")
 
 
-@pytest.mark.exercise("B4.1")
+@pytest.mark.exercise("B4.1", asks="a slowed shot the kinetic energy of the real shot")
 def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
     about.read = "book 4.1.1; the docstring in scaling.py, which defines the factor (E-19)"
     for mass, factor in (
@@ -78,7 +78,7 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         expect_close(energy, 0.5 * mass * 500.0**2, unit="J")
 
 
-@pytest.mark.exercise("B4.1")
+@pytest.mark.exercise("B4.1", asks="a slowed shot the trajectory of the real shot")
 def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
     about.read = "book 4.1.1; errata.md"
     for gravity, factor in (

@@ -44,7 +44,7 @@ def types(a_show: Any) -> list[int]:
     return [firework.type for firework in a_show.fireworks]
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="Each firework moves with one call of integrate")
 def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -> None:
     h, v, about.read = round(rng.uniform(0.1, 0.4), 3), components(rng), READ
     about.call = (
@@ -73,7 +73,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         expect_close(age, 3.0 - h, then="; the age of a firework", unit="s", tolerance=1e-13)
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="age is below 0 (at exactly 0 it still burns)")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     about.read = READ
     about.call = (
@@ -115,7 +115,7 @@ def why_no_payload() -> str:
     )
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="or if it is below the ground (y < 0)")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
     about.read = READ
     start = (
@@ -167,7 +167,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     expect_close(height, wanted, then="; the height y of the first new firework", unit="m")
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="The parent of a payload is the particle")
 def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Random) -> None:
     v, own, about.read = components(rng), components(rng), READ
     about.call = (
@@ -203,7 +203,7 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
         expect_close(firework.age, 1.5, then="; the age of a new firework")
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="remove the ones that have burned out")
 def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules, about.read = [fixed(1, 0.1), fixed(2, 5.0)], READ
     about.call = (
@@ -228,7 +228,7 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     expect_close(ages, [4.75, 4.75], then="; the ages of the burning fireworks")
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="Move all fireworks first, then remove")
 def test_burnt_out_fireworks_make_room_before_payloads_are_lit() -> None:
     about.read = READ
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
@@ -251,7 +251,7 @@ def test_burnt_out_fireworks_make_room_before_payloads_are_lit() -> None:
     expect_exactly(a_show.dropped, 3, then="; show.dropped")
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="decides what happens when the show is full")
 def test_payloads_follow_the_policy_too() -> None:
     rules = [fixed(1, 0.1, UP, (3, 3)), fixed(2, 5.0), fixed(3, 5.0)]
     about.read = "the docstrings of FireworksShow and update"
@@ -271,7 +271,7 @@ def test_payloads_follow_the_policy_too() -> None:
         expect_exactly(types(a_show), wanted)
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="starting with the payloads of the oldest firework")
 def test_the_oldest_comes_first_from_generation_to_generation() -> None:
     about.read = READ
     rules = [
@@ -296,7 +296,7 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
     expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="is the number of fireworks")
 def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
     many, about.read = rng.randrange(3, 7), READ
     rules = [
@@ -320,7 +320,7 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
     expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="even if their types light each other forever")
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
     about.cause = (
@@ -342,7 +342,7 @@ def test_rules_without_an_end_stay_within_the_capacity() -> None:
         )
 
 
-@pytest.mark.exercise("B4.6")
+@pytest.mark.exercise("B4.6", asks="seed always gives the same show")
 def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [

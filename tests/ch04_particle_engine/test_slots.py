@@ -35,7 +35,7 @@ def burning(a_show: Any) -> list[int]:
     return [firework.type for firework in a_show.fireworks]
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="Light one firework of the type")
 def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"a show with 9 slots; show.launch({type}); the types of show.fireworks"
@@ -67,7 +67,7 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     expect_exactly(places, wanted)
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="in the order in which they were lit")
 def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
     order = rng.sample([1, 2, 3, 4], 4)
     about.call = (
@@ -91,7 +91,7 @@ def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> 
         expect_exactly(a_show.dropped, 0, then="; show.dropped", cause=nobody)
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="no new fireworks are lit")
 def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     about.call = (
         'a show with 3 slots and the policy "keep_old"; fireworks of types 1, 2, 3, 4 and 1 are '
@@ -118,7 +118,7 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="the oldest fireworks are put out to make room")
 def test_drop_oldest_puts_out_the_oldest() -> None:
     about.call = (
         'a show with 3 slots and the policy "drop_oldest"; fireworks of types 1, 2, 3, 4 and 1 are '
@@ -145,7 +145,7 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="lights only as many as fit")
 @pytest.mark.parametrize(
     ("when_full", "wanted", "cause"),
     [
@@ -181,7 +181,7 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
     expect_exactly(a_show.dropped, 4, then="; show.dropped")
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="the new fireworks as tuples (type, count, parent)")
 def test_births_have_their_own_parents(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = (
@@ -230,7 +230,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
         expect_exactly(left, [(1, 2), (2, 3)])
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="never creates more fireworks than the capacity")
 @pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
 def test_light_creates_no_more_fireworks_than_the_capacity(when_full: str) -> None:
     about.call = (
@@ -258,7 +258,7 @@ def test_light_creates_no_more_fireworks_than_the_capacity(when_full: str) -> No
     expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="seed always gives the same show")
 def test_the_same_seed_launches_the_same_fireworks(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [FIRST]
@@ -284,7 +284,7 @@ def test_the_same_seed_launches_the_same_fireworks(rng: Random) -> None:
     expect_exactly(same, 0)
 
 
-@pytest.mark.exercise("B4.5")
+@pytest.mark.exercise("B4.5", asks="In that case nothing is lit")
 @pytest.mark.robust
 def test_rejects_births_with_an_unknown_type_or_a_negative_count() -> None:
     about.call = "a show with rules for the types 1 to 4; show.launch(7)"

@@ -17,7 +17,7 @@ from expect import about, blame, expect_close, expect_exactly, expect_unchanged,
 STRIKE = "the docstring of strike_first"
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="receives the momentum of the particle along X and Z")
 def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> None:
     v, mass, block_mass = components(rng), round(rng.uniform(0.5, 2.0), 3), 8.0
     before = (number(rng), 1.5, number(rng))
@@ -66,7 +66,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     expect_exactly(struck_is, (1, 8.0))
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="an immovable block does not move at all")
 def test_an_immovable_block_counts_a_hit_and_stays(rng: Random) -> None:
     about.read = STRIKE
     v = components(rng)
@@ -87,7 +87,7 @@ def test_an_immovable_block_counts_a_hit_and_stays(rng: Random) -> None:
     expect_exactly(block.hits, 1, then="; block.hits")
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="Let a shot hit the first target on its path")
 def test_only_the_first_block_on_the_path_is_hit() -> None:
     about.read = STRIKE
     about.call = (
@@ -119,7 +119,7 @@ def test_only_the_first_block_on_the_path_is_hit() -> None:
     expect_close(speeds, (0.0, 10.0, 0.0))
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="it hits the one that comes first in the list")
 def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     about.cause = (
         "The long block begins earlier on the path, so the shot hits only this block. Compare the "
@@ -155,7 +155,7 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     expect_exactly(hits, (1, 0))
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="already starts inside the block, the result is 0")
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     about.read = STRIKE
     about.call = (
@@ -173,7 +173,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     expect_exactly(hits, (0, 1))
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="Return None if the shot misses every target")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     about.read = STRIKE
     about.call = (
@@ -204,7 +204,7 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     expect_exactly(block.hits, 1)
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="remove the shot if it has hit a block")
 def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     about.call = (
         'a range r with a block of 35 kg at z = 20, which is 2 cm thick; r.fire("laser"); '
@@ -250,7 +250,7 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     expect_close(moved, 20.0 + 0.5 * wanted, then="r.update(0.5); the z coordinate of the block")
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="call strike_first for each shot that has moved")
 def test_on_the_range_each_shot_hits_the_first_block_on_its_path() -> None:
     about.call = (
         "a range r with three blocks: one to the side, one at z = 12 and one at z = 8; a laser, a "
@@ -276,7 +276,7 @@ def test_on_the_range_each_shot_hits_the_first_block_on_its_path() -> None:
     expect_exactly(flying, ["fireball"], then="; the types of the shots in flight")
 
 
-@pytest.mark.exercise("4.3c")
+@pytest.mark.exercise("4.3c", asks="the path of each shot before anything else")
 def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
     about.read = "the docstring of update"
     about.cause = (

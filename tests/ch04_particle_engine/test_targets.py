@@ -43,7 +43,7 @@ def fraction(start: Components, end: Components) -> float | None:
     return targets.hit_fraction(Vector3(*start), Vector3(*end), box)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="ask whether the path from the start to the end")
 def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     z = round(rng.uniform(10.2, 11.4), 3)
     about.call = (
@@ -69,7 +69,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     expect_hit(got, (z - 0.005 - 10.0) / 1.67, ROUNDED)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries")
 def test_a_path_hits_the_box_where_it_enters() -> None:
     smallest, last = (
         f"You return the {which}. Return the largest of the three, because the path must be "
@@ -104,7 +104,7 @@ def test_a_path_hits_the_box_where_it_enters() -> None:
         expect_hit(got, wanted)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="when the shot does not move along an axis")
 def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
     about.cause = (
         "Along two of the axes, the displacement of this path is 0, so you cannot divide by it. "
@@ -125,7 +125,7 @@ def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
         expect_hit(got, wanted)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries")
 def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
     about.cause = (
         "On each axis, the path enters the space between the two faces of the box at some "
@@ -148,7 +148,7 @@ def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
         expect_hit(got, wanted, ROUNDED)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="changes none of its arguments")
 def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     start, end, center = components(rng), components(rng), components(rng)
     about.call = f"start, end = Vector3{start}, Vector3{end}; hit_fraction(start, end, block)"
@@ -182,7 +182,7 @@ def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="path that misses it gives None")
 def test_a_path_beside_before_or_behind_the_box_misses() -> None:
     for start, end, missed, cause in (
         (
@@ -244,7 +244,7 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             expect_hit(got)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="If the latest entry comes after the earliest exit")
 def test_a_path_past_a_corner_misses() -> None:
     beside = (
         "This path is never between the two faces on X and the two faces on Z at the same time. "
@@ -267,7 +267,7 @@ def test_a_path_past_a_corner_misses() -> None:
             expect_hit(got)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="only touches the block counts as a hit")
 def test_a_touch_and_a_start_inside_count_as_hits() -> None:
     along = (
         "This path runs along a face of the box. A touch counts as a hit, so return the fraction "

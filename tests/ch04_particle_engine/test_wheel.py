@@ -33,7 +33,7 @@ def wheel_of(
     return show, CatherineWheel(show, 7, Vector3(*center), radius, rate, sparks_per_second, jet)
 
 
-@pytest.mark.exercise("4.4")
+@pytest.mark.exercise("4.4", asks="with a velocity perpendicular to the spoke")
 def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
     center, about.read = components(rng), "the docstring of nozzle"
     radius, rate = round(rng.uniform(0.5, 3.0), 3), round(rng.uniform(1.0, 9.0), 3)
@@ -95,7 +95,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
     expect_unchanged("other.position", xyz(other.position), before)
 
 
-@pytest.mark.exercise("4.4")
+@pytest.mark.exercise("4.4", asks="is the speed of the rim minus jet")
 def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     about.read = "the docstring of nozzle"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
@@ -125,7 +125,7 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     expect_close(got, (0.0, 2.0 * rate - jet, 0.0), unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("4.4")
+@pytest.mark.exercise("4.4", asks="Rotate the wheel for duration s")
 def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
@@ -147,7 +147,7 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     expect_close(got, wanted, unit="m", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("4.4")
+@pytest.mark.exercise("4.4", asks="does not depend on the length of the steps")
 def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
     about.read = "the docstring of update"
     per_second = rng.randrange(20, 60) + 0.37
@@ -183,7 +183,7 @@ def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
         expect_exactly(counts, wanted, then=", after each update")
 
 
-@pytest.mark.exercise("4.4")
+@pytest.mark.exercise("4.4", asks="All sparks of a step start where the nozzle is")
 def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
@@ -213,7 +213,7 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
         expect_close(got, wanted, then="; the velocity of a spark", unit="m/s", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("4.4")
+@pytest.mark.exercise("4.4", asks="as thrown even if the show has no room")
 def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     about.call = (
         "a show with 3 free slots; a wheel that throws 10.5 sparks per second; wheel.update(1.0)"

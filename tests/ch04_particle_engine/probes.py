@@ -222,14 +222,20 @@ def show_after(
     ]
 
 
-def endless(leaves: dict[int, list[int]]) -> list[int]:
-    """Return the endless types of rules with one payload for each of the listed types."""
+def endless(leaves: dict[int, list[int]]) -> list[int] | str:
+    """Return the endless types of rules with one payload for each of the listed types.
+
+    If the search never comes to an end, return the error.
+    """
     still = (0.0, 0.0, 0.0)
     rules = [
         rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
         for type, after in leaves.items()
     ]
-    return endless_types(rules)
+    try:
+        return endless_types(rules)
+    except RecursionError as error:
+        return f"RecursionError: {error}"
 
 
 def as_data(of: FireworkRule) -> list[object]:

@@ -132,13 +132,25 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     at.fire("artillery")
     at.fire("pistol")
     at.update(h)
+    about.cause, move = (
+        "You remove shots that are still in flight. Keep a shot if is_spent returns False for it.",
+        about.cause,
+    )
     expect_exactly(len(at.shots), 3, then="; the number of shots")
+    about.cause = move
     for i, (vy, vz, a) in enumerate(((0.0, 35.0, -1.0), (30.0, 40.0, -20.0), (0.0, 35.0, -1.0))):
         got = xyz(at.shots[i].particle.position)
         wanted = (0.0, 1.5 + vy * h, vz * h)
         twice = by_the_law(1.5, vy, a, 0.99, h, 2)[0], by_the_law(0.0, vz, 0.0, 0.99, h, 2)[0]
         words = "Your update moves every shot by two time steps. Call integrate only once per shot."
-        blame(got, [((0.0, *twice), words)])
+        fixed = "You move every shot by 1/60 s. Pass the duration to integrate instead."
+        still = "You don't move the shots. Call integrate once for the particle of each shot."
+        mistakes = [
+            ((0.0, *twice), words),
+            ((0.0, 1.5 + vy / 60.0, vz / 60.0), fixed),
+            ((0.0, 1.5, 0.0), still),
+        ]
+        blame(got, mistakes)
         expect_close(got, wanted, then=f"[{i}].particle.position", unit="m")
     mistakes = [
         (
@@ -149,6 +161,10 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         (
             0.0,
             ("You never change the age of a shot. Add the duration to it in every update."),
+        ),
+        (
+            -h,
+            "You subtract the duration from the age. The age of a shot grows, so add the duration.",
         ),
     ]
     about.cause = cause_of(
@@ -235,8 +251,10 @@ def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
         )
         got = probes.frames_in_flight(name, frame, 200)
         if got == 201:
-            about.cause = "You never remove this shot. Let is_spent return True for it, and remove "
-            about.cause += "it then."
+            about.cause = (
+                "Your update never removes this shot. Collect the shots for which is_spent is "
+                "False in a new list, and assign this list to self.shots after the loop."
+            )
         elif got == wanted + 1:
             about.cause = f"You remove the shot one update too late. {cause}"
         expect_exactly(got, wanted, unit="updates")

@@ -28,6 +28,11 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
             1.25,
             "You don't square the speed. The kinetic energy is m v^2 / 2.",
         ),
+        (
+            312.5,
+            "You divide the speed by 2 before you square it, so the energy is half as large as it "
+            "should be. The kinetic energy is m v^2 / 2.",
+        ),
     ]
     expect_close(got, 625.0, unit="J", cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
@@ -68,6 +73,11 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
                 ),
             ),
             (
+                mass / factor,
+                "You divide the mass by the factor. A slower shot needs a larger mass, so multiply "
+                "it by the square of the factor.",
+            ),
+            (
                 mass,
                 "You leave the mass unchanged, so the slower shot has too little energy. "
                 "Multiply the mass by the square of the factor.",
@@ -101,6 +111,10 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             (
                 gravity / factor,
                 f"You divide gravity by the factor only once, as in the book (E-2). {longer}",
+            ),
+            (
+                gravity,
+                f"You leave gravity unchanged, so the slow shot drops too far. {longer}",
             ),
             (gravity * factor, f"You multiply gravity by the factor. {weaker}"),
             (gravity * factor**2, f"You multiply gravity by factor^2. {weaker}"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from random import Random
 from typing import Any
 
@@ -56,17 +57,49 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    whole = (
-        "You treat the block as twice as thick as it is. Each number in size is the length of a "
-        "whole side, so a face is only half that length from the center."
-    )
-    blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
+    wanted = (z - 0.005 - 10.0) / 1.67
+    mistakes = [
+        (
+            (z - 0.01 - 10.0) / 1.67,
+            "You treat the block as twice as thick as it is. Each number in size is the length of "
+            "a whole side, so a face is only half that length from the center.",
+        ),
+        (
+            (z + 0.005 - 10.0) / 1.67,
+            "You return the fraction at which the shot leaves the block. Return the fraction at "
+            "which it enters it.",
+        ),
+        (
+            (z - 10.0) / 1.67,
+            "You treat the position of the block as its near face, but it is the center. The near "
+            "face is half a side closer.",
+        ),
+        (
+            wanted * math.hypot(0.1, 0.1, 1.67),
+            "You return the length of the path up to the block, in m. Divide it by the length of "
+            "the whole path to get the fraction.",
+        ),
+        (
+            -10.0,
+            "You return the smallest of the three entry fractions. Return the largest of the "
+            "three, because the path must be between the faces on all three axes.",
+        ),
+        (
+            0.0,
+            "You return the entry fraction of the X axis alone, perhaps because the return "
+            "statement is inside the loop. Return the largest fraction after the loop.",
+        ),
+    ]
+    blame(got, mistakes)
+    if got is True:
+        about.cause = "You return True for a hit. Return the fraction of the path instead, and "
+        about.cause += "None for a miss."
     if got is None:
         about.cause = (
             "You test only the ends of the path, but this path starts in front of the block and "
             "ends behind it. Test the whole path."
         )
-    expect_hit(got, (z - 0.005 - 10.0) / 1.67, ROUNDED)
+    expect_hit(got, wanted, ROUNDED)
 
 
 @pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries")

@@ -40,12 +40,14 @@ def expect_hit(got: Any, wanted: float | None = None, tolerance: float | None = 
 
 def fraction(start: Components, end: Components) -> float | None:
     """Return what comes back for this box."""
+    about.read = READ
     box = TargetBlock(Vector3(*CENTER), SIZE, mass=10.0)
     return targets.hit_fraction(Vector3(*start), Vector3(*end), box)
 
 
 @pytest.mark.exercise("4.3b", asks="ask whether the path from the start to the end")
 def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
+    about.read = READ
     z = round(rng.uniform(10.2, 11.4), 3)
     about.call = (
         f"a block with its center at (0, 1, {z}), which is 1 cm thick along Z; "
@@ -160,6 +162,7 @@ def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
 
 @pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries")
 def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
+    about.read = READ
     about.cause = (
         "On each axis, the path enters the space between the two faces of the box at some "
         "fraction. It enters the box at the largest of these three fractions."

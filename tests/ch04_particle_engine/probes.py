@@ -16,6 +16,7 @@ from ch04_particle_engine import closed_form, fireworks
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.closed_form import burst_positions
+from ch04_particle_engine.display import Display
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import (
     FireworkRule,
@@ -309,3 +310,20 @@ def calls_of_drag_factors(
     with counted(closed_form, "drag_factors") as calls:
         positions = closed_form.burst_positions(start, speeds, acceleration, damping, time)
     return [*positions], len(calls)
+
+
+STILL = (0.0, 0.0, 0.0)
+# Type 1 is a rocket that leaves three sparks of type 2. Type 3 is another rocket.
+RULES: list[RuleData] = [
+    (1, 2.0, 2.0, STILL, STILL, 1.0, ((2, 3),)),
+    (2, 5.0, 5.0, STILL, STILL, 1.0, ()),
+    (3, 1.0, 1.0, STILL, STILL, 1.0, ((2, 1),)),
+]
+
+
+def game(*lit: tuple[int, float, float], z: float = 0.0) -> Display:
+    """Return a game with fireworks of these types at these points of the X-Y plane."""
+    show = show_of(RULES, 50, "keep_old", 1)
+    for type, x, y in lit:
+        show.light([(type, 1, Particle(Vector3(x, y, z)))])
+    return Display(show)

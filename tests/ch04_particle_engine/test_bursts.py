@@ -28,7 +28,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         f"speeds = {speeds}; burst_positions({start}, speeds, acceleration={a}, damping=1.0, "
         f"time={t})"
     )
-    got = closed_form.burst_positions(start, speeds, a, 1.0, t)
+    got = closed_form.burst_positions(start, list(speeds), a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
         (
@@ -43,8 +43,24 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
             sorted(wanted),
             "You sort the positions. Return them in the same order as the speeds.",
         ),
+        (
+            [start + speed * t * t / 2.0 + a * t for speed in speeds],
+            "You have swapped gone and fallen. Multiply the speed by gone, and the acceleration by "
+            "fallen.",
+        ),
+        (
+            [start + speed + a * t * t / 2.0 for speed in speeds],
+            "You multiply the speed by kept, the first factor. Multiply it by gone, the second.",
+        ),
+        (
+            wanted[:1],
+            "You return only the position of the first spark, perhaps because the return statement "
+            "is inside the loop. Return a list of all positions.",
+        ),
     ]
     blame(got, mistakes)
+    if not isinstance(got, (list, tuple)):
+        about.cause = "Return a list of the positions, one for each speed."
     expect_close(got, wanted, unit="m", tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
     about.cause = (
@@ -60,7 +76,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         f"speeds = {speeds}; burst_positions({start}, speeds, acceleration={a}, "
         f"damping={damping}, time={t})"
     )
-    got = closed_form.burst_positions(start, speeds, a, damping, t)
+    got = closed_form.burst_positions(start, list(speeds), a, damping, t)
     undamped = (
         "You ignore the damping, so these are the positions without drag. Use the factors gone and "
         "fallen that drag_factors returns."

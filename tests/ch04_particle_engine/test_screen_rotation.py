@@ -29,6 +29,15 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
+            (
+                abs(angle),
+                "You return the angle without its sign. A spark that rotates backward has a "
+                "negative angle.",
+            ),
+            (
+                math.remainder(start + turning + 2.5, 2.0 * math.pi),
+                "You add the rate and the time. Multiply them to get the angle of the rotation.",
+            ),
             (2.5 * turning, "You leave out the start angle. Add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
@@ -78,6 +87,14 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
                 "You reduce the angle to the range from 0 to 2 pi. Subtract one more turn of 2 pi "
                 "if it is above pi.",
             ),
+        ]
+        mistakes += [
+            (
+                angle - way * turn,
+                "You remove only one full turn, but this angle contains many. Use math.remainder, "
+                "which removes all of them.",
+            )
+            for way in (1.0, -1.0)
         ]
         blame(got, mistakes)
         expect_between(got, -math.pi, math.pi, unit="rad", tolerance=1e-9)
@@ -170,6 +187,20 @@ def test_the_corners_of_a_square(rng: Random) -> None:
                 "rotation, which is from X toward Y.",
             ),
         ]
+        for i in (2, 4, 6):
+            start = "You start with another corner. Start with the one that is at the upper right "
+            start += "at an angle of 0, and continue from X toward Y."
+            mistakes.append(([*wanted[i:], *wanted[:i]], start))
+        if turned == math.pi / 2.0:
+            flat = "You don't rotate the square. Rotate each corner about the center by the angle."
+            mistakes = [([*wanted[6:], *wanted[:6]], flat)]
+            small = math.radians(turned) + math.pi / 4.0
+            ways = [small + i * math.pi / 2.0 for i in range(4)]
+            degrees = "The angle is in radians already. Don't convert it with math.radians."
+            converted = [
+                n for way in ways for n in (x + away * math.cos(way), y + away * math.sin(way))
+            ]
+            mistakes.append((converted, degrees))
         if turned:
             back = "You rotate the square from Y toward X. Rotate it from X toward Y."
             corner = math.pi / 4.0 - turned

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from random import Random
 from typing import Any
@@ -56,7 +57,33 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             "You leave out the center of the wheel, so the nozzle rotates around the origin. Add "
             "the center to its position."
         )
-        blame(got, [((radius * x, radius * y, 0.0), origin)])
+        degrees = "The angle of the wheel is in radians already. Don't convert it."
+        small = math.radians(angle)
+        mistakes = [
+            ((radius * x, radius * y, 0.0), origin),
+            (
+                (center[0] + x, center[1] + y, center[2]),
+                "You leave out the radius. Multiply the cosine and the sine by it.",
+            ),
+            (
+                (center[0] + radius * y, center[1] + radius * x, center[2]),
+                "You have swapped the sine and the cosine. The X axis takes the cosine.",
+            ),
+            (
+                (
+                    center[0] + radius * math.cos(small),
+                    center[1] + radius * math.sin(small),
+                    center[2],
+                ),
+                degrees,
+            ),
+        ]
+        blame(got, mistakes)
+        if xyz(wheel.center) != center:
+            about.cause = (
+                "You change the center of the wheel. Add the spoke to it in a new vector, because "
+                "+= changes the vector itself."
+            )
         expect_close(got, wanted, then=".position", unit="m", tolerance=1e-13)
         about.cause = (
             "The nozzle moves at right angles to the spoke, in the direction from X toward Y. Its "
@@ -143,7 +170,21 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     wanted = (math.cos(angle), 5.0 + math.sin(angle), 0.0)
     got = xyz(wheel.nozzle().position)
     still = "You don't rotate the wheel. Add rate x duration to its angle in every update."
-    blame(got, [((1.0, 5.0, 0.0), still)])
+    mistakes = [((1.0, 5.0, 0.0), still)]
+    for turned, words in (
+        (
+            rate * h,
+            "After two updates, your wheel has rotated by the angle of one. Add to the angle in "
+            "each update instead of replacing it.",
+        ),
+        (
+            2.0 * h,
+            "You add the duration to the angle. Multiply it by the rate first, which says how many "
+            "radians the wheel rotates per second.",
+        ),
+    ):
+        mistakes.append(((math.cos(turned), 5.0 + math.sin(turned), 0.0), words))
+    blame(got, mistakes)
     expect_close(got, wanted, unit="m", tolerance=ROUNDED)
 
 
@@ -162,10 +203,45 @@ def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
             "The number of sparks must not depend on the length of the steps. After t seconds it "
             "is sparks_per_second x t, rounded down."
         )
-        if counts[-1] == frames:
+        again = last = 0
+        for i in range(frames):
+            due = math.floor(per_second * h * (i + 1)) - last
+            if due > 0:
+                again, last = again + due, due
+        every = sum(math.floor(per_second * h * (i + 1)) for i in range(frames))
+        mistakes = [
+            (
+                every,
+                "You never change thrown, so each step throws all sparks since the start again. "
+                "Add the sparks of the step to it.",
+            ),
+            (
+                again,
+                "You replace thrown by the sparks of the last step. Add them to it, because thrown "
+                "counts all sparks since the start.",
+            ),
+            (
+                math.ceil(per_second * 2.0),
+                "You light a spark that is not due yet, because you round up or to the nearest "
+                "number. Round down with math.floor.",
+            ),
+        ]
+        if frames > 1:
+            blame(counts[-1], mistakes)
+        if counts[-1] == frames == 128:
             about.cause = (
                 "You light one spark in every step. The number of sparks must depend on how much "
                 "time has passed, not on how many steps it took."
+            )
+        elif counts[-1] == frames:
+            about.cause = (
+                "You light only one spark in a step in which several are due. Pass the number of "
+                "sparks that are due to show.light."
+            )
+        if any(after < earlier for earlier, after in itertools.pairwise(counts)):
+            about.cause = (
+                "Sparks disappear while the wheel rotates. Don't move the sparks or update the "
+                "show in the update of the wheel, which only lights them."
             )
         if counts[-1] == 0:
             about.cause = (
@@ -173,7 +249,10 @@ def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
                 "a whole spark. Carry the fraction over to the next step."
             )
             if probes.sparks_of_a_wheel(per_second, 2.0, 1)[-1] == 0:
-                about.cause = "You light no sparks. Call show.light with the sparks that are due."
+                about.cause = (
+                    "You light no sparks. Either you don't add the duration to the time of the "
+                    "wheel, or you don't pass the sparks that are due to show.light."
+                )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = (
             "The number of sparks is wrong after some of the steps. If a step ends with a fraction "

@@ -269,7 +269,7 @@ def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
 def sparks_of_a_wheel(sparks_per_second: float, duration: float, frames: int) -> list[int]:
     """Turn a wheel and return the number of sparks after each frame."""
     still = (0.0, 0.0, 0.0)
-    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 5000, "keep_old", 1)
+    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 20000, "keep_old", 1)
     wheel = CatherineWheel(show, 7, Vector3(0, 5, 0), 1.0, 2.0, sparks_per_second)
     counts = []
     for _ in range(frames):

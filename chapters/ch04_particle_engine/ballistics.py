@@ -69,9 +69,6 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
     shot flies along Z at an azimuth of 0, and along X at a quarter turn. ``elevation`` is the angle
     above the horizontal, so a shot with an elevation of a quarter turn flies straight up.
 
-    Raises:
-        ValueError: if the speed is negative or not finite, or if an angle is not finite.
-
     Exercise 4.3a.
     """
     raise NotImplementedError("Exercise 4.3a: Aiming")
@@ -117,10 +114,6 @@ class BallisticRange:
         also its speed, which is the length of the type's velocity. If ``elevation`` is None, use
         the angle of that velocity above the horizontal.
 
-        Raises:
-            ValueError: if there is no such type, or if an angle is not finite. In that case no shot
-                is fired.
-
         Mini-project 4.3, book 4.1.2.
         """
         raise NotImplementedError("Exercise B4.2: Fire a shot")
@@ -129,16 +122,13 @@ class BallisticRange:
         """Advance the targets and the shots by one time step, and remove shots that are spent.
 
         ``duration`` is in s. First the targets move. Then each shot moves, and its age increases by
-        the duration. In exercise B4.3, remove every shot that is spent now. You add two more rules
-        in later exercises:
+        the duration. Move each particle with one call of ``integrate``. In exercise B4.3, remove
+        every shot that is spent now. You add two more rules in later exercises:
 
         - In exercise 4.1, replace each grenade by the shots that ``grenade_after`` returns.
         - In exercise 4.3c, call ``strike_first`` with the path of each shot before anything else,
           and remove a shot that has hit a target. Pass a copy of the position that the shot had
           before its move, because ``integrate`` changes the vector itself.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing moves.
 
         Book 4.1.2.
         """

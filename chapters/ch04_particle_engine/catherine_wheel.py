@@ -69,9 +69,6 @@ class CatherineWheel:
         step. They count as thrown even if the show has no room for them. Update the show
         separately, because this method only lights the sparks.
 
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing moves.
-
         Mini-project 4.4.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")

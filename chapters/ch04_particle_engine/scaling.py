@@ -3,8 +3,6 @@
 A slow bullet should still hit as hard as a real one and follow the same path. ``factor`` is the
 real speed divided by the speed in the game. For example, if a bullet of 500 m/s flies at 25 m/s in
 the game, the factor is 20. The book defines this ratio in two opposite ways (erratum E-19).
-
-Every function of this chapter raises TypeError if an argument that should be a number is not one.
 """
 
 from __future__ import annotations
@@ -15,10 +13,6 @@ def muzzle_energy(mass: float, speed: float) -> float:
 
     The energy determines how much work the shot can do on a target. The mass is in kg and the speed
     in m/s.
-
-    Raises:
-        ValueError: if the mass is not positive and finite, or if the speed is negative or not
-            finite.
 
     >>> muzzle_energy(0.005, 500.0)
     625.0
@@ -32,9 +26,6 @@ def slowed_mass(mass: float, factor: float) -> float:
     The slowed shot flies at the real speed divided by ``factor``. It needs a larger mass to have
     the same energy, so that it does the same work on a target as the real shot.
 
-    Raises:
-        ValueError: if the mass or the factor is not positive and finite.
-
     >>> slowed_mass(0.005, 20.0)  # muzzle_energy(2.0, 25.0) is 625 J again
     2.0
     """
@@ -47,9 +38,6 @@ def slowed_gravity(gravity: float, factor: float) -> float:
     The slowed shot needs more time for the same distance, so gravity acts on it for longer. Without
     weaker gravity, it would drop farther than the real shot. The book divides gravity by the factor
     only once, which is not enough (erratum E-2).
-
-    Raises:
-        ValueError: if the gravity is not finite, or if the factor is not positive and finite.
 
     >>> slowed_gravity(10.0, 20.0)
     0.025

@@ -17,9 +17,6 @@ def screen_angle(start: float, rate: float, time: float) -> float:
     and ``time`` is in s. Full turns make no difference on the screen, so remove them. The result
     then lies between -pi and pi.
 
-    Raises:
-        ValueError: if an argument is not finite.
-
     Exercise G4.1.
 
     >>> screen_angle(0.5, 2.0, 0.25)
@@ -35,9 +32,6 @@ def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
     vertical, and a positive angle rotates the square from X toward Y. Start with the corner that is
     at the upper right at an angle of 0, and continue in the direction of rotation. The angle is in
     radians.
-
-    Raises:
-        ValueError: if a coordinate or the angle is not finite, or if the size is not positive.
 
     Exercise G4.1.
 

@@ -47,7 +47,8 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
     The result is the fraction of the path that the shot has covered when it hits the block. It is 0
     at the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts
     inside the block, the result is 0. A path that only touches the block counts as a hit, and a
-    path that misses it gives None. Positions are in m and have finite components. Exercise 4.3b.
+    path that misses it gives None. Positions are in m and have finite components. The function
+    changes none of its arguments. Exercise 4.3b.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)
@@ -67,6 +68,6 @@ def strike_first(
     a target, the target receives the momentum of the particle along X and Z. The momentum along Y
     goes into the ground. Add 1 to the target's ``hits``. If the shot reaches two targets at the
     same time, it hits the one that comes first in the list. Return None if the shot misses every
-    target. Exercise 4.3c.
+    target, or if there are no targets. Exercise 4.3c.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

@@ -27,15 +27,12 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.
     - fallen = (t - gone) / k, in s^2, is how far an acceleration of 1 m/s^2 takes it from rest.
 
-    Here d is the damping, k = -ln d, and t is the time in s. As the damping approaches 1, the
-    factors approach 1, t and t^2 / 2. Close to this limit the formulas divide almost 0 by almost 0,
-    which loses digits. The result must still have at least 9 correct digits, even for a damping as
-    close to 1 as a float can be. At the other extreme, a damping of 0 stops everything at once, so
-    all three factors are 0 for any time above 0.
-
-    Raises:
-        ValueError: if the damping or the time is negative or not finite.
-        OverflowError: if a factor does not fit in a float.
+    Here d is the damping, k = -ln d, and t is the time in s. The formulas also hold for a damping
+    above 1. As the damping approaches 1, the factors approach 1, t and t^2 / 2. Close to this
+    limit, and for very short times, the formulas divide almost 0 by almost 0, which loses digits.
+    The result must still have at least 9 correct digits, even for a damping as close to 1 as a
+    float can be. At the other extreme, a damping of 0 stops everything at once, so all three
+    factors are 0 for any time above 0. At time 0 they are 1, 0 and 0, whatever the damping is.
     """
     not_negative("damping", damping)
     not_negative("time", time)
@@ -68,10 +65,6 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     Use this function, for example, to predict where a shell will land. Both results are new
     vectors. For an immovable particle, return copies of its current position and velocity.
 
-    Raises:
-        ValueError: if the time is negative or not finite.
-        OverflowError: if a factor does not fit in a float, as in ``drag_factors``.
-
     >>> shell = Particle(Vector3(0, 1.5, 0), Vector3(0, 30, 40), Vector3(0, -20, 0), damping=0.99)
     >>> position, _ = state_after(shell, 3.0347583)
     >>> round(position.y, 5), round(position.z, 5)
@@ -96,13 +89,8 @@ def burst_positions(
     All sparks start at the same position and time, with the same acceleration and damping. They
     differ only in their ``speeds`` along the axis, in m/s. Everything else needs to be computed
     only once per call: the factors, and the position of a spark with a speed of 0. Each call
-    handles only one axis, because a picture on the screen needs just two of the three. The speeds
-    are not checked.
-
-    Raises:
-        ValueError: if the start or the acceleration is not finite, or if the damping or the time is
-            negative or not finite.
-        OverflowError: if a factor does not fit in a float, as in ``drag_factors``.
+    handles only one axis, because a picture on the screen needs just two of the three. Return a new
+    list in the order of the speeds, and leave ``speeds`` unchanged. It may be empty.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

@@ -103,10 +103,11 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
     """Create a firework of the type that ``rule`` describes, with random numbers from ``random``.
 
     The age of the firework and each component of its velocity are drawn uniformly between the
-    rule's limits. A payload starts at the position of its ``parent``, the particle of the firework
-    that lit it, and the velocity of the parent is added to the drawn velocity. A firework without a
-    parent starts on the ground, at one of ``LAUNCH_PLACES``, chosen at random. In both cases it has
-    a mass of 1 kg, the acceleration ``GRAVITY`` and the damping of the rule. Book 4.2.3.
+    rule's limits, independently of each other. A payload starts at the position of its ``parent``,
+    the particle of the firework that lit it, and the velocity of the parent is added to the drawn
+    velocity. The parent itself does not change. A firework without a parent starts on the ground,
+    at one of ``LAUNCH_PLACES``, chosen at random. In both cases it has a mass of 1 kg, the
+    acceleration ``GRAVITY`` and the damping of the rule. Book 4.2.3.
     """
     velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
     if parent is None:
@@ -201,7 +202,7 @@ class FireworksShow:
         them, the policy ``when_full`` decides. "keep_old" lights only as many as fit, starting with
         the first. "drop_oldest" puts out the oldest fireworks to make room. If there are more new
         fireworks than the capacity, it lights only the last of them. A call never creates more
-        fireworks than the capacity, however large the counts are.
+        fireworks than the capacity, however large the counts are, and leaves ``births`` unchanged.
 
         Raises:
             ValueError: if there is no rule for a type, or if a count is negative. In that case
@@ -230,14 +231,12 @@ class FireworksShow:
     def update(self, duration: float) -> None:
         """Advance all fireworks by one time step, and light the payloads of those that burn out.
 
-        ``duration`` is in s. Each firework moves, and its age decreases by the duration. A firework
-        has burned out if its age is below 0 (at exactly 0 it still burns), or if it is below the
-        ground (y < 0). When all fireworks have moved, remove the ones that have burned out and
-        light their payloads, starting with the payloads of the oldest firework. The parent of a
-        payload is the particle of the firework that burned out.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing moves.
+        ``duration`` is in s. Each firework moves with one call of ``integrate``, and its age
+        decreases by the duration. A firework has burned out if its age is below 0 (at exactly 0 it
+        still burns), or if it is below the ground (y < 0). When all fireworks have moved, remove
+        the ones that have burned out and light their payloads, starting with the payloads of the
+        oldest firework, in the order of its rule. The parent of a payload is the particle of the
+        firework that burned out.
 
         Book 4.2.3.
         """

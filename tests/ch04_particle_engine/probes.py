@@ -16,6 +16,7 @@ from ch04_particle_engine import closed_form, fireworks
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.closed_form import burst_positions
+from ch04_particle_engine.display import Display
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import (
     FireworkRule,
@@ -222,14 +223,20 @@ def show_after(
     ]
 
 
-def endless(leaves: dict[int, list[int]]) -> list[int]:
-    """Return the endless types of rules with one payload for each of the listed types."""
+def endless(leaves: dict[int, list[int]]) -> list[int] | str:
+    """Return the endless types of rules with one payload for each of the listed types.
+
+    If the search never comes to an end, return the error.
+    """
     still = (0.0, 0.0, 0.0)
     rules = [
         rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
         for type, after in leaves.items()
     ]
-    return endless_types(rules)
+    try:
+        return endless_types(rules)
+    except RecursionError as error:
+        return f"RecursionError: {error}"
 
 
 def as_data(of: FireworkRule) -> list[object]:
@@ -262,7 +269,7 @@ def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
 def sparks_of_a_wheel(sparks_per_second: float, duration: float, frames: int) -> list[int]:
     """Turn a wheel and return the number of sparks after each frame."""
     still = (0.0, 0.0, 0.0)
-    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 5000, "keep_old", 1)
+    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 20000, "keep_old", 1)
     wheel = CatherineWheel(show, 7, Vector3(0, 5, 0), 1.0, 2.0, sparks_per_second)
     counts = []
     for _ in range(frames):
@@ -303,3 +310,20 @@ def calls_of_drag_factors(
     with counted(closed_form, "drag_factors") as calls:
         positions = closed_form.burst_positions(start, speeds, acceleration, damping, time)
     return [*positions], len(calls)
+
+
+STILL = (0.0, 0.0, 0.0)
+# Type 1 is a rocket that leaves three sparks of type 2. Type 3 is another rocket.
+RULES: list[RuleData] = [
+    (1, 2.0, 2.0, STILL, STILL, 1.0, ((2, 3),)),
+    (2, 5.0, 5.0, STILL, STILL, 1.0, ()),
+    (3, 1.0, 1.0, STILL, STILL, 1.0, ((2, 1),)),
+]
+
+
+def game(*lit: tuple[int, float, float], z: float = 0.0) -> Display:
+    """Return a game with fireworks of these types at these points of the X-Y plane."""
+    show = show_of(RULES, 50, "keep_old", 1)
+    for type, x, y in lit:
+        show.light([(type, 1, Particle(Vector3(x, y, z)))])
+    return Display(show)

@@ -9,12 +9,12 @@ import pytest
 
 from ch04_particle_engine import closed_form, probes
 from draw import number
-from expect import about, blame, expect_close, expect_error, expect_that, expect_unchanged
+from expect import about, blame, expect_close, expect_that, expect_unchanged
 
 BURST = "the docstring of burst_positions"
 
 
-@pytest.mark.exercise("B4.9")
+@pytest.mark.exercise("B4.9", asks="list in the order of the speeds")
 def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
@@ -28,7 +28,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         f"speeds = {speeds}; burst_positions({start}, speeds, acceleration={a}, damping=1.0, "
         f"time={t})"
     )
-    got = closed_form.burst_positions(start, speeds, a, 1.0, t)
+    got = closed_form.burst_positions(start, list(speeds), a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
         (
@@ -43,8 +43,24 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
             sorted(wanted),
             "You sort the positions. Return them in the same order as the speeds.",
         ),
+        (
+            [start + speed * t * t / 2.0 + a * t for speed in speeds],
+            "You have swapped gone and fallen. Multiply the speed by gone, and the acceleration by "
+            "fallen.",
+        ),
+        (
+            [start + speed + a * t * t / 2.0 for speed in speeds],
+            "You multiply the speed by kept, the first factor. Multiply it by gone, the second.",
+        ),
+        (
+            wanted[:1],
+            "You return only the position of the first spark, perhaps because the return statement "
+            "is inside the loop. Return a list of all positions.",
+        ),
     ]
     blame(got, mistakes)
+    if not isinstance(got, (list, tuple)):
+        about.cause = "Return a list of the positions, one for each speed."
     expect_close(got, wanted, unit="m", tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
     about.cause = (
@@ -60,7 +76,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         f"speeds = {speeds}; burst_positions({start}, speeds, acceleration={a}, "
         f"damping={damping}, time={t})"
     )
-    got = closed_form.burst_positions(start, speeds, a, damping, t)
+    got = closed_form.burst_positions(start, list(speeds), a, damping, t)
     undamped = (
         "You ignore the damping, so these are the positions without drag. Use the factors gone and "
         "fallen that drag_factors returns."
@@ -70,7 +86,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     expect_close(got, wanted, unit="m", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B4.9")
+@pytest.mark.exercise("B4.9", asks="needs to be computed only once per call")
 def test_drag_factors_is_called_once_for_all_sparks() -> None:
     about.call = "burst_positions(...) with 50 speeds; the number of calls to drag_factors"
     about.cause = (
@@ -85,7 +101,7 @@ def test_drag_factors_is_called_once_for_all_sparks() -> None:
     expect_close(len(positions), 50, call=name)
 
 
-@pytest.mark.exercise("B4.9")
+@pytest.mark.exercise("B4.9", asks="All sparks start at the same position")
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
     about(
@@ -102,26 +118,3 @@ def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     about.cause = "If there are no speeds, there are no sparks, so return an empty list."
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
     expect_close(got, 0)
-
-
-@pytest.mark.exercise("B4.9")
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
-def test_rejects_arguments_that_are_not_finite(bad: float) -> None:
-    about.read = BURST
-    good = (1.0, [2.0], -10.0, 0.5, 1.0)
-    empty = (1.0, [], -10.0, 0.5, 1.0)
-    for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
-        data = (*of[:i], bad, *of[i + 1 :])
-        names = ("start", "speeds", "acceleration", "damping", "time")
-        shown = ", ".join(f"{name}={n}" for name, n in zip(names, data, strict=True))
-        about.call = f"burst_positions({shown})"
-        about.cause = (
-            f"The argument {names[i]} is {bad}. It must be finite, so raise ValueError. Note that "
-            "drag_factors checks only the damping and the time for you."
-        )
-        expect_error(
-            lambda data=data: closed_form.burst_positions(*data),
-            ValueError,
-            allowed=lambda: closed_form.burst_positions(*good),
-        )

@@ -11,7 +11,7 @@ import pytest
 
 from ch04_particle_engine import probes
 from draw import components
-from expect import about, expect_between, expect_close, expect_exactly, scoped
+from expect import about, blame, expect_between, expect_close, expect_exactly, scoped
 
 # The book's first rule, without its payload.
 FIRST: probes.RuleData = (
@@ -53,7 +53,7 @@ def expect_even(name: str, drawn: list[float], low: float, high: float) -> None:
 # B4.4 A firework from its rule
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="are drawn uniformly between the rule's limits")
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
@@ -61,12 +61,26 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
         f"make_firework(rule, random), called {MANY} times"
     )
     about.cause = (
-        "The ages are not spread evenly between min_age and max_age. Draw a new age for each "
-        "firework with random.uniform(min_age, max_age)."
+        "Return a Firework. It takes the type, the age and the particle, in this order, and the "
+        "Particle takes its three vectors first."
     )
     about.read = "the docstring of make_firework; book 4.2.2"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
-    if min(ages) < 0.5:
+    about.cause = (
+        "The ages are not spread evenly between min_age and max_age. Draw a new age for each "
+        "firework with random.uniform(min_age, max_age)."
+    )
+    if all(age == round(age) for age in ages):
+        about.cause = (
+            "All of your ages are whole numbers of seconds. Draw them with random.uniform, which "
+            "returns any number between its two limits."
+        )
+    elif max(ages) > 1.4 and min(ages) >= 0.5:
+        about.cause = (
+            "You draw some ages above max_age. If you draw a fraction yourself, multiply it by "
+            "max_age - min_age before you add min_age."
+        )
+    elif min(ages) < 0.5:
         about.cause = (
             "You draw some ages below min_age. Use min_age as the lower limit of random.uniform."
         )
@@ -78,7 +92,7 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     expect_even("the ages", ages, 0.5, 1.4)
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="rule's limits, independently of each other")
 def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None:
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
@@ -95,6 +109,11 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
             "component with random.uniform and the two limits of its own axis."
         )
         columns[axis] = drawn = [firework[5 + i] for firework in made]
+        if min(drawn) == max(drawn):
+            about.cause = (
+                f"You give every firework the same {axis} component of the velocity. Draw it with "
+                "random.uniform between the two limits of its axis."
+            )
         expect_even(f"the {axis} components of the velocities", drawn, low[i], high[i])
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
@@ -114,7 +133,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         expect_between(correlation, -tolerance, tolerance, then=name)
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="at one of LAUNCH_PLACES, chosen at random")
 def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
@@ -147,7 +166,7 @@ def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> No
         expect_between(found, least, most, then=name)
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="the velocity of the parent is added")
 def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
     data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
@@ -167,6 +186,11 @@ def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) ->
         "rule."
     )
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
+    replaced = (
+        "You replace the velocity that you draw by the velocity of the parent. Add the two "
+        "velocities."
+    )
+    blame(firework[5:8], [(v, replaced)])
     expect_close(firework[5:8], wanted, then=".particle.velocity", unit="m/s")
     about.cause = (
         "Your function changes the velocity of the parent, so every later firework of this parent "
@@ -177,7 +201,7 @@ def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) ->
     expect_close(family[2][5:8], wanted, then=third, unit="m/s")
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="it has a mass of 1 kg, the acceleration GRAVITY")
 def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
     type, damping = rng.randrange(1, 10), round(rng.uniform(0.1, 0.9), 3)
     data: probes.RuleData = (type, 1.0, 2.0, STILL, STILL, damping, ())
@@ -204,7 +228,7 @@ def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
         expect_close(firework[11], 1.0, then="; firework.particle.mass")
 
 
-@pytest.mark.exercise("B4.4")
+@pytest.mark.exercise("B4.4", asks="with random numbers from random")
 def test_every_random_number_comes_from_the_given_generator(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (

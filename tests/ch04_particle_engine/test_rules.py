@@ -25,7 +25,7 @@ def words(leaves: dict[int, list[int]]) -> str:
     return f"rules in which {start}{last}; endless_types(rules)"
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="the types of firework that light themselves again")
 def test_rules_that_end_have_no_endless_types() -> None:
     about.read = "the docstring of endless_types"
     for leaves in (
@@ -40,7 +40,9 @@ def test_rules_that_end_have_no_endless_types() -> None:
             "endless only if its payloads lead back to the same type."
         )
         got = probes.endless(leaves)
-        if got == [*leaves]:
+        if not isinstance(got, list):
+            about.cause = "Return a list of the types in ascending order. It is empty here."
+        elif got == [*leaves]:
             about.cause = (
                 "You return every type, probably because you mark the type that you start from as "
                 "reached. Mark it only if a payload leads back to it."
@@ -53,7 +55,7 @@ def test_rules_that_end_have_no_endless_types() -> None:
         expect_exactly(got, [])
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="light themselves again, directly")
 def test_a_type_that_lights_itself_is_endless(rng: Random) -> None:
     type = rng.randrange(2, 9)
     leaves = {1: [], type: [1, type]}
@@ -63,10 +65,13 @@ def test_a_type_that_lights_itself_is_endless(rng: Random) -> None:
         "Include it in the result.",
     )
     about.read = "the docstring of endless_types"
-    expect_exactly(probes.endless(leaves), [type])
+    got = probes.endless(leaves)
+    if isinstance(got, list) and not all(isinstance(n, int) for n in got):
+        about.cause = "Return the numbers of the types, such as rule.type, not the rules."
+    expect_exactly(got, [type])
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="Return the types in ascending order")
 def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
     about.read = "the docstring of endless_types"
     ring = rng.sample(range(1, 90), 40)
@@ -100,17 +105,28 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
     ):
         about(words(leaves), cause=cause)
         got = probes.endless(leaves)
-        if got == []:
+        if isinstance(got, str):
+            about.cause = (
+                "Your search goes round the cycle without end. Remember which types you have "
+                "visited, and don't follow their payloads again."
+            )
+        elif got == []:
             about.cause = (
                 "You don't find types that lead back to themselves through other types. Follow "
                 "the payloads until they lead back to the start, or no new types are left."
             )
         elif isinstance(got, list) and got != wanted and {*map(str, got)} == {*map(str, wanted)}:
             about.cause = "You don't sort the types. Return them in ascending order."
+        elif isinstance(got, list) and all(type in wanted for type in got):
+            missed = " and ".join(f"type {type}" for type in wanted if type not in got)
+            about.cause = (
+                f"You miss {missed if len(wanted) < 9 else 'some types'}. From each type, follow "
+                "the payloads as far as they lead, and see whether you come back to it."
+            )
         expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("B4.7")
+@pytest.mark.exercise("B4.7", asks="remember which types you have visited")
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     about.call = (
         "rules for 31 pairs of types, where each type lights both types of the next pair; "
@@ -131,7 +147,7 @@ def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
 READ = "the docstring of own_types; book 4.2.2"
 
 
-@pytest.mark.exercise("4.2")
+@pytest.mark.exercise("4.2", asks="must have payloads, of types 1 to 11")
 def test_your_types_are_10_and_11_and_one_has_a_payload() -> None:
     about(
         "own_types(); the types of the rules that it returns",
@@ -158,7 +174,7 @@ def test_your_types_are_10_and_11_and_one_has_a_payload() -> None:
     expect_exactly(unknown, [], then=" whose types are not from 1 to 11")
 
 
-@pytest.mark.exercise("4.2")
+@pytest.mark.exercise("4.2", asks="The two rules must differ from each other")
 def test_your_types_differ_from_all_others() -> None:
     about.call = (
         "the two rules of own_types() and the nine in FIREWORK_TYPES; the pairs of types whose "
@@ -197,7 +213,7 @@ def own_endless_types() -> list[int]:
     return endless
 
 
-@pytest.mark.exercise("4.2")
+@pytest.mark.exercise("4.2", asks="comes from it must burn out within 40 s")
 def test_your_types_burn_and_come_to_an_end() -> None:
     # The show is always the same, so that a type with short enough fuses never fails by chance.
     seed = 5

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from random import Random
-from typing import Any
 
 import pytest
 
 from ch04_particle_engine import scaling
-from expect import about, blame, cause_of, expect_close, expect_error
+from expect import about, blame, cause_of, expect_close
 
 
-@pytest.mark.exercise("B4.1")
+@pytest.mark.exercise("B4.1", asks="the kinetic energy of a shot, m v^2 / 2")
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about(
         "muzzle_energy(mass=0.005, speed=500)",
@@ -30,21 +28,20 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
             1.25,
             "You don't square the speed. The kinetic energy is m v^2 / 2.",
         ),
+        (
+            312.5,
+            "You divide the speed by 2 before you square it, so the energy is half as large as it "
+            "should be. The kinetic energy is m v^2 / 2.",
+        ),
     ]
     expect_close(got, 625.0, unit="J", cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     about.call = f"muzzle_energy(mass={mass}, speed={speed})"
     got = scaling.muzzle_energy(mass, speed)
     expect_close(got, 0.5 * mass * speed * speed, unit="J")
-    about(
-        f"muzzle_energy(mass={mass}, speed=0)",
-        cause="You reject a speed of 0, but a body can be at rest. Check the speed with "
-        "not_negative() from arguments.py instead of positive().",
-    )
-    expect_close(scaling.muzzle_energy(mass, 0), 0.0, unit="J")
 
 
-@pytest.mark.exercise("B4.1")
+@pytest.mark.exercise("B4.1", asks="a slowed shot the kinetic energy of the real shot")
 def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
     about.read = "book 4.1.1; the docstring in scaling.py, which defines the factor (E-19)"
     for mass, factor in (
@@ -76,6 +73,11 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
                 ),
             ),
             (
+                mass / factor,
+                "You divide the mass by the factor. A slower shot needs a larger mass, so multiply "
+                "it by the square of the factor.",
+            ),
+            (
                 mass,
                 "You leave the mass unchanged, so the slower shot has too little energy. "
                 "Multiply the mass by the square of the factor.",
@@ -86,25 +88,21 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         expect_close(energy, 0.5 * mass * 500.0**2, unit="J")
 
 
-@pytest.mark.exercise("B4.1")
+@pytest.mark.exercise("B4.1", asks="a slowed shot the trajectory of the real shot")
 def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
     about.read = "book 4.1.1; errata.md"
     for gravity, factor in (
         (10.0, 20.0),
         (-round(rng.uniform(2.0, 20.0), 3), round(rng.uniform(2.0, 9.0), 3)),
         (9.81, 0.5),
-        (0.0, 4.0),
     ):
         about.call = (
             f"slowed_gravity(gravity={gravity}, factor={factor}); how far a shot at "
             f"{500.0 / factor:.6g} m/s drops over 100 m with this gravity"
         )
-        about.cause = (
-            "You reject this gravity, but gravity may be negative or 0. Check it with finite from "
-            "arguments.py instead of positive."
-        )
-        weak = scaling.slowed_gravity(gravity, factor)
         longer = "Divide it by factor^2, because the drop grows with the square of the time."
+        about.cause = f"Your gravity is wrong. {longer}"
+        weak = scaling.slowed_gravity(gravity, factor)
         weaker = (
             "Divide it by factor^2 instead, because the slower shot flies longer and must not drop "
             "farther."
@@ -114,72 +112,13 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
                 gravity / factor,
                 f"You divide gravity by the factor only once, as in the book (E-2). {longer}",
             ),
+            (
+                gravity,
+                f"You leave gravity unchanged, so the slow shot drops too far. {longer}",
+            ),
             (gravity * factor, f"You multiply gravity by the factor. {weaker}"),
             (gravity * factor**2, f"You multiply gravity by factor^2. {weaker}"),
         ]
-        about.cause = cause_of(weak, mistakes, f"Your gravity is wrong. {longer}")
+        blame(weak, mistakes)
         drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
         expect_close(drop, 0.5 * gravity * 0.2**2, unit="m")
-
-
-@pytest.mark.exercise("B4.1")
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
-def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
-    about.read = "the docstrings in scaling.py"
-    for name, data, what in (
-        ("muzzle_energy", (bad, 3.0), "mass"),
-        ("slowed_mass", (bad, 3.0), "mass"),
-        ("slowed_mass", (2.0, bad), "factor"),
-        ("slowed_gravity", (2.0, bad), "factor"),
-    ):
-        about.call = f"{name}{data}"
-        about.cause = (
-            f"The {what} is {bad}. It must be positive and finite, so raise ValueError. The "
-            "function positive in arguments.py does this for you."
-        )
-        expect_error(
-            lambda name=name, data=data: getattr(scaling, name)(*data),
-            ValueError,
-            allowed=lambda name=name: getattr(scaling, name)(2.0, 3.0),
-        )
-
-
-@pytest.mark.exercise("B4.1")
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
-def test_speed_and_gravity_are_finite(bad: float) -> None:
-    about.read = "the docstrings in scaling.py"
-    for name, data, wrong, rule in (
-        ("muzzle_energy", (2.0, bad), f"The speed is {bad}", "finite and not negative"),
-        ("muzzle_energy", (2.0, -3.0), "The speed is -3.0", "finite and not negative"),
-        ("slowed_gravity", (bad, 2.0), f"Gravity is {bad}", "finite"),
-    ):
-        about(f"{name}{data}", cause=f"{wrong}. It must be {rule}, so raise ValueError.")
-        expect_error(
-            lambda name=name, data=data: getattr(scaling, name)(*data),
-            ValueError,
-            allowed=lambda: scaling.muzzle_energy(2.0, 0.0) + scaling.slowed_gravity(-9.0, 3.0),
-        )
-
-
-@pytest.mark.exercise("B4.1")
-@pytest.mark.robust
-def test_text_is_no_number() -> None:
-    about.cause = (
-        "An argument is the string '2', which is not a number, so raise TypeError. The functions "
-        "in arguments.py do this for you."
-    )
-    about.read = "the docstring in scaling.py"
-    text: Any = "2"
-    for name, data in (
-        ("muzzle_energy", (text, 3.0)),
-        ("slowed_mass", (2.0, text)),
-        ("slowed_gravity", (text, 3.0)),
-    ):
-        about.call = f"{name}{data}"
-        expect_error(
-            lambda name=name, data=data: getattr(scaling, name)(*data),
-            TypeError,
-            allowed=lambda: scaling.slowed_mass(2.0, 3.0),
-        )

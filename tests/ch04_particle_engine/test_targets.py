@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from random import Random
 from typing import Any
 
@@ -39,12 +40,14 @@ def expect_hit(got: Any, wanted: float | None = None, tolerance: float | None = 
 
 def fraction(start: Components, end: Components) -> float | None:
     """Return what comes back for this box."""
+    about.read = READ
     box = TargetBlock(Vector3(*CENTER), SIZE, mass=10.0)
     return targets.hit_fraction(Vector3(*start), Vector3(*end), box)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="ask whether the path from the start to the end")
 def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
+    about.read = READ
     z = round(rng.uniform(10.2, 11.4), 3)
     about.call = (
         f"a block with its center at (0, 1, {z}), which is 1 cm thick along Z; "
@@ -56,20 +59,52 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    whole = (
-        "You treat the block as twice as thick as it is. Each number in size is the length of a "
-        "whole side, so a face is only half that length from the center."
-    )
-    blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
+    wanted = (z - 0.005 - 10.0) / 1.67
+    mistakes = [
+        (
+            (z - 0.01 - 10.0) / 1.67,
+            "You treat the block as twice as thick as it is. Each number in size is the length of "
+            "a whole side, so a face is only half that length from the center.",
+        ),
+        (
+            (z + 0.005 - 10.0) / 1.67,
+            "You return the fraction at which the shot leaves the block. Return the fraction at "
+            "which it enters it.",
+        ),
+        (
+            (z - 10.0) / 1.67,
+            "You treat the position of the block as its near face, but it is the center. The near "
+            "face is half a side closer.",
+        ),
+        (
+            wanted * math.hypot(0.1, 0.1, 1.67),
+            "You return the length of the path up to the block, in m. Divide it by the length of "
+            "the whole path to get the fraction.",
+        ),
+        (
+            -10.0,
+            "You return the smallest of the three entry fractions. Return the largest of the "
+            "three, because the path must be between the faces on all three axes.",
+        ),
+        (
+            0.0,
+            "You return the entry fraction of the X axis alone, perhaps because the return "
+            "statement is inside the loop. Return the largest fraction after the loop.",
+        ),
+    ]
+    blame(got, mistakes)
+    if got is True:
+        about.cause = "You return True for a hit. Return the fraction of the path instead, and "
+        about.cause += "None for a miss."
     if got is None:
         about.cause = (
             "You test only the ends of the path, but this path starts in front of the block and "
             "ends behind it. Test the whole path."
         )
-    expect_hit(got, (z - 0.005 - 10.0) / 1.67, ROUNDED)
+    expect_hit(got, wanted, ROUNDED)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries")
 def test_a_path_hits_the_box_where_it_enters() -> None:
     smallest, last = (
         f"You return the {which}. Return the largest of the three, because the path must be "
@@ -104,7 +139,7 @@ def test_a_path_hits_the_box_where_it_enters() -> None:
         expect_hit(got, wanted)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="when the shot does not move along an axis")
 def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
     about.cause = (
         "Along two of the axes, the displacement of this path is 0, so you cannot divide by it. "
@@ -125,8 +160,9 @@ def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
         expect_hit(got, wanted)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries")
 def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
+    about.read = READ
     about.cause = (
         "On each axis, the path enters the space between the two faces of the box at some "
         "fraction. It enters the box at the largest of these three fractions."
@@ -148,7 +184,7 @@ def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
         expect_hit(got, wanted, ROUNDED)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="changes none of its arguments")
 def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     start, end, center = components(rng), components(rng), components(rng)
     about.call = f"start, end = Vector3{start}, Vector3{end}; hit_fraction(start, end, block)"
@@ -182,7 +218,7 @@ def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="path that misses it gives None")
 def test_a_path_beside_before_or_behind_the_box_misses() -> None:
     for start, end, missed, cause in (
         (
@@ -244,7 +280,7 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             expect_hit(got)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="If the latest entry comes after the earliest exit")
 def test_a_path_past_a_corner_misses() -> None:
     beside = (
         "This path is never between the two faces on X and the two faces on Z at the same time. "
@@ -267,7 +303,7 @@ def test_a_path_past_a_corner_misses() -> None:
             expect_hit(got)
 
 
-@pytest.mark.exercise("4.3b")
+@pytest.mark.exercise("4.3b", asks="only touches the block counts as a hit")
 def test_a_touch_and_a_start_inside_count_as_hits() -> None:
     along = (
         "This path runs along a face of the box. A touch counts as a hit, so return the fraction "

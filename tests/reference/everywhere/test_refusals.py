@@ -14,11 +14,13 @@ import pytest
 
 from ch02_vectors import arguments
 from ch02_vectors.vector import Vector3
-from ch04_particle_engine.ballistics import aim
+from ch04_particle_engine.ballistics import BallisticRange, aim
 from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.closed_form import burst_positions, drag_factors, state_after
 from ch04_particle_engine.exact_frames import places_in_frames
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, Payload
-from ch04_particle_engine.screen_rotation import screen_angle
+from ch04_particle_engine.scaling import muzzle_energy, slowed_gravity, slowed_mass
+from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
 from ch04_particle_engine.targets import TargetBlock
 from ch05_forces.closed_form import coasting_speed, drag_limits, quadratic_fall, terminal_speed
 from ch05_forces.forces import (
@@ -88,6 +90,10 @@ def show() -> FireworksShow:
     return FireworksShow([rule()], 10, 1)
 
 
+def wheel() -> CatherineWheel:
+    return CatherineWheel(show(), 1, Vector3(), 1.0, 3.0, 9.0)
+
+
 def damped(damping: float) -> Particle:
     return Particle(damping=damping)
 
@@ -129,7 +135,21 @@ VALUES: dict[str, list[Refused]] = {
         ("spark_type", 2, lambda x: CatherineWheel(show(), x, Vector3(), 1.0, 3.0, 9.0)),
         ("radius", 0.0, lambda x: CatherineWheel(show(), 1, Vector3(), x, 3.0, 9.0)),
         ("start", NAN, lambda x: screen_angle(x, 1.0, 1.0)),
+        ("size", -1.0, lambda x: screen_corners((0.0, 0.0), x, 1.0)),
+        ("mass", 0.0, lambda x: muzzle_energy(x, 3.0)),
+        ("speed", -3.0, lambda x: muzzle_energy(2.0, x)),
+        ("factor", 0.0, lambda x: slowed_mass(2.0, x)),
+        ("gravity", NAN, lambda x: slowed_gravity(x, 2.0)),
+        ("speed", -3.0, lambda x: aim(x, 0.0, 0.0)),
         ("elevation", INF, lambda x: aim(1.0, 0.0, x)),
+        ("azimuth", NAN, lambda x: BallisticRange().fire("pistol", x)),
+        ("duration", 0.0, lambda x: BallisticRange().update(x)),
+        ("duration", NAN, lambda x: show().update(x)),
+        ("duration", -0.5, lambda x: wheel().update(x)),
+        ("damping", INF, lambda x: drag_factors(x, 1.0)),
+        ("time", -0.5, lambda x: drag_factors(0.5, x)),
+        ("time", NAN, lambda x: state_after(Particle(mass=INF), x)),
+        ("start", NAN, lambda x: burst_positions(x, [], -10.0, 0.5, 1.0)),
         ("size", 0.0, lambda x: TargetBlock(Vector3(), (1.0, x, 1.0), mass=1.0)),
     ],
     "ch05_forces": [
@@ -289,6 +309,7 @@ TYPES: dict[str, list[Refused]] = {
         *(("v", bad, lambda x: arguments.finite_vector("v", x)) for bad in (3.0, (1, 2, 3), None)),
         ("v", 3, lambda x: arguments.instance_of("v", x, Vector3)),
     ],
+    "ch04_particle_engine": [("mass", "2", lambda x: muzzle_energy(x, 3.0))],
     "ch05_forces": [("origin", None, lambda x: Uplift(x, 1.0, UP))],
     "ch07_constraints": [
         ("force", (0, 1, 0), lambda x: force_for_frame(x, 0.0, 0.1)),

@@ -68,7 +68,7 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     first half step, leapfrog updates the velocity and the position in turn, just as semi-implicit
     Euler does. Source: Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
-    raise NotImplementedError("Exercise B6.6b: Leapfrog")
+    raise NotImplementedError("Exercise B6.12: Leapfrog")
 
 
 def velocity_verlet(

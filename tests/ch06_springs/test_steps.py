@@ -16,7 +16,7 @@ ZERO = (0.0, 0.0, 0.0)
 EXERCISES = {
     "explicit_euler": "B6.6",
     "semi_implicit_euler": "B6.6",
-    "leapfrog": "B6.6b",
+    "leapfrog": "B6.12",
     "velocity_verlet": "B6.7",
     "runge_kutta_4": "B6.8",
 }

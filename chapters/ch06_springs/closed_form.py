@@ -32,11 +32,6 @@ def damped_spring_state(
     only the damping slows it down. The book covers only the under-damped case (erratum E-23),
     and its equation lacks the mass (erratum E-40).
 
-    Raises:
-        ValueError: if the mass is not positive, the stiffness, damping or time is negative, or an
-            argument, k / m, c / m, the angle of the oscillation or a result is not finite.
-        TypeError: if an argument is not a number.
-
     Book: section 6.3.2.
     """
     raise NotImplementedError("Exercise B6.5: Harmonic motion without steps")

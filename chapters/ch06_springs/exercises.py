@@ -38,10 +38,6 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
     False
     >>> swings_wider(semi_implicit_euler, 15_000.0, 1.0, 1.0 / 60.0)
     True
-
-    Raises:
-        ValueError: if the stiffness or damping is negative, the duration is not positive, or one of
-            them is not finite.
     """
     raise NotImplementedError("Exercise 6.5: How stiff may a spring be? Measured")
 
@@ -56,9 +52,5 @@ def largest_stable_stiffness(integrator: Integrator, damping: float, duration: f
     The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
     from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required. With the book's
     integrator, the oscillations then grow so slowly that ``FRAMES`` steps do not show the growth.
-
-    Raises:
-        ValueError: if the damping is negative, the duration is not positive, or one of them is not
-            finite.
     """
     raise NotImplementedError("Exercise 6.5: How stiff may a spring be? Measured")

@@ -11,9 +11,7 @@ particle's own damping d multiplies its velocity by d^h once, at the end of a st
 particles do not move. The orders are given for d = 1, because for any other d the order is 1.
 Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, and d = 1 unless noted.
 
-Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
-not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the particles
-are left in the middle of the step.
+If ``apply_forces`` raises an exception, the particles are left in the middle of the step.
 """
 
 from __future__ import annotations
@@ -119,9 +117,6 @@ def backward_euler(
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but even without damping it loses energy, and the stiffer the spring, the more.
     Source: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3.
-
-    Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
-    or an argument or result is not finite. Raises TypeError for an argument that is not a number.
     """
     raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
 
@@ -132,7 +127,7 @@ def trapezoidal(
     """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
     The new values solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with m a = -k x - c v.
-    The arguments, units and exceptions are those of ``backward_euler``.
+    The arguments and units are those of ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
@@ -162,7 +157,5 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     The new integrator takes the same arguments and counts its steps. It raises SimulationDiverged
     for the first particle whose speed is NaN or above ``speed_limit`` in m/s. A step in which
     ``integrator`` raises an exception does not count.
-
-    Raises ValueError if the limit is not positive and finite.
     """
     raise NotImplementedError("Exercise B6.10: A warning when it explodes")

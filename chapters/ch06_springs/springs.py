@@ -166,8 +166,7 @@ class FakeStiffSpring:
 
         On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, x and v are the
         current position and velocity, and T is the position to which a real spring would take the
-        particle. Measure positions from the anchor. Raise ValueError unless h is positive and
-        finite, even if the particle is immovable and gets no force.
+        particle. Measure positions from the anchor. Add no force to an immovable particle.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 
@@ -206,9 +205,5 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
     s, d is the particle's ``damping``, and m is ``mass`` in kg. The formula is for an
     AnchoredSpring without damping. If d is 1 or more, no spring is stable, so the result is 0. If d
     is 0, or d^-h is too large for a float, the result is ``math.inf``.
-
-    Raises:
-        ValueError: if the damping is negative, the duration or the mass is not positive, or one of
-            them is not finite.
     """
     raise NotImplementedError("Exercise 6.6b: How stiff may a spring be? Worked out")

@@ -5,7 +5,6 @@ Each function takes and returns plain numbers.
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -111,21 +110,6 @@ def energy_left(method: str, stiffness: float, duration: float, frames: int) -> 
     )
     x, v = ends["positions"][0][0], ends["velocities"][0][0]
     return (stiffness * x * x + v * v) / stiffness
-
-
-def refused(method: str, duration: float) -> Numbers:
-    """Try a step of this duration, with a force of 3 N along z; return what is left."""
-    particle = Particle(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 2.0, 0.0))
-    particle.add_force(Vector3(0.0, 0.0, 3.0))
-    field = Field([particle], 5.0, 0.0)
-    with contextlib.suppress(ValueError):
-        getattr(integrators, method)([particle], field, duration)
-    return {
-        "position": [*xyz(particle.position)],
-        "velocity": [*xyz(particle.velocity)],
-        "force": [*xyz(particle.force_accumulator)],
-        "asked": [len(field.asked)],
-    }
 
 
 def implicit_steps(

@@ -19,7 +19,6 @@ from expect import (
     blame,
     expect_between,
     expect_close,
-    expect_error,
     expect_unchanged,
     xyz,
 )
@@ -208,31 +207,3 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     wanted = (8.0 * (math.cos(0.5 * math.sqrt(50.0)) - 1.0), 0.0, 0.0)
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
-
-
-@pytest.mark.exercise("B6.11")
-@pytest.mark.robust
-def test_a_faked_spring_rejects_an_invalid_duration() -> None:
-    about.read = "the docstring of FakeStiffSpring.update_force"
-    s = FakeStiffSpring(Vector3(), 400.0, 3.0)
-    for mass in (1.0, math.inf):
-        p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
-        for bad in (0.0, -1.0, math.inf, math.nan):
-            expect_error(
-                lambda p=p, bad=bad: s.update_force(p, bad),
-                ValueError,
-                call=f"p = Particle(Vector3(1, 0, 0), mass={mass}); s = FakeStiffSpring(anchor="
-                f"Vector3(), stiffness=400, damping=3); s.update_force(p, {bad})",
-                cause=f"The duration is {bad}. It must be positive and finite, so raise ValueError"
-                + (", even if the particle is immovable." if mass == math.inf else "."),
-                allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
-            )
-    about.call = "p at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), stiffness=400, "
-    about.call += "damping=3).update_force(p, 1/60)"
-    about.cause = "A duration of 1/60 s is valid, so don't raise an error. Use the spring's "
-    about.cause += "damping when you compute the position that a real spring would reach."
-    p = Particle(Vector3(1.0, 0.0, 0.0))
-    s.update_force(p, 1.0 / 60.0)
-    wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0
-    got = xyz(p.force_accumulator)
-    expect_close(got, (wanted, 0.0, 0.0), then="; p.force_accumulator, in N", tolerance=1e-9)

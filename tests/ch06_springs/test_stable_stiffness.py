@@ -11,7 +11,7 @@ import pytest
 from ch06_springs.springs import max_stable_stiffness
 from ch06_springs.step_probes import step_matrix
 from draw import positive_number
-from expect import about, blame, expect_close, expect_error, expect_exactly, expect_that, named
+from expect import about, blame, expect_close, expect_exactly, expect_that, named
 
 READ = "exercise 6.6 and the docstring of max_stable_stiffness"
 
@@ -144,42 +144,3 @@ def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about.cause += "large for a float. Catch the error and return math.inf."
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)
-
-
-@pytest.mark.exercise("6.6b")
-@pytest.mark.robust
-def test_max_stable_stiffness_rejects_invalid_arguments() -> None:
-    about.read = READ
-    for bad in (
-        (-0.5, 0.25, 1.0),
-        (math.nan, 0.25, 1.0),
-        (math.inf, 0.25, 1.0),
-        (0.5, 0.0, 1.0),
-        (0.5, -0.25, 1.0),
-        (0.5, math.inf, 1.0),
-        (0.5, math.nan, 1.0),
-        (0.0, 0.0, 1.0),
-        (0.5, 0.25, 0.0),
-        (0.5, 0.25, -1.0),
-        (0.0, 0.25, math.inf),
-        (0.5, 0.25, math.nan),
-    ):
-        damping, duration, mass = bad
-        name, value = ("mass", mass) if 0.0 < duration < math.inf else ("duration", duration)
-        cause = f"The {name} is {value}. It must be positive and finite, so raise ValueError"
-        cause += ", even if the damping is 0." if damping == 0.0 else "."
-        if not 0.0 <= damping < math.inf:
-            cause = f"The damping is {damping}. It must be finite and not negative, so raise "
-            cause += "ValueError."
-        expect_error(
-            lambda bad=bad: max_stable_stiffness(*bad),
-            ValueError,
-            call="max_stable_stiffness(damping={}, duration={}, mass={})".format(*bad),
-            allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
-            cause=cause,
-        )
-    about.call = "max_stable_stiffness(damping=0.25, duration=1.0, mass=2.0), in N/m"
-    about.cause = "All of these arguments are valid, so don't raise an error. The result is 2 "
-    about.cause += "(0.25^-1 - 1) / 1^2, which is 6."
-    got = max_stable_stiffness(0.25, 1.0, 2.0)
-    expect_close(got, 6.0)

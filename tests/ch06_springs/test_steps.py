@@ -7,9 +7,9 @@ from random import Random
 
 import pytest
 
-from ch06_springs.step_probes import Body, refused, stepped
+from ch06_springs.step_probes import Body, stepped
 from draw import Components, components, positive_number
-from expect import about, expect_close, expect_error, expect_exactly, named
+from expect import about, expect_close, expect_exactly, named
 from one_step import one_step, wrong_steps
 
 ZERO = (0.0, 0.0, 0.0)
@@ -352,42 +352,3 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     )
     got = ends["positions"][1][0]
     expect_close(got, x, then="; particles[1].position.x, in m", tolerance=1e-12)
-
-
-@methods
-@pytest.mark.robust
-def test_a_step_needs_a_duration(method: str) -> None:
-    about.read = "the docstring of the module"
-    body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    for bad in (0.0, -1.0, math.inf, math.nan):
-        about.call = f"{method}([p], apply_forces, {bad})"
-        about.cause = f"The duration is {bad}. It must be positive and finite, so raise "
-        about.cause += "ValueError. The function positive from arguments.py does this for you."
-        expect_error(
-            lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
-            ValueError,
-            allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
-        )
-        after = refused(method, bad)
-        about.call += " raised an error"
-        about.cause = "Your step checks the duration only after it has changed p. Check the "
-        about.cause += "duration before anything else."
-        for name, key, wanted in (
-            ("position, in m", "position", (1.0, 0.0, 0.0)),
-            ("velocity, in m/s", "velocity", (0.0, 2.0, 0.0)),
-            ("force_accumulator, in N", "force", (0.0, 0.0, 3.0)),
-        ):
-            expect_close(after[key], wanted, then=f"; p.{name}", tolerance=0.0)
-        about.cause = "Your step checks the duration only after it has called apply_forces. Check "
-        about.cause += "the duration before anything else."
-        expect_exactly(after["asked"], [0], then="; the number of calls to apply_forces")
-    about.call = f"{method}([], apply_forces, 0.5), and with one particle"
-    about.cause = (
-        "An empty list of particles is not an error, because there is nothing to do. A single "
-        "particle moves like any other."
-    )
-    ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
-    expect_exactly(ends["positions"], [], then="; the positions of the particles")
-    ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)
-    got = ends["positions"][0]
-    expect_close(got, (1.0, 1.0, 0.0), then="; the position of the single particle, in m")

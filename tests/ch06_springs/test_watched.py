@@ -8,7 +8,6 @@ from random import Random
 
 import pytest
 
-from ch06_springs.integrators import watched
 from ch06_springs.step_probes import exploding, watching, watching_on
 from draw import positive_number
 from expect import (
@@ -16,7 +15,6 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_exactly,
     expect_that,
 )
@@ -203,21 +201,3 @@ def test_watched_goes_on_after_an_error(rng: Random) -> None:
     about.cause += "and checking."
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))
-
-
-@pytest.mark.exercise("B6.10")
-@pytest.mark.robust
-def test_watched_rejects_an_invalid_limit() -> None:
-    about(
-        cause=("A speed limit must be positive and finite."),
-        read=READ,
-    )
-    for bad in (0.0, -1.0, math.inf, math.nan):
-        expect_error(
-            lambda bad=bad: watched(print, bad),
-            ValueError,
-            call=f"watched(integrator, speed_limit={bad})",
-            allowed=lambda: watched(print, 1.0),
-            cause=f"The speed limit is {bad}. It must be positive and finite, so raise ValueError "
-            "as soon as watched is called.",
-        )

@@ -2,14 +2,17 @@
 
 The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
 particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
-particles only, as ``ForceRegistry.update_forces`` does. It may be called several times. Before each
-call, the accumulators may contain only the forces added by hand before the step. After the step
-they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
+particles only, as ``ForceRegistry.update_forces`` does. It may be called several times, always with
+the duration of the whole step. A force may depend on two particles, so move all particles before
+you call it again. Before each call, the accumulators must contain exactly the forces that were
+added by hand before the step. After the step they are empty, and ``Particle.last_acceleration`` is
+the mean acceleration of the step.
 
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
 particle's own damping d multiplies its velocity by d^h once, at the end of a step. Immovable
-particles do not move. The orders are given for d = 1, because for any other d the order is 1.
-Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, and d = 1 unless noted.
+particles do not move, and keep their velocities. The orders are given for d = 1, because for any
+other d the order is 1. Stability limits apply to k h^2 / m, for a mass m on an undamped spring k,
+and d = 1 unless noted.
 
 If ``apply_forces`` raises an exception, the particles are left in the middle of the step.
 """
@@ -154,8 +157,9 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that also checks the speed of every particle after each step.
 
-    The new integrator takes the same arguments and counts its steps. It raises SimulationDiverged
-    for the first particle whose speed is NaN or above ``speed_limit`` in m/s. A step in which
+    In each step, the new integrator calls ``integrator`` once, with the same arguments. It counts
+    its own steps, and raises SimulationDiverged for the first particle whose speed is NaN or above
+    ``speed_limit`` in m/s. It can be called again after that, and goes on counting. A step in which
     ``integrator`` raises an exception does not count.
     """
     raise NotImplementedError("Exercise B6.10: A warning when it explodes")

@@ -32,7 +32,8 @@ def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
 
     ``x`` is the person's position in m, and ``weight`` is in N. ``planks`` must be in order along
     x. The person stands between two planks, and the nearer one carries more of the weight. If the
-    person is before the first plank or beyond the last one, the nearest plank carries the whole
-    weight.
+    person has covered the fraction s of the way from one plank to the next, these two carry 1 - s
+    and s of the weight. If the person is before the first plank or beyond the last one, the nearest
+    plank carries the whole weight.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")

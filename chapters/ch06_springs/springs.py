@@ -6,6 +6,8 @@ both ends are at the same position, it has no direction, so its force is zero.
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
 argument of the wrong type. You may change the attributes later, but these changes are not checked.
+``update_force`` uses their current values. It adds to the forces that the particle already has, and
+changes nothing else.
 """
 
 from __future__ import annotations
@@ -29,7 +31,8 @@ def spring_force(
     relative to the other end. The force is -(k (l - l0) + c l') d^. Here l is the length of
     ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is ``damping``.
     The rate at which the spring gets longer is l', the component of ``velocity`` along d^. A zero
-    offset has no direction, so the force is then zero. The arguments are not checked.
+    offset has no direction, so the force is then zero. The arguments are neither checked nor
+    changed.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls, because
     the listing takes the absolute value of the extension (erratum E-3). Book: Eq. 6.1, 6.2.
@@ -115,7 +118,8 @@ class Connection:
         """Compute the spring force on ``a``. Add it to ``a``, and add the exact opposite to ``b``.
 
         Because the two forces are opposite, the total momentum of both particles stays constant.
-        You may register the connection for either particle.
+        You may register the connection for either particle. A force that is too large for a float
+        is a ValueError, as in ``add_force``.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -131,7 +135,9 @@ def connect(
     """Join the particles ``a`` and ``b`` by one spring that acts on both, and return the spring.
 
     The registry skips immovable particles, so the spring is registered for ``a``, or for ``b`` if
-    ``a`` is immovable. If you want to make an end immovable, do so before you connect it.
+    ``a`` is immovable. If you want to make an end immovable, do so before you connect it. A spring
+    between two immovable ends has no effect. If ``Connection`` raises an error for one of the
+    numbers, pass the error on and register nothing.
     """
     raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -176,10 +182,8 @@ class ElasticLimitSpring:
 
     Up to a length of ``limit`` it behaves like a Spring. Beyond this length, each additional meter
     increases the pull by only ``share`` times the stiffness. Unlike a real spring, it recovers. It
-    has no damping, and exerts no force on the particle ``other`` at its other end.
-
-    Raises:
-        ValueError: if the limit is below the rest length, or if a number is negative or not finite.
+    has no damping, and exerts no force on the particle ``other`` at its other end. The limit must
+    not be below the rest length.
     """
 
     def __init__(

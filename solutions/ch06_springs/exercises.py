@@ -33,7 +33,8 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
     Simulate a particle with a mass of 1 kg and the given ``damping``, without gravity. A spring
     with a rest length of 0 and the given ``stiffness`` in N/m pulls the particle toward an anchor.
     Release the particle at rest, ``START`` m away from the anchor. Let the integrator make
-    ``FRAMES`` steps of ``duration`` s each.
+    ``FRAMES`` steps of ``duration`` s each. If the spring is far too stiff, stop early, before the
+    positions and the forces are too large for a float.
 
     The answer must be correct if the stiffness differs from the limit by at least 1 % and an
     oscillation takes at most FRAMES / 6 steps. The only exception is a particle without damping

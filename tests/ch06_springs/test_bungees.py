@@ -45,7 +45,7 @@ def rope(
     return about.call, bungee, p
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="When it is stretched, it pulls like a spring.")
 def test_a_stretched_rope_pulls(rng: Random) -> None:
     about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
@@ -84,7 +84,7 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             expect_unchanged("p.velocity", xyz(p.velocity), before[1], cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="no force, unless it is longer than its rest length")
 def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
     about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
@@ -137,7 +137,7 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="damping reduces its pull, but the rope must never push")
 def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
     about.read = "the docstring of Bungee.update_force"
     for kind in BOTH:
@@ -195,7 +195,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="adds to the forces that the particle already has")
 def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)

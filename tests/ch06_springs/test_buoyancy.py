@@ -16,7 +16,7 @@ from expect import UNCHANGED, about, blame, expect_close, expect_unchanged, xyz
 READ = "book 6.2.4 and the docstring of Buoyancy"
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="times the fraction of the body that is under water")
 def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
@@ -105,7 +105,7 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12 * full)
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="limited to the range from 0 to 1")
 def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
@@ -152,7 +152,7 @@ def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11 * wanted[1])
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="equals the weight of the displaced water")
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about(
         "p at (0, 0, 0); Buoyancy(max_depth=0.5, volume=0.001, water_height=0, "
@@ -169,7 +169,7 @@ def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     expect_close(got, (0.0, 5.0, 0.0), then="; p.force_accumulator, in N")
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="adds to the forces that the particle already has")
 def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> None:
     about.read = READ
     f = components(rng)
@@ -190,7 +190,7 @@ def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> 
     expect_close(got, wanted)
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="the weight of the water that the body displaces")
 def test_a_floating_body_bobs_with_its_period() -> None:
     about.read = READ
     about.call = "a particle of 0.5 kg that floats on Buoyancy(max_depth=0.05, volume=0.001, "

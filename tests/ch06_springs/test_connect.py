@@ -35,7 +35,7 @@ def tension(
     return tuple(-(k * (length - rest) + c * rate) / length * o for o in offset)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="Add it to a, and add the exact opposite to b.")
 def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     about.read = READ
     here, there, v, w = (components(rng) for _ in range(4))
@@ -96,7 +96,7 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
         expect_close(on_b, opposite, call=f"{name}; b.force_accumulator, in N", tolerance=0.0)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="pushes if it is shorter")
 def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     about.read = READ
     k, rest = positive_number(rng), positive_number(rng, 1.0, 5.0)
@@ -132,7 +132,7 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     expect_close(got, wanted, then="; b.force_accumulator, in N", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="it has no direction, so its force is zero")
 def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.read = READ
     place, v = components(rng), components(rng)
@@ -185,7 +185,7 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     expect_close(got, (0.0, 3.0, 0.0))
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="registered for a, or for b if a is immovable")
 def test_connect_registers_the_spring_once(rng: Random) -> None:
     about.read = CONNECT
     here, there = components(rng), components(rng)
@@ -229,7 +229,7 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
                 expect_close(got, force, then=f"; {name}.force_accumulator, in N", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="acts on both, and return the spring")
 def test_connect_returns_the_spring(rng: Random) -> None:
     about.read = CONNECT
     here, there = components(rng), components(rng)
@@ -278,7 +278,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
         expect_close(got, ZERO, then=f"; {name}.force_accumulator, in N")
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="the total momentum of both particles stays constant")
 def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     about.read = "book 3.2.3, and the docstring of Connection.update_force"
     bodies = [(components(rng), components(rng), positive_number(rng, 1.0)) for _ in range(8)]
@@ -301,7 +301,7 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     expect_exactly(away > 1e-3, True)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="pulls on both ends with opposite forces")
 def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     about.read = "book 6.3.2, Eq. 6.3, with the reduced mass m1 m2 / (m1 + m2)"
     about.call = "a of 1 kg and b of 3 kg with connect(registry, a, b, stiffness=5.0, "
@@ -316,7 +316,7 @@ def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     expect_close(period, 2.43346721, tolerance=1e-4)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="between two immovable ends has no effect")
 def test_two_immovable_ends_may_be_connected() -> None:
     about.read = CONNECT
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
@@ -341,7 +341,7 @@ def test_two_immovable_ends_may_be_connected() -> None:
     expect_close(got, (-3.0, 0.0, 0.0))
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="pass the error on and register nothing")
 @pytest.mark.robust
 def test_connect_rejects_invalid_numbers() -> None:
     about.read = CONNECT

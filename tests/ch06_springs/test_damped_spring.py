@@ -53,7 +53,7 @@ def expect_position(arguments: tuple[float, ...], wanted: float, tolerance: floa
     expect_close(got, wanted, tolerance=tolerance)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="three forms, depending on how strong the damping is")
 def test_the_three_cases_by_known_values() -> None:
     about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
@@ -135,7 +135,7 @@ def test_the_three_cases_by_known_values() -> None:
     expect_close(got, wanted)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="The velocity is the derivative of this position.")
 @pytest.mark.parametrize(("share", "name"), REGIMES)
 def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> None:
     about.read = READ
@@ -181,7 +181,7 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
         expect_close(got, wanted, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="accurate to 1e-8 even if the damping is almost critical")
 def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
     about.read = READ
     x0, v0 = draw_number(rng), draw_number(rng)
@@ -242,7 +242,7 @@ def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
         expect_close(a - b, 0.0, tolerance=1e-8)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="If the stiffness is 0, the body feels no spring force.")
 def test_no_time_and_no_stiffness(rng: Random) -> None:
     about.read = READ
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
@@ -272,7 +272,7 @@ def test_no_time_and_no_stiffness(rng: Random) -> None:
     expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="because even a very soft spring oscillates")
 def test_very_soft_and_very_stiff_springs() -> None:
     for arguments, wanted, tolerance, cause in (
         (
@@ -307,7 +307,7 @@ def test_very_soft_and_very_stiff_springs() -> None:
         expect_position(arguments, wanted, tolerance)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="at late times and for strong damping")
 @pytest.mark.robust
 def test_late_times_and_strong_damping() -> None:
     for arguments, wanted, tolerance, cause in (
@@ -344,7 +344,7 @@ def test_late_times_and_strong_damping() -> None:
         expect_position(arguments, wanted, tolerance)
 
 
-@pytest.mark.exercise("B6.5")
+@pytest.mark.exercise("B6.5", asks="The velocity is the derivative of this position.")
 def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)

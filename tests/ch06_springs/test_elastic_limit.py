@@ -17,7 +17,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
 
 
-@pytest.mark.exercise("6.1")
+@pytest.mark.exercise("6.1", asks="it behaves like a Spring")
 def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
@@ -82,7 +82,7 @@ def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
     expect_close(got, (-2.0 * k, 0.0, 0.0))
 
 
-@pytest.mark.exercise("6.1")
+@pytest.mark.exercise("6.1", asks="increases the pull by only share times the stiffness")
 def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
@@ -135,7 +135,7 @@ def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
         expect_close(got, twice, then=then, tolerance=1e-11)
 
 
-@pytest.mark.exercise("6.1")
+@pytest.mark.exercise("6.1", asks="it has no direction, so its force is zero")
 def test_ends_at_the_same_position_get_no_elastic_force(rng: Random) -> None:
     about.read = READ
     place, f = components(rng), components(rng)

@@ -35,7 +35,7 @@ def true_spring(x0: float, v0: float, k: float, c: float, m: float, t: float) ->
     return (a * cmath.exp(r * t) + b * cmath.exp(s * t)).real
 
 
-@pytest.mark.exercise("B6.11")
+@pytest.mark.exercise("B6.11", asks="the force is m ((T - x) / h^2 - v / h)")
 def test_the_force_by_its_formula() -> None:
     about.read = READ
     about.call = "p of 1 kg at rest at (1, 0, 0), with acceleration (0, -10, 0) and damping 0.5; "
@@ -81,7 +81,7 @@ def test_the_force_by_its_formula() -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-10)
 
 
-@pytest.mark.exercise("B6.11")
+@pytest.mark.exercise("B6.11", asks="the force is therefore half that of a real spring")
 def test_a_soft_spring_is_faked_too() -> None:
     about(
         "p of 1 kg at rest at (0, 0, 1); FakeStiffSpring(anchor=Vector3(), stiffness=0.5, ",
@@ -101,7 +101,7 @@ def test_a_soft_spring_is_faked_too() -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.11")
+@pytest.mark.exercise("B6.11", asks="the particle reaches the computed position")
 def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
     about.read = READ
     anchor, place, v = components(rng), components(rng), components(rng)
@@ -141,7 +141,7 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         expect_close(ends[-1], wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.11")
+@pytest.mark.exercise("B6.11", asks="such a spring is stable at any stiffness")
 def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.read = READ
     place = components(rng)
@@ -165,7 +165,7 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B6.11")
+@pytest.mark.exercise("B6.11", asks="adds to the forces that the particle already has")
 def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     f, place = components(rng), components(rng)

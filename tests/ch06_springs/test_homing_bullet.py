@@ -18,7 +18,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.4 and the docstring of HomingBullet"
 
 
-@pytest.mark.exercise("6.4")
+@pytest.mark.exercise("6.4", asks="the future position of the bullet to the future position")
 def test_it_aims_at_the_predicted_position(rng: Random) -> None:
     about.read = READ
     here, v, there, w, f = (components(rng) for _ in range(5))
@@ -81,7 +81,7 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
 
 
-@pytest.mark.exercise("6.4")
+@pytest.mark.exercise("6.4", asks="and changes nothing else")
 def test_bullet_and_target_are_not_moved(rng: Random) -> None:
     about.read = READ
     here, v, there, w = (components(rng) for _ in range(4))
@@ -126,7 +126,7 @@ def test_bullet_and_target_are_not_moved(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
 
 
-@pytest.mark.exercise("6.4")
+@pytest.mark.exercise("6.4", asks="steers a bullet toward the future position")
 def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     about.read = READ
     start, w = components(rng), components(rng)

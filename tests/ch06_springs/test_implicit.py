@@ -30,7 +30,7 @@ def off(
     return new[0] - x - h * new[1], new[1] - v - h * b
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="Every step therefore has to solve an equation.")
 @pytest.mark.parametrize("method", METHODS)
 def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
@@ -118,7 +118,7 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
         expect_close(new[1], new[1] - left[1], then=then, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="says how quickly its error shrinks")
 @pytest.mark.parametrize(("method", "factor"), [("backward_euler", 2.0), ("trapezoidal", 4.0)])
 def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> None:
     about.read = f"the docstring of {method}"
@@ -141,7 +141,7 @@ def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> No
     )
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="It is stable for every stiffness")
 @pytest.mark.parametrize("method", METHODS)
 def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
@@ -171,7 +171,7 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
         expect_close(left, wanted, tolerance=tolerance)
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="every step divides the energy by 1 + k h^2 / m")
 def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     about.read = "the docstring of backward_euler"
     x, v = draw_number(rng), draw_number(rng)

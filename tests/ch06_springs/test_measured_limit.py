@@ -36,7 +36,7 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
     return ((1.0 / keep - 1.0) if explicit else 2.0 * (1.0 + keep) / keep) / (share * h * h)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="Release the particle at rest, START m away")
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
@@ -99,7 +99,7 @@ def test_how_the_particle_is_released() -> None:
     )
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="if the stiffness differs from the limit by at least 1 %")
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None:
     about.read = WIDER
@@ -148,7 +148,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="Oscillations of constant amplitude do not count as growing.")
 def test_swings_of_constant_size_are_not_wider() -> None:
     about.read = WIDER
     about.cause = "Without damping, semi-implicit Euler keeps the amplitude, so the result must be "
@@ -174,7 +174,7 @@ def test_swings_of_constant_size_are_not_wider() -> None:
     expect_exactly(got, True)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="The result must be within 1 % of the true limit")
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     about.read = LARGEST
@@ -210,7 +210,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     expect_close(got, wanted, unit="N/m", tolerance=0.02 * wanted)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="even the stiffest spring is stable, return STIFFEST / h^2")
 def test_the_ends_of_the_measured_range() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0

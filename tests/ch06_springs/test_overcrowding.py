@@ -18,7 +18,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.3 and the docstring of Overcrowding"
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="that particle pushes with the force k")
 def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
     about.read = READ
     here, d, f = components(rng), direction(rng), components(rng)
@@ -81,7 +81,7 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="from every other particle that is too close")
 def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
@@ -121,7 +121,7 @@ def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="exactly the same position does not push")
 def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
@@ -161,7 +161,7 @@ def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     expect_close(got, (0.0, 15.0, 0.0), tolerance=1e-7)
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="too close therefore push each other apart")
 def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     about.read = READ
     places = [components(rng) for _ in range(6)]

@@ -18,7 +18,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of PenaltyGround"
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="Push a particle upward if it is below the ground")
 def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
     about.read = READ
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
@@ -49,7 +49,7 @@ def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="if it is below the ground")
 def test_there_is_no_force_above_the_ground(rng: Random) -> None:
     about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
@@ -98,7 +98,7 @@ def test_there_is_no_force_above_the_ground(rng: Random) -> None:
     expect_close(got, (0.0, k, 0.0), then="; p.force_accumulator, in N", tolerance=1e-12)
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="Add the force only if it is positive.")
 def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     about.read = "the docstring of PenaltyGround.update_force"
     k, c, depth = positive_number(rng), positive_number(rng), positive_number(rng)
@@ -156,7 +156,7 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="that rests on it sinks in by m g / k")
 def test_a_body_comes_to_rest_below_the_surface() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
     about.call = "p of 2 kg that falls 0.5 m with g = 10 m/s^2 onto PenaltyGround(height=0, "

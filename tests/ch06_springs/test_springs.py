@@ -69,7 +69,7 @@ def spring_slips(
     }
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="a stretched spring pulls this end back")
 def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
@@ -95,7 +95,7 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
     expect_close(got, (10.0, 0.0, 0.0))
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="the component of velocity along d^")
 def test_damping_acts_only_along_the_spring(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
@@ -133,7 +133,7 @@ def test_damping_acts_only_along_the_spring(rng: Random) -> None:
         expect_close(got, (0.0, wanted, 0.0))
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="offset has no direction, so the force is then zero")
 def test_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.read = READ
     v = components(rng)
@@ -180,7 +180,7 @@ def test_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     expect_close(got, (-100.0, 0.0, 0.0))
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="The arguments are neither checked nor changed.")
 def test_a_spring_changes_none_of_its_arguments(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
@@ -233,7 +233,7 @@ def test_a_spring_changes_none_of_its_arguments(rng: Random) -> None:
     expect_unchanged("o", xyz(o), ZERO)
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="Compute the spring force on particle, and add it")
 def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     about.read = "book 6.2.1 and the docstring of Spring"
     here, there, v, w, f = (components(rng) for _ in range(5))
@@ -302,7 +302,7 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     expect_close(got, (0.0, -8.0, 0.0), then="; p.force_accumulator, in N")
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="You may move anchor, for example")
 def test_an_anchor_may_be_moved(rng: Random) -> None:
     about.read = "book 6.2.2 and the docstring of AnchoredSpring"
     here, v = components(rng), components(rng)
@@ -357,7 +357,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="swings with the angular frequency")
 def test_a_particle_on_a_spring_swings_with_its_period() -> None:
     about.read = "book 6.3.2, Eq. 6.3"
     about.call = "p of 2 kg, released 0.5 m from the anchor; AnchoredSpring(anchor=Vector3(), "
@@ -377,7 +377,7 @@ def test_a_particle_on_a_spring_swings_with_its_period() -> None:
         expect_close(period, wanted, then="; the period in s", tolerance=1e-4)
 
 
-@pytest.mark.exercise("B6.1")
+@pytest.mark.exercise("B6.1", asks="rest length l_0, the spring exerts no force")
 def test_a_spring_at_its_rest_length_exerts_no_force(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)

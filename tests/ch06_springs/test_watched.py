@@ -42,7 +42,7 @@ def expect_told(error: Sequence[float] | None, wanted: Sequence[float], then: st
     expect_that(right, in_words(told), in_words(wanted), then=then)
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="calls integrator once, with the same arguments")
 def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
@@ -73,7 +73,7 @@ def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="raises SimulationDiverged for the first particle")
 def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None:
     about.read = READ
     limit = positive_number(rng, 2.0, 90.0)
@@ -121,7 +121,7 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
         expect_exactly(len(calls), number, then="; number of steps that were made")
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="whose speed is NaN or above speed_limit")
 def test_a_speed_equal_to_the_limit_is_allowed() -> None:
     about.call = f"{CALL.format(7.0)}; the particle has the velocity (2, 3, 6) m/s, so its speed "
     about.call += "is 7 m/s"
@@ -137,7 +137,7 @@ def test_a_speed_equal_to_the_limit_is_allowed() -> None:
     expect_told(error, (0.0, 1.0))
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="whose speed is NaN or above speed_limit")
 @pytest.mark.robust
 def test_a_speed_of_nan_is_above_every_limit() -> None:
     about.read = READ
@@ -150,7 +150,7 @@ def test_a_speed_of_nan_is_above_every_limit() -> None:
         expect_told(error, (1, 2))
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="after which the particle was too fast")
 def test_an_explosion_is_reported_with_its_step(rng: Random) -> None:
     about.read = READ
     # The first speed over 480 m/s is on the way back, that over the smaller limit is not.
@@ -169,7 +169,7 @@ def test_an_explosion_is_reported_with_its_step(rng: Random) -> None:
         expect_close((step, speed, told), wanted, tolerance=1e-9)
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="It counts its own steps")
 def test_two_watched_integrators_count_separately() -> None:
     about.read = READ
     about.call = "two integrators made by watched(integrator, speed_limit=5.0), used one after the "
@@ -188,7 +188,7 @@ def test_two_watched_integrators_count_separately() -> None:
     expect_that(error is None, in_words(error), "no error", then="; the error that it raises")
 
 
-@pytest.mark.exercise("B6.10")
+@pytest.mark.exercise("B6.10", asks="It can be called again after that, and goes on counting.")
 def test_watched_goes_on_after_an_error(rng: Random) -> None:
     about.read = READ
     # Half of the limit is above its square root, so that a squared speed is noticed.

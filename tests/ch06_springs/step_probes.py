@@ -142,8 +142,9 @@ def watching(
 
     def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
         apply_forces(h)
-        frame = speeds[len(calls) - 1]
-        for i, (particle, speed) in enumerate(zip(these, frame, strict=True)):
+        calls[-1] = (len(these), calls[-1][1])
+        frame = speeds[min(len(calls), len(speeds)) - 1]
+        for i, (particle, speed) in enumerate(zip(these, frame, strict=False)):
             # NaN and infinity along one axis; other speeds in three, as 2, 3 and 6 parts of 7.
             parts = [speed * part / 7.0 for part in (2.0, 3.0, 6.0)]
             if not math.isfinite(speed):
@@ -166,7 +167,7 @@ def watching_on(limit: float) -> list[int]:
     speeds = iter([math.nan, 0.5 * limit, 2.0 * limit, 0.5 * limit, 2.0 * limit])
 
     def step(_particles: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
-        speed = next(speeds)
+        speed = next(speeds, 0.0)
         if math.isnan(speed):
             raise ValueError("the force is not finite")
         particle.velocity = Vector3(speed)
@@ -223,6 +224,22 @@ def weakened(share: float, explicit: bool) -> Callable[..., None]:
 def wider(share: float, explicit: bool, stiffness: float, damping: float, duration: float) -> Any:
     """Ask swings_wider about such a step."""
     return exercises.swings_wider(weakened(share, explicit), stiffness, damping, duration)
+
+
+def wider_by(amplitudes: Sequence[float], last: float) -> Any:
+    """Ask swings_wider about a step that swings from side to side, by these lengths in turn.
+
+    Each lasts for a quarter of the steps. After the last step, the particle is at ``last``.
+    Lengths are in units of the distance at the start.
+    """
+    places = [exercises.START * size * (-1) ** i for size in amplitudes for i in range(200)]
+    places[-1] = exercises.START * last
+    ahead = iter(places)
+
+    def step(these: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
+        these[0].position = Vector3(next(ahead, 0.0))
+
+    return exercises.swings_wider(step, 1.0, 1.0, 0.25)
 
 
 def measured(share: float, explicit: bool, damping: float, duration: float) -> Any:

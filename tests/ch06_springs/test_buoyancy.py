@@ -140,8 +140,24 @@ def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
         about.call += f"water_height={surface}).update_force(p, 0.5)"
         p = Particle(Vector3(0.0, y, 0.0))
         Buoyancy(s, volume, surface).update_force(p, 0.5)
-        wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
-        expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator, in N")
+        full = 1000.0 * volume * 9.81
+        unlimited = (surface + s - y) / (2.0 * s)
+        got = xyz(p.force_accumulator)
+        slips = {
+            "Your submerged fraction is more than 1 here, although no more than the whole body can "
+            "be under water. Use 1 instead.": (0.0, unlimited * full, 0.0),
+            "There is no lift, although the whole body is under water. If the fraction would be "
+            "more than 1, use 1.": (0.0, 0.0, 0.0),
+        }
+        if share == 0.0:
+            slips = {
+                "Your submerged fraction is less than 0 here, although the body is out of the "
+                "water, so your lift pulls it down. Use 0 instead.": (0.0, unlimited * full, 0.0),
+                "Your lift is the full one, although the body is out of the water. If the fraction "
+                "would be less than 0, use 0.": (0.0, full, 0.0),
+            }
+        blame(got, slips)
+        expect_close(got, (0.0, share * full, 0.0), then="; p.force_accumulator, in N")
     about.call = f"p at (0, {surface}, 0); Buoyancy(max_depth={s}, volume={volume}, "
     about.call += f"water_height={surface}).update_force(p, 0.5)"
     about.cause = "Half of the body is under water here, so the lift must be half of the full lift."

@@ -46,13 +46,13 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     for end in ("a", "b"):
         a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
-        name = f"{about.call}.update_force({end}, 0.5)"
+        name = f"{about.call}.update_force({end}, 0.25)"
         about.cause = (
             "Compute the force on a with spring_force, from a's position and velocity relative "
             "to b. The force on a must be the same whichever end is passed to update_force, "
             f"which is {end} here."
         )
-        Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
+        Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.25)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, c = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
@@ -60,6 +60,12 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "Each end gets only half of the force. Apply the full force to each end.": [
                 0.5 * part for part in wanted
             ],
+            "You multiplied the force by the duration. Add the force itself, because the step "
+            "multiplies it by the duration later.": [0.25 * part for part in wanted],
+            "You swapped the stiffness and the rest length. spring_force takes the stiffness "
+            "first.": tension(here, v, there, w, (rest, k, c)),
+            "Your damping uses only the velocity of a, but the motion of b changes the length too. "
+            "Subtract b's velocity from a's.": tension(here, v, there, ZERO, numbers),
             "You halved the stiffness. The whole force of the spring acts on each end, so use "
             "self.stiffness unchanged.": tension(here, v, there, w, (0.5 * k, rest, c)),
             "You left out the damping. Pass it to spring_force, together with the velocity of a "

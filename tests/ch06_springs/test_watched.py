@@ -48,10 +48,14 @@ def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"no particle is faster than {0.999 * limit:.6g} m/s; {CALL.format(limit)}, "
     about.call += f"{frames} times"
-    about.cause = "Your step probably calls the original integrator more than once. Call it "
-    about.cause += "exactly once, with particles, apply_forces and duration unchanged."
+    about.cause = "In each step, call the original integrator exactly once, with particles, "
+    about.cause += "apply_forces and duration unchanged."
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
+    often = "Your step calls the original integrator more than once, perhaps once for each "
+    often += "particle. Call it exactly once in each step, before you check the particles."
+    then = "; number of calls of the original integrator"
+    expect_that(len(calls) <= frames, f"{len(calls)}", f"at most {frames}", cause=often, then=then)
     about.cause = "You raise an error although no speed is above the limit. The speed is the "
     about.cause += "magnitude of the velocity."
     total = "Your speed is the sum of the three components of the velocity. Use its magnitude, the "
@@ -84,10 +88,11 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
         speeds[number - 1][fast] = -1.25 * limit
         about.call = f"{CALL.format(limit)}, until it raises an error; particles[{fast}] is the "
         about.call += f"first that is too fast, at {1.25 * limit:.6g} m/s after step {number}"
-        about.cause = "Your error reports the wrong numbers. Report the first particle "
-        about.cause += "that is too fast: its index, the number of the step, its speed and the "
-        about.cause += "limit."
+        report = "the first particle that is too fast: its index, the number of the step, its "
+        report += "speed and the limit."
+        about.cause = f"Raise SimulationDiverged. Report {report}"
         calls, error = watching(limit, speeds)
+        about.cause = f"Your error reports the wrong numbers. Report {report}"
         size = 1.25 * limit
         wanted = (fast, number, size, limit)
         slips = {
@@ -200,4 +205,15 @@ def test_watched_goes_on_after_an_error(rng: Random) -> None:
     about.cause += "that step. After a SimulationDiverged, the next call must continue counting "
     about.cause += "and checking."
     got = watching_on(limit)
+    caught = "You catch the exception of the integrator, so the caller never learns about it. Let "
+    caught += "it pass, and don't count that step."
+    slips = {
+        "You count the step in which the integrator raised an exception. Count a step only after "
+        "the call of the integrator.": (-1.0, 3.0, 5.0),
+        "You count from the start again after a SimulationDiverged. Keep the count.": (-1, 2, 2),
+        "After a SimulationDiverged, your step no longer checks the speeds. Check them in each "
+        "call.": (-1.0, 2.0),
+    }
+    blame(got, slips)
+    blame(got, [((3.0, 5.0), caught), ((2.0, 4.0), caught)])
     expect_close(got, (-1.0, 2.0, 4.0))

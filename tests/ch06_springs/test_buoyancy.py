@@ -90,6 +90,23 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
         ),
         "You used y_w - y, the depth of the body's center. Add max_depth, because the lowest "
         "point of the body is deeper by this amount.": (0.0, 0.25 * full),
+        "You used y_w - y, the depth of the body's center, and divided it by s. When the center is "
+        "at the surface, half of the body is under water, so use (y_w + s - y) / (2 * s).": (
+            0.0,
+            0.5 * full,
+        ),
+        "Your lift grows as the body rises out of the water. Use (y_w + s - y), where y_w is "
+        "water_height and s is max_depth.": (0.75 * full, 0.25 * full),
+        "Your lift is half of what it should be. Either you multiply it by the duration, which is "
+        "0.5 s here, or you divide by 4 * max_depth.": (0.125 * full, 0.375 * full),
+        "You subtract the weight of the particle. Gravity acts separately, so add only the lift.": (
+            0.25 * full - 3.0 * g,
+            0.75 * full - 3.0 * g,
+        ),
+        "You subtract the particle's weight. Gravity acts separately, so add only the lift.": (
+            0.25 * full - 29.43,
+            0.75 * full - 29.43,
+        ),
         "Your lift is either the full lift or zero. Multiply the full lift by the submerged "
         "fraction of the body.": (
             0.0,

@@ -205,8 +205,8 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
         about.call += "registry.update_forces(0.5)"
         unmoved = "You didn't register the spring. Add it to the registry for one of its ends."
         if not mass_a < mass_b < math.inf:
-            unmoved = "You registered the spring for an immovable end, which the registry skips. "
-            unmoved += "Register it for an end that can move."
+            unmoved = "Your spring has no effect. Either you registered it for an immovable end, "
+            unmoved += "which the registry skips, or not at all. Register it for the other end."
         about.cause = (
             "connect must create one Connection with this stiffness and rest length, and "
             "register it once, for an end that can move."
@@ -242,21 +242,23 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, stiffness={k}, "
     about.call += f"rest_length={rest}, damping={c})"
+    a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
+    s = connect(registry, a, b, k, rest, c)
+    about.cause = "Return the Connection that connect registers, and nothing else."
+    nothing = "connect returned nothing. Return the Connection that it registers."
+    expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
+    got = (s.stiffness, s.rest_length, s.damping)
     about.cause = (
         "The spring that you return has the wrong values. Pass the stiffness, the rest length "
         "and the damping to Connection."
     )
-    a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
-    s = connect(registry, a, b, k, rest, c)
-    nothing = "connect returned nothing. Return the Connection that it registers."
-    expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
-    got = (s.stiffness, s.rest_length, s.damping)
     undamped = "You left out the damping. Pass it to Connection too."
     blame(got, [((k, rest, 0.0), undamped)])
     expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
     about.cause = "connect must return a Connection with a and b as its ends. Create a single "
     about.cause += "Connection for both ends, register it, and return it."
     got = (*xyz(s.a.position), *xyz(s.b.position))
+    blame(got, [((*there, *here), "You swapped a and b. Pass them to Connection in this order.")])
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k:.6g}; registry.update_forces(0.5)"
     about.cause = (

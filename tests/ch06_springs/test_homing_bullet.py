@@ -69,6 +69,19 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
             ): [k * (now[i] + w[i] * time) for i in range(3)],
             "Your prediction leaves out the target's velocity. Aim at the position of the target "
             "after look_ahead seconds.": [k * (now[i] - v[i] * time) for i in range(3)],
+            "Your prediction has the wrong sign, so it looks back. Add velocity * look_ahead to "
+            "each position.": [k * (now[i] - closing[i] * time) for i in range(3)],
+            "You add the velocities of the two. Subtract the bullet's predicted position from the "
+            "target's, and with it the bullet's velocity.": [
+                k * (now[i] + (w[i] + v[i]) * time) for i in range(3)
+            ],
+            "Your vector is the target's position alone, as if the bullet were at (0, 0, 0). "
+            "Subtract the bullet's position.": [k * (there[i] + w[i] * time) for i in range(3)],
+            "You multiply the force by the bullet's mass. The pull of a spring does not depend on "
+            "it, so leave the mass out.": [3.0 * k * part for part in way],
+            "Your prediction includes the accelerations. Assume that both keep their velocities.": [
+                k * (way[i] - (4.5 * time**2 if i == 1 else 0.0)) for i in range(3)
+            ],
             "Your prediction looks ahead by 0.5 s, the duration of the step. Use self.look_ahead "
             "instead.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
         }

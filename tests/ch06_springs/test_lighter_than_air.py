@@ -50,6 +50,14 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
             "Your lift is F e^(y / H), which grows with the height y. The exponent needs a "
             "minus sign.": most * math.exp(share),
             "Your lift points down. Add the force along +Y.": -lift,
+            "Your height is the distance from (0, 0, 0). Use the y component of the position.": most
+            * math.exp(-math.hypot(3.0, y, 5.0) / scale),
+            "Your lift is F e^-y / H, where F is max_lift and H is scale_height. Divide y by H in "
+            "the exponent.": most * math.exp(-y) / scale,
+            "Your lift is F e^(-H / y), where F is max_lift and H is scale_height. Divide y by H "
+            "instead of H by y.": most * math.exp(-1.0 / share),
+            "You subtract the weight of the balloon. Gravity acts separately, so add only the "
+            "lift.": lift - 7.0 * 9.81,
             "You multiplied the lift by the particle's mass of 7 kg. The lift does not depend "
             "on the mass, so leave it out.": 7.0 * lift,
         }

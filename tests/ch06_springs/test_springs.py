@@ -51,6 +51,8 @@ def spring_slips(
         "offset first.": along(-(pull + c * rate) * length),
         "You use the squared length of the offset. The extension needs the length itself, so "
         "use magnitude().": along(-k * (length**2 - rest) - c * rate),
+        "Your force uses only half of the stiffness. The factor 1/2 belongs to the energy of a "
+        "spring, not to its force.": along(-0.5 * pull - c * rate),
         "You left out the damping. Add a force along the spring: the damping times the rate at "
         "which the length changes.": along(-pull),
         "Your spring exerts no force here, like a slack rope. Unlike a rope, a spring must push "

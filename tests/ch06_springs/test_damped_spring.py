@@ -63,6 +63,20 @@ def test_the_three_cases_by_known_values() -> None:
         * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
         "Your position is only e^(-half * t) * cos(gamma * t), where half = c / (2 m). Add half * "
         "sin(gamma * t) / gamma to the cosine.": math.exp(-0.5) * math.cos(0.5 * damped),
+        "You don't divide sin(gamma * t) by gamma. Divide it in the term with half, where half = "
+        "c / (2 m).": math.exp(-0.5) * (math.cos(0.5 * damped) + math.sin(0.5 * damped)),
+        "You left out e^(-half * t), so the amplitude does not decay. Multiply all terms by it, "
+        "where half = c / (2 m).": math.cos(0.5 * damped) + math.sin(0.5 * damped) / damped,
+        "You use k / m where you need its square root. Compute gamma from half^2 - k / m, where "
+        "half = c / (2 m).": math.exp(-0.5)
+        * (
+            math.cos(0.5 * math.sqrt(9999.0))
+            + math.sin(0.5 * math.sqrt(9999.0)) / math.sqrt(9999.0)
+        ),
+        "You return the velocity first. Return the position first, and then the velocity.": -100.0
+        * math.exp(-0.5)
+        * math.sin(0.5 * damped)
+        / damped,
         "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
         "gamma, which is lower.": math.exp(-0.5) * (math.cos(5.0) + 0.1 * math.sin(5.0)),
         "The spring is critically damped, but your position is only e^(-half * t), where half = c "
@@ -77,6 +91,10 @@ def test_the_three_cases_by_known_values() -> None:
         "Your position leaves out its second term. Multiply e^(-half * t) by cosh(gamma * t) + "
         "half * sinh(gamma * t) / gamma, where half = c / (2 m).": math.exp(-1.0)
         * math.cosh(0.05 * over),
+        "You add the two exponentials without the factor 1/2. cosh is half of their sum.": math.exp(
+            -1.0
+        )
+        * (2.0 * math.cosh(0.05 * over) + 20.0 / over * math.sinh(0.05 * over)),
         "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
         "sinh instead.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
@@ -165,6 +183,14 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
                 x,
                 v + 2.0 * half * by_roots(0.0, v0, k, c, m, t)[0],
             ),
+            "The term with v0 in your position has the wrong sign. A positive v0 moves the body in "
+            "the positive direction.": (by_roots(x0, -v0, k, c, m, t)[0], v),
+            "The term with x0 in your velocity has the wrong sign. The spring pulls the body back, "
+            "so this term is -k / m x0 S.": (x, by_roots(-x0, v0, k, c, m, t)[1]),
+            "You return the initial velocity. Return the velocity after the time t, which is the "
+            "derivative of the position.": (x, v0),
+            "Your velocity is the mean velocity (x - x0) / t. Return the velocity at the time t, "
+            "which is the derivative of the position.": (x, (x - x0) / t),
             "You treat this spring as critically damped, although c^2 is not equal to 4 k m. "
             "Compare them exactly, without a tolerance.": (
                 (x0 + (v0 + half * x0) * t) * fade,

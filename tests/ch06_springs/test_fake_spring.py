@@ -53,6 +53,19 @@ def test_the_force_by_its_formula() -> None:
         "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
         "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
         "position that a real spring would reach in h seconds.": -400.0,
+        "Your force points away from T. Either you subtract T from x, or you measure the position "
+        "from p to the anchor. Use the vector from the anchor to p, and T - x.": -wanted[0],
+        "You divide by h only once, where h is the duration. An acceleration a moves p by a * h^2 "
+        "in one step, so divide T - x by h^2.": wanted[0] / 60.0,
+        "You divide T by h^2 instead of T - x, where h is the duration. Subtract the current "
+        "position first.": 3600.0 + wanted[0],
+        "You use the velocity that a real spring would give p. Use its position, which is the "
+        "first number that damped_spring_state returns.": 3600.0
+        * (-20.0 * math.sin(1.0 / 3.0) - 1.0),
+        "Your force gives p the velocity on a real spring, and not its position. Use (T - x) / h^2 "
+        "- v / h, where T is the position and h the duration.": -1200.0 * math.sin(1.0 / 3.0),
+        "You pass the damping of the particle to damped_spring_state. Pass self.damping, that of "
+        "the spring.": 3600.0 * (true_spring(1.0, 0.0, 400.0, 0.5, 1.0, 1.0 / 60.0) - 1.0),
         "Your force is twice as large as it should be. In one step, an acceleration a moves p by a "
         "* h^2 and not by a * h^2 / 2, so divide by h^2.": 2.0 * wanted[0],
     }
@@ -72,6 +85,10 @@ def test_the_force_by_its_formula() -> None:
         "Your force contains the term -v, as printed in the book (E-6), but v is a velocity "
         "and not an acceleration. Subtract v / h instead, where h is the duration of the "
         "step.": wanted[1] + 120.0 - 2.0,
+        "You add v / h instead of subtracting it, where h is the duration. p already moves by v h "
+        "without a force.": wanted[1] + 240.0,
+        "You compute where a real spring would take a particle at rest. Pass its velocity to "
+        "damped_spring_state.": -120.0,
         "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
         "well, where h is the duration of the step.": wanted[1] + 120.0,
         "You compute the force only along the offset from the anchor, which is zero here. Compute "

@@ -41,6 +41,8 @@ def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
             "Subtract the particle's y from self.height.": k * (depth - height),
             "You multiply the push by the mass. It depends only on the stiffness and the depth, so "
             "leave the mass out.": 2.0 * k * depth,
+            "You multiply the push by the duration, which is 0.5 s here, or by a half. Add the "
+            "whole force k depth.": 0.5 * k * depth,
             "There is no push, although p is below the surface. Check the sign of the depth, "
             "which is self.height minus the particle's y.": 0.0,
         }
@@ -106,7 +108,7 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     ground = PenaltyGround(0.0, k, c)
     for share, cause in (
         (
-            -2.0,
+            -0.5,
             "The particle is still sinking, so v_y is negative and the damping adds to the "
             "push. The force is k depth - c v_y, where k is the stiffness and c the damping.",
         ),
@@ -132,10 +134,19 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "You leave out the damping. Subtract c v_y from the push, where c is the damping and "
-            "v_y the upward velocity.": (0.0, push, 0.0),
-            "Your force is k depth + c v_y, so the damping speeds the motion up. It must "
-            "oppose the motion, so reverse its sign.": (
+            "Your damping has no effect while the particle rises. Subtract c v_y from the push "
+            "then too, where c is the damping and v_y the upward velocity."
+            if share > 0.0
+            else "You leave out the damping. Subtract c v_y from the push, where c is the damping "
+            "and v_y the upward velocity.": (0.0, push, 0.0),
+            "Your damping uses the whole speed of the particle. Use v_y, its upward velocity, "
+            "which is negative while it sinks.": (
+                0.0,
+                max(push - c * math.hypot(4.0, v, 4.0), 0.0),
+                0.0,
+            ),
+            "Your damping reduces the push while the particle sinks. Either its sign is wrong, or "
+            "you use the size of v_y. The force is k depth - c v_y.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,

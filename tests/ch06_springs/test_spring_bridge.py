@@ -55,6 +55,12 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         slips = {
             "Your hangers have a rest length of 0, so they already pull the planks up at the "
             "start. Use the height as the rest length of each hanger.": [0.0, k * height, 0.0],
+            "You swapped the stiffness and the rest length of the hangers. AnchoredSpring takes "
+            "the stiffness first.": (0.0, height * (height - k), 0.0),
+            "Your anchors are at y = height. Put the anchor of each plank at its own y + height, "
+            "straight above it.": (0.0, k * (height - y - height), 0.0)
+            if height > y
+            else (0.0, k * (height - y + height), 0.0),
             "You put the anchors of all hangers above planks[0]. Put each anchor straight above "
             "its own plank.": pull(
                 (places[i], ZERO), ((places[0][0], places[0][1] + height, z), ZERO), k, height, 0.0
@@ -65,6 +71,10 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
                 "The springs between your planks have a rest length of 0. Use the distance between "
                 "the two planks instead."
             ] = [k * (b - a) for a, b in zip(places[0], places[1], strict=True)]
+            slips[
+                "The springs between your planks have the height as their rest length. Use the "
+                "distance between the two planks instead."
+            ] = pull((places[0], ZERO), (places[1], ZERO), k, height, 0.0)
         blame(force, slips)
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
     about.call = f"{hang} with a single plank; the check lowers this plank by 0.5 m; "
@@ -116,6 +126,12 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
             "Your anchors are below the planks. Add the height to y, so that each plank hangs "
             "from an anchor above it.": [
                 rope + part for rope, part in zip(ropes, below, strict=True)
+            ],
+            "Your hangers have no damping. Pass the damping to AnchoredSpring.": [
+                rope + part
+                for rope, part in zip(
+                    ropes, pull(end, ((x, y + height, z), ZERO), k, height, 0.0), strict=True
+                )
             ],
             "Only your hangers have an effect, because no springs join the planks to each other. "
             "Call connect for each pair of neighboring planks.": parts[0],
@@ -210,12 +226,20 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             "so use the fractions 1 - s and s.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
+            "You divide the weight between all planks. Only the two planks beside the person carry "
+            "it, with the fractions 1 - s and s.": [-weight / 3.0] * 3,
+            "Each of the two planks gets the whole weight. Divide it between them, with the "
+            "fractions 1 - s and s.": [-weight * (share > 0.0) for share in shares],
             "Your weight pushes the planks up. Weight points down, so its y component must be "
             "negative.": [-part for part in wanted],
             "You multiply the weight by 9.81. It is already a force in N and not a mass in kg, so "
             "use it unchanged.": [9.81 * part for part in wanted],
         }
-        about.cause = named(got, about.cause, slips) if beside else about.cause
+        twice = {
+            "This plank carries the weight twice, once with each of its neighbors. Stop at the "
+            "first pair of planks that the person is between.": [2.0 * part for part in wanted],
+        }
+        about.cause = named(got, about.cause, slips if beside else twice)
         expect_close(
             got,
             wanted,

@@ -43,6 +43,12 @@ def test_the_largest_stiffness_by_known_values() -> None:
             "damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
             "Your result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
             "Particle.integrate (E-16). Use d^-h - 1 instead of 1 - d^h.": (1.0 - keep) * 3600.0,
+            "Your result is m d^-h / h^2, where d is the damping and h the duration. Subtract 1 "
+            "from d^-h.": wanted + 3600.0,
+            "Your result is 4 m / h^2, the limit of semi-implicit Euler without damping. "
+            "Particle.integrate is explicit Euler, so use m (d^-h - 1) / h^2.": 14_400.0,
+            "Your result is 0, although some springs are stable at this damping. Perhaps the sign "
+            "of your exponent is wrong. It is -h, the negative duration.": 0.0,
             "Your result is the limit of semi-implicit Euler. Particle.integrate is explicit "
             "Euler, so use m (d^-h - 1) / h^2, where d is the damping and h the duration.": 2.0
             * (1.0 + keep)

@@ -126,6 +126,10 @@ def wrong_steps(
             "drift instead.": (x + 0.5 * h * (v + early), early),
             "After the kick, you drift for the whole step. The first drift already covered half of "
             "it, so drift only for the other half.": (middle + h * new, new),
+            "You call integrate, which moves the particle as well. Call kick, which changes only "
+            "the velocity.": (middle + h * v + 0.5 * h * new, new),
+            "You move p for the whole step before you call apply_forces. Call it after the first "
+            "half drift.": (x + h * v, (v + force(x + h * v, v) * h) * keep),
             "The second half drift is missing. After the kick, move the position by the new "
             "velocity times half the duration.": (middle, new),
             "You kick for only half the step. Leapfrog has a single kick, which must cover the "

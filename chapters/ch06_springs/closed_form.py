@@ -28,14 +28,13 @@ def damped_spring_state(
     critically damped, and C = cosh(g t) and S = sinh(g t) / g if it is over-damped. The velocity is
     the derivative of this position.
 
+    Tell the three cases apart without a tolerance, because even a very soft spring oscillates. The
+    result must be accurate to 1e-8 even if the damping is almost critical. It must also be accurate
+    at late times and for strong damping, although cosh(g t) is too large for a float there.
+
     If the stiffness is 0, the body feels no spring force. It keeps moving in its direction, and
     only the damping slows it down. The book covers only the under-damped case (erratum E-23),
     and its equation lacks the mass (erratum E-40).
-
-    Raises:
-        ValueError: if the mass is not positive, the stiffness, damping or time is negative, or an
-            argument, k / m, c / m, the angle of the oscillation or a result is not finite.
-        TypeError: if an argument is not a number.
 
     Book: section 6.3.2.
     """

@@ -1,7 +1,9 @@
 """Force generators for buoyancy, the lift of a balloon, overcrowding and homing bullets.
 
 All of these forces depend on the positions of particles. The units and the argument checks are the
-same as in springs.py, from which you can import these classes, too.
+same as in springs.py, from which you can import these classes, too. ``update_force`` uses the
+current values of the attributes. It adds to the forces that the particle already has, and changes
+nothing else.
 """
 
 from __future__ import annotations

@@ -24,11 +24,15 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
     Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
     takes 60 frames, and ``my_step`` is called once per frame. The grade depends on the number of
     evaluations and on the error. The error is the largest distance from the true position after any
-    frame, in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good
-    and 1e-4 is better. The run is stopped after 5000 evaluations.
+    frame, in units of the semi-major axis. It must be at most 1e-2. With at most 500 evaluations,
+    an error of 1e-3 is good and 1e-4 is better. The run is stopped after 5000 evaluations.
 
-    The orbit is a simple scene. It has no damping, no forces added by hand and no immovable
-    particles. Its forces do not depend on velocities, nor on the duration that you pass to
+    A second scene has two particles on a spring, which fall as they swing. One oscillation takes 60
+    frames. After any frame, no particle may be farther from its true position than 0.5 % of the
+    largest distance between the two. After one oscillation, the velocities must be right as well.
+
+    Both scenes are simple. They have no damping, no forces added by hand and no immovable
+    particles. Their forces do not depend on velocities, nor on the duration that you pass to
     ``apply_forces``.
     """
     raise NotImplementedError("Exercise G6.3: Going further: a step of your own")

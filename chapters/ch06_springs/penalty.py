@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 class PenaltyGround:
     """Level ground that pushes particles out as a spring would, but never pulls them.
 
-    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
+    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m. You may change them later.
 
     No stiffness k works well. If the ground is soft, a body of mass m that rests on it sinks in by
     m g / k. If the ground is hard, it pushes for too long. It starts to push only after a step has

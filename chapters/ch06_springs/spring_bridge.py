@@ -23,10 +23,6 @@ def hang_bridge(
     Each plank hangs from an anchor that is ``height`` m straight above it. All springs have the
     same ``stiffness`` in N/m and ``damping`` in N s/m. Each spring has its current length as its
     rest length, so it exerts no force at the start. Add all springs to ``registry``.
-
-    Raises:
-        ValueError: if the height is not positive, the stiffness or damping is negative, or one of
-            them is not finite. In that case nothing is registered.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")
 
@@ -36,11 +32,8 @@ def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
 
     ``x`` is the person's position in m, and ``weight`` is in N. ``planks`` must be in order along
     x. The person stands between two planks, and the nearer one carries more of the weight. If the
-    person is before the first plank or beyond the last one, the nearest plank carries the whole
-    weight.
-
-    Raises:
-        ValueError: if there are no planks, ``x`` is not finite, or the weight is negative or not
-            finite.
+    person has covered the fraction s of the way from one plank to the next, these two carry 1 - s
+    and s of the weight. If the person is before the first plank or beyond the last one, the nearest
+    plank carries the whole weight.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")

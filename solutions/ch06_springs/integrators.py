@@ -2,18 +2,19 @@
 
 The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
 particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
-particles only, as ``ForceRegistry.update_forces`` does. It may be called several times. Before each
-call, the accumulators may contain only the forces added by hand before the step. After the step
-they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
+particles only, as ``ForceRegistry.update_forces`` does. It may be called several times, always with
+the duration of the whole step. A force may depend on two particles, so move all particles before
+you call it again. Before each call, the accumulators must contain exactly the forces that were
+added by hand before the step. After the step they are empty, and ``Particle.last_acceleration`` is
+the mean acceleration of the step.
 
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
 particle's own damping d multiplies its velocity by d^h once, at the end of a step. Immovable
-particles do not move. The orders are given for d = 1, because for any other d the order is 1.
-Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, and d = 1 unless noted.
+particles do not move, and keep their velocities. The orders are given for d = 1, because for any
+other d the order is 1. Stability limits apply to k h^2 / m, for a mass m on an undamped spring k,
+and d = 1 unless noted.
 
-Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
-not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the particles
-are left in the middle of the step.
+If ``apply_forces`` raises an exception, the particles are left in the middle of the step.
 """
 
 from __future__ import annotations
@@ -192,9 +193,6 @@ def backward_euler(
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but even without damping it loses energy, and the stiffer the spring, the more.
     Source: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3.
-
-    Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
-    or an argument or result is not finite. Raises TypeError for an argument that is not a number.
     """
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     new = (v - h * k * x) / (1.0 + h * c + h * h * k)
@@ -207,7 +205,7 @@ def trapezoidal(
     """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
     The new values solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with m a = -k x - c v.
-    The arguments, units and exceptions are those of ``backward_euler``.
+    The arguments and units are those of ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
@@ -237,11 +235,10 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that also checks the speed of every particle after each step.
 
-    The new integrator takes the same arguments and counts its steps. It raises SimulationDiverged
-    for the first particle whose speed is NaN or above ``speed_limit`` in m/s. A step in which
+    In each step, the new integrator calls ``integrator`` once, with the same arguments. It counts
+    its own steps, and raises SimulationDiverged for the first particle whose speed is NaN or above
+    ``speed_limit`` in m/s. It can be called again after that, and goes on counting. A step in which
     ``integrator`` raises an exception does not count.
-
-    Raises ValueError if the limit is not positive and finite.
     """
     positive("speed_limit", speed_limit)
     steps = 0

@@ -6,6 +6,8 @@ both ends are at the same position, it has no direction, so its force is zero.
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
 argument of the wrong type. You may change the attributes later, but these changes are not checked.
+``update_force`` uses their current values. It adds to the forces that the particle already has, and
+changes nothing else.
 """
 
 from __future__ import annotations
@@ -32,7 +34,8 @@ def spring_force(
     relative to the other end. The force is -(k (l - l0) + c l') d^. Here l is the length of
     ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is ``damping``.
     The rate at which the spring gets longer is l', the component of ``velocity`` along d^. A zero
-    offset has no direction, so the force is then zero. The arguments are not checked.
+    offset has no direction, so the force is then zero. The arguments are neither checked nor
+    changed.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls, because
     the listing takes the absolute value of the extension (erratum E-3). Book: Eq. 6.1, 6.2.
@@ -122,7 +125,8 @@ class Connection:
         """Compute the spring force on ``a``. Add it to ``a``, and add the exact opposite to ``b``.
 
         Because the two forces are opposite, the total momentum of both particles stays constant.
-        You may register the connection for either particle.
+        You may register the connection for either particle. A force that is too large for a float
+        is a ValueError, as in ``add_force``.
         """
         # spring_force in plain floats, as in _force: a cloth has hundreds of these.
         a, b = self.a, self.b
@@ -153,7 +157,9 @@ def connect(
     """Join the particles ``a`` and ``b`` by one spring that acts on both, and return the spring.
 
     The registry skips immovable particles, so the spring is registered for ``a``, or for ``b`` if
-    ``a`` is immovable. If you want to make an end immovable, do so before you connect it.
+    ``a`` is immovable. If you want to make an end immovable, do so before you connect it. A spring
+    between two immovable ends has no effect. If ``Connection`` raises an error for one of the
+    numbers, pass the error on and register nothing.
     """
     spring = Connection(a, b, stiffness, rest_length, damping)
     registry.add(a if a.inverse_mass else b, spring)
@@ -190,8 +196,7 @@ class FakeStiffSpring:
 
         On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, x and v are the
         current position and velocity, and T is the position to which a real spring would take the
-        particle. Measure positions from the anchor. Raise ValueError unless h is positive and
-        finite, even if the particle is immovable and gets no force.
+        particle. Measure positions from the anchor. Add no force to an immovable particle.
         """
         positive("duration", duration)
         if not particle.has_finite_mass:
@@ -210,10 +215,8 @@ class ElasticLimitSpring:
 
     Up to a length of ``limit`` it behaves like a Spring. Beyond this length, each additional meter
     increases the pull by only ``share`` times the stiffness. Unlike a real spring, it recovers. It
-    has no damping, and exerts no force on the particle ``other`` at its other end.
-
-    Raises:
-        ValueError: if the limit is below the rest length, or if a number is negative or not finite.
+    has no damping, and exerts no force on the particle ``other`` at its other end. The limit must
+    not be below the rest length.
     """
 
     def __init__(
@@ -244,10 +247,6 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
     s, d is the particle's ``damping``, and m is ``mass`` in kg. The formula is for an
     AnchoredSpring without damping. If d is 1 or more, no spring is stable, so the result is 0. If d
     is 0, or d^-h is too large for a float, the result is ``math.inf``.
-
-    Raises:
-        ValueError: if the damping is negative, the duration or the mass is not positive, or one of
-            them is not finite.
     """
     not_negative("damping", damping)
     positive("duration", duration)

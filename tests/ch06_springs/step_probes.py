@@ -5,7 +5,6 @@ Each function takes and returns plain numbers.
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -113,21 +112,6 @@ def energy_left(method: str, stiffness: float, duration: float, frames: int) -> 
     return (stiffness * x * x + v * v) / stiffness
 
 
-def refused(method: str, duration: float) -> Numbers:
-    """Try a step of this duration, with a force of 3 N along z; return what is left."""
-    particle = Particle(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 2.0, 0.0))
-    particle.add_force(Vector3(0.0, 0.0, 3.0))
-    field = Field([particle], 5.0, 0.0)
-    with contextlib.suppress(ValueError):
-        getattr(integrators, method)([particle], field, duration)
-    return {
-        "position": [*xyz(particle.position)],
-        "velocity": [*xyz(particle.velocity)],
-        "force": [*xyz(particle.force_accumulator)],
-        "asked": [len(field.asked)],
-    }
-
-
 def implicit_steps(
     method: str,
     x: float,
@@ -158,8 +142,9 @@ def watching(
 
     def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
         apply_forces(h)
-        frame = speeds[len(calls) - 1]
-        for i, (particle, speed) in enumerate(zip(these, frame, strict=True)):
+        calls[-1] = (len(these), calls[-1][1])
+        frame = speeds[min(len(calls), len(speeds)) - 1]
+        for i, (particle, speed) in enumerate(zip(these, frame, strict=False)):
             # NaN and infinity along one axis; other speeds in three, as 2, 3 and 6 parts of 7.
             parts = [speed * part / 7.0 for part in (2.0, 3.0, 6.0)]
             if not math.isfinite(speed):
@@ -182,7 +167,7 @@ def watching_on(limit: float) -> list[int]:
     speeds = iter([math.nan, 0.5 * limit, 2.0 * limit, 0.5 * limit, 2.0 * limit])
 
     def step(_particles: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
-        speed = next(speeds)
+        speed = next(speeds, 0.0)
         if math.isnan(speed):
             raise ValueError("the force is not finite")
         particle.velocity = Vector3(speed)
@@ -239,6 +224,22 @@ def weakened(share: float, explicit: bool) -> Callable[..., None]:
 def wider(share: float, explicit: bool, stiffness: float, damping: float, duration: float) -> Any:
     """Ask swings_wider about such a step."""
     return exercises.swings_wider(weakened(share, explicit), stiffness, damping, duration)
+
+
+def wider_by(amplitudes: Sequence[float], last: float) -> Any:
+    """Ask swings_wider about a step that swings from side to side, by these lengths in turn.
+
+    Each lasts for a quarter of the steps. After the last step, the particle is at ``last``.
+    Lengths are in units of the distance at the start.
+    """
+    places = [exercises.START * size * (-1) ** i for size in amplitudes for i in range(200)]
+    places[-1] = exercises.START * last
+    ahead = iter(places)
+
+    def step(these: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
+        these[0].position = Vector3(next(ahead, 0.0))
+
+    return exercises.swings_wider(step, 1.0, 1.0, 0.25)
 
 
 def measured(share: float, explicit: bool, damping: float, duration: float) -> Any:

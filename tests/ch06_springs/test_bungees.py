@@ -45,7 +45,7 @@ def rope(
     return about.call, bungee, p
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="When it is stretched, it pulls like a spring.")
 def test_a_stretched_rope_pulls(rng: Random) -> None:
     about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
@@ -68,8 +68,10 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     "Your stretched rope pushes, as in the book's listing (E-4). Reverse the sign "
                     "of the force, so that it pulls p toward the other end."
                 ): [-part for part in wanted],
-                "Your stretched rope exerts no force. A rope that is longer than its rest length "
-                "is not slack, so check your condition for a slack rope.": ZERO,
+                "Your stretched rope exerts no force. Either your condition for a slack rope is "
+                "wrong, or the one for a force that would push.": ZERO,
+                "You multiplied the force by the duration, which is 0.5 s here. Add the force "
+                "itself.": [0.5 * part for part in wanted],
                 "Your force is the stiffness times the whole length of the rope. Only the "
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
@@ -84,7 +86,7 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             expect_unchanged("p.velocity", xyz(p.velocity), before[1], cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="no force, unless it is longer than its rest length")
 def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
     about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
@@ -137,7 +139,7 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="damping reduces its pull, but the rope must never push")
 def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
     about.read = "the docstring of Bungee.update_force"
     for kind in BOTH:
@@ -148,7 +150,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
         still = k * extension / c  # the speed of shortening at which nothing is left of the pull
         for share, cause in (
             (
-                -1.0,
+                -0.5,
                 "The rope is getting longer, and the damping c resists this by adding to the "
                 "pull. The pull is k x + c l', where x is the extension and l' the rate at "
                 "which the length grows.",
@@ -180,8 +182,14 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "You left out the damping. Increase the pull by the damping times the rate at "
+                "Your damping has no effect while the rope gets shorter. It must reduce the pull."
+                if share > 0.0
+                else "You left out the damping. Increase the pull by the damping times the rate at "
                 "which the length grows.": [-k * extension * part for part in d],
+                "Your damping has the wrong sign. It must increase the pull while the rope gets "
+                "longer, and reduce it while the rope gets shorter.": [
+                    -k * extension * (1.0 + share) * part for part in d
+                ],
                 (
                     "The damping is so large here that your rope pushes. A rope can only pull, "
                     "so add no force in this case."
@@ -195,7 +203,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.2")
+@pytest.mark.exercise("B6.2", asks="adds to the forces that the particle already has")
 def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)

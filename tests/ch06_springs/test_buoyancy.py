@@ -16,7 +16,7 @@ from expect import UNCHANGED, about, blame, expect_close, expect_unchanged, xyz
 READ = "book 6.2.4 and the docstring of Buoyancy"
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="times the fraction of the body that is under water")
 def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
@@ -90,6 +90,23 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
         ),
         "You used y_w - y, the depth of the body's center. Add max_depth, because the lowest "
         "point of the body is deeper by this amount.": (0.0, 0.25 * full),
+        "You used y_w - y, the depth of the body's center, and divided it by s. When the center is "
+        "at the surface, half of the body is under water, so use (y_w + s - y) / (2 * s).": (
+            0.0,
+            0.5 * full,
+        ),
+        "Your lift grows as the body rises out of the water. Use (y_w + s - y), where y_w is "
+        "water_height and s is max_depth.": (0.75 * full, 0.25 * full),
+        "Your lift is half of what it should be. Either you multiply it by the duration, which is "
+        "0.5 s here, or you divide by 4 * max_depth.": (0.125 * full, 0.375 * full),
+        "You subtract the weight of the particle. Gravity acts separately, so add only the lift.": (
+            0.25 * full - 3.0 * g,
+            0.75 * full - 3.0 * g,
+        ),
+        "You subtract the particle's weight. Gravity acts separately, so add only the lift.": (
+            0.25 * full - 29.43,
+            0.75 * full - 29.43,
+        ),
         "Your lift is either the full lift or zero. Multiply the full lift by the submerged "
         "fraction of the body.": (
             0.0,
@@ -105,7 +122,7 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12 * full)
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="limited to the range from 0 to 1")
 def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
@@ -140,8 +157,24 @@ def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
         about.call += f"water_height={surface}).update_force(p, 0.5)"
         p = Particle(Vector3(0.0, y, 0.0))
         Buoyancy(s, volume, surface).update_force(p, 0.5)
-        wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
-        expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator, in N")
+        full = 1000.0 * volume * 9.81
+        unlimited = (surface + s - y) / (2.0 * s)
+        got = xyz(p.force_accumulator)
+        slips = {
+            "Your submerged fraction is more than 1 here, although no more than the whole body can "
+            "be under water. Use 1 instead.": (0.0, unlimited * full, 0.0),
+            "There is no lift, although the whole body is under water. If the fraction would be "
+            "more than 1, use 1.": (0.0, 0.0, 0.0),
+        }
+        if share == 0.0:
+            slips = {
+                "Your submerged fraction is less than 0 here, although the body is out of the "
+                "water, so your lift pulls it down. Use 0 instead.": (0.0, unlimited * full, 0.0),
+                "Your lift is the full one, although the body is out of the water. If the fraction "
+                "would be less than 0, use 0.": (0.0, full, 0.0),
+            }
+        blame(got, slips)
+        expect_close(got, (0.0, share * full, 0.0), then="; p.force_accumulator, in N")
     about.call = f"p at (0, {surface}, 0); Buoyancy(max_depth={s}, volume={volume}, "
     about.call += f"water_height={surface}).update_force(p, 0.5)"
     about.cause = "Half of the body is under water here, so the lift must be half of the full lift."
@@ -152,7 +185,7 @@ def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11 * wanted[1])
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="equals the weight of the displaced water")
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about(
         "p at (0, 0, 0); Buoyancy(max_depth=0.5, volume=0.001, water_height=0, "
@@ -169,7 +202,7 @@ def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     expect_close(got, (0.0, 5.0, 0.0), then="; p.force_accumulator, in N")
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="adds to the forces that the particle already has")
 def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> None:
     about.read = READ
     f = components(rng)
@@ -190,7 +223,7 @@ def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> 
     expect_close(got, wanted)
 
 
-@pytest.mark.exercise("B6.4")
+@pytest.mark.exercise("B6.4", asks="the weight of the water that the body displaces")
 def test_a_floating_body_bobs_with_its_period() -> None:
     about.read = READ
     about.call = "a particle of 0.5 kg that floats on Buoyancy(max_depth=0.05, volume=0.001, "

@@ -35,7 +35,7 @@ def tension(
     return tuple(-(k * (length - rest) + c * rate) / length * o for o in offset)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="Add it to a, and add the exact opposite to b.")
 def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     about.read = READ
     here, there, v, w = (components(rng) for _ in range(4))
@@ -46,13 +46,13 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     for end in ("a", "b"):
         a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
-        name = f"{about.call}.update_force({end}, 0.5)"
+        name = f"{about.call}.update_force({end}, 0.25)"
         about.cause = (
             "Compute the force on a with spring_force, from a's position and velocity relative "
             "to b. The force on a must be the same whichever end is passed to update_force, "
             f"which is {end} here."
         )
-        Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
+        Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.25)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, c = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
@@ -60,6 +60,12 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "Each end gets only half of the force. Apply the full force to each end.": [
                 0.5 * part for part in wanted
             ],
+            "You multiplied the force by the duration. Add the force itself, because the step "
+            "multiplies it by the duration later.": [0.25 * part for part in wanted],
+            "You swapped the stiffness and the rest length. spring_force takes the stiffness "
+            "first.": tension(here, v, there, w, (rest, k, c)),
+            "Your damping uses only the velocity of a, but the motion of b changes the length too. "
+            "Subtract b's velocity from a's.": tension(here, v, there, ZERO, numbers),
             "You halved the stiffness. The whole force of the spring acts on each end, so use "
             "self.stiffness unchanged.": tension(here, v, there, w, (0.5 * k, rest, c)),
             "You left out the damping. Pass it to spring_force, together with the velocity of a "
@@ -96,7 +102,7 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
         expect_close(on_b, opposite, call=f"{name}; b.force_accumulator, in N", tolerance=0.0)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="pushes if it is shorter")
 def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     about.read = READ
     k, rest = positive_number(rng), positive_number(rng, 1.0, 5.0)
@@ -132,7 +138,7 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     expect_close(got, wanted, then="; b.force_accumulator, in N", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="it has no direction, so its force is zero")
 def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.read = READ
     place, v = components(rng), components(rng)
@@ -185,7 +191,7 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     expect_close(got, (0.0, 3.0, 0.0))
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="registered for a, or for b if a is immovable")
 def test_connect_registers_the_spring_once(rng: Random) -> None:
     about.read = CONNECT
     here, there = components(rng), components(rng)
@@ -199,8 +205,8 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
         about.call += "registry.update_forces(0.5)"
         unmoved = "You didn't register the spring. Add it to the registry for one of its ends."
         if not mass_a < mass_b < math.inf:
-            unmoved = "You registered the spring for an immovable end, which the registry skips. "
-            unmoved += "Register it for an end that can move."
+            unmoved = "Your spring has no effect. Either you registered it for an immovable end, "
+            unmoved += "which the registry skips, or not at all. Register it for the other end."
         about.cause = (
             "connect must create one Connection with this stiffness and rest length, and "
             "register it once, for an end that can move."
@@ -229,28 +235,30 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
                 expect_close(got, force, then=f"; {name}.force_accumulator, in N", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="acts on both, and return the spring")
 def test_connect_returns_the_spring(rng: Random) -> None:
     about.read = CONNECT
     here, there = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, stiffness={k}, "
     about.call += f"rest_length={rest}, damping={c})"
+    a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
+    s = connect(registry, a, b, k, rest, c)
+    about.cause = "Return the Connection that connect registers, and nothing else."
+    nothing = "connect returned nothing. Return the Connection that it registers."
+    expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
+    got = (s.stiffness, s.rest_length, s.damping)
     about.cause = (
         "The spring that you return has the wrong values. Pass the stiffness, the rest length "
         "and the damping to Connection."
     )
-    a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
-    s = connect(registry, a, b, k, rest, c)
-    nothing = "connect returned nothing. Return the Connection that it registers."
-    expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
-    got = (s.stiffness, s.rest_length, s.damping)
     undamped = "You left out the damping. Pass it to Connection too."
     blame(got, [((k, rest, 0.0), undamped)])
     expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
     about.cause = "connect must return a Connection with a and b as its ends. Create a single "
     about.cause += "Connection for both ends, register it, and return it."
     got = (*xyz(s.a.position), *xyz(s.b.position))
+    blame(got, [((*there, *here), "You swapped a and b. Pass them to Connection in this order.")])
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k:.6g}; registry.update_forces(0.5)"
     about.cause = (
@@ -278,7 +286,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
         expect_close(got, ZERO, then=f"; {name}.force_accumulator, in N")
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="the total momentum of both particles stays constant")
 def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     about.read = "book 3.2.3, and the docstring of Connection.update_force"
     bodies = [(components(rng), components(rng), positive_number(rng, 1.0)) for _ in range(8)]
@@ -301,7 +309,7 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     expect_exactly(away > 1e-3, True)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="pulls on both ends with opposite forces")
 def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     about.read = "book 6.3.2, Eq. 6.3, with the reduced mass m1 m2 / (m1 + m2)"
     about.call = "a of 1 kg and b of 3 kg with connect(registry, a, b, stiffness=5.0, "
@@ -316,7 +324,7 @@ def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     expect_close(period, 2.43346721, tolerance=1e-4)
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="between two immovable ends has no effect")
 def test_two_immovable_ends_may_be_connected() -> None:
     about.read = CONNECT
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
@@ -341,7 +349,7 @@ def test_two_immovable_ends_may_be_connected() -> None:
     expect_close(got, (-3.0, 0.0, 0.0))
 
 
-@pytest.mark.exercise("B6.3")
+@pytest.mark.exercise("B6.3", asks="pass the error on and register nothing")
 @pytest.mark.robust
 def test_connect_rejects_invalid_numbers() -> None:
     about.read = CONNECT

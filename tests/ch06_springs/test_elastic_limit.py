@@ -17,7 +17,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
 
 
-@pytest.mark.exercise("6.1")
+@pytest.mark.exercise("6.1", asks="it behaves like a Spring")
 def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
@@ -49,7 +49,10 @@ def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
+        whole = "You also add share times the whole extension. The part with share begins at the "
+        whole += "limit, and the spring is shorter than that here."
         slips = {
+            whole: [1.25 * part for part in wanted],
             "You add no force to p. Up to its limit, the spring must act like any other spring.": (
                 ZERO
             ),
@@ -82,7 +85,7 @@ def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
     expect_close(got, (-2.0 * k, 0.0, 0.0))
 
 
-@pytest.mark.exercise("6.1")
+@pytest.mark.exercise("6.1", asks="increases the pull by only share times the stiffness")
 def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
@@ -117,6 +120,10 @@ def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
             "part of the length that is beyond the limit.": length - rest,
             "Your pull includes only the part of the length beyond the limit. Add the pull up to "
             "the limit, which is stiffness * (limit - rest_length).": share * beyond,
+            "Beyond the limit, you use 1 - share instead of share. The additional stiffness is "
+            "share * stiffness.": limit - rest + (1.0 - share) * beyond,
+            "You compare the limit with the extension, although it is a length. Compare it with "
+            "the length of the spring.": min(length - rest, limit) + share * beyond,
             "You compare the limit with the extension. Compare it with the length of the "
             "spring instead.": (min(length, late) - rest + share * max(length - late, 0.0)),
         }
@@ -135,7 +142,7 @@ def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
         expect_close(got, twice, then=then, tolerance=1e-11)
 
 
-@pytest.mark.exercise("6.1")
+@pytest.mark.exercise("6.1", asks="it has no direction, so its force is zero")
 def test_ends_at_the_same_position_get_no_elastic_force(rng: Random) -> None:
     about.read = READ
     place, f = components(rng), components(rng)

@@ -18,7 +18,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.4 and the docstring of HomingBullet"
 
 
-@pytest.mark.exercise("6.4")
+@pytest.mark.exercise("6.4", asks="the future position of the bullet to the future position")
 def test_it_aims_at_the_predicted_position(rng: Random) -> None:
     about.read = READ
     here, v, there, w, f = (components(rng) for _ in range(5))
@@ -69,6 +69,19 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
             ): [k * (now[i] + w[i] * time) for i in range(3)],
             "Your prediction leaves out the target's velocity. Aim at the position of the target "
             "after look_ahead seconds.": [k * (now[i] - v[i] * time) for i in range(3)],
+            "Your prediction has the wrong sign, so it looks back. Add velocity * look_ahead to "
+            "each position.": [k * (now[i] - closing[i] * time) for i in range(3)],
+            "You add the velocities of the two. Subtract the bullet's predicted position from the "
+            "target's, and with it the bullet's velocity.": [
+                k * (now[i] + (w[i] + v[i]) * time) for i in range(3)
+            ],
+            "Your vector is the target's position alone, as if the bullet were at (0, 0, 0). "
+            "Subtract the bullet's position.": [k * (there[i] + w[i] * time) for i in range(3)],
+            "You multiply the force by the bullet's mass. The pull of a spring does not depend on "
+            "it, so leave the mass out.": [3.0 * k * part for part in way],
+            "Your prediction includes the accelerations. Assume that both keep their velocities.": [
+                k * (way[i] - (4.5 * time**2 if i == 1 else 0.0)) for i in range(3)
+            ],
             "Your prediction looks ahead by 0.5 s, the duration of the step. Use self.look_ahead "
             "instead.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
         }
@@ -81,7 +94,7 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
 
 
-@pytest.mark.exercise("6.4")
+@pytest.mark.exercise("6.4", asks="and changes nothing else")
 def test_bullet_and_target_are_not_moved(rng: Random) -> None:
     about.read = READ
     here, v, there, w = (components(rng) for _ in range(4))
@@ -126,7 +139,7 @@ def test_bullet_and_target_are_not_moved(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
 
 
-@pytest.mark.exercise("6.4")
+@pytest.mark.exercise("6.4", asks="steers a bullet toward the future position")
 def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     about.read = READ
     start, w = components(rng), components(rng)

@@ -11,7 +11,7 @@ from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.step_probes import implicit_steps
 from draw import number as draw_number
 from draw import positive_number
-from expect import about, expect_close, expect_finite_numbers, expect_that, named
+from expect import about, expect_close, expect_that, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
@@ -30,7 +30,7 @@ def off(
     return new[0] - x - h * new[1], new[1] - v - h * b
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="Every step therefore has to solve an equation.")
 @pytest.mark.parametrize("method", METHODS)
 def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
@@ -64,6 +64,13 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
                 explicit += "force at the new velocity v', and solve for v'."
             new_velocities = {
                 explicit: u,
+                "Your term h k x / m has the wrong sign. The spring pulls the body back, so "
+                "subtract the term.": (v + w * x) / (1.0 + y + w * h),
+                "Your denominator contains h c / (2 m), as in the trapezoidal rule. The whole "
+                "damping acts at the new velocity here, so use h c / m.": (v - w * x)
+                / (1.0 + 0.5 * y + w * h),
+                "Your numerator contains k x / m without the factor h. Multiply the acceleration "
+                "by h.": (v - w / h * x) / (1.0 + y + w * h),
                 "Your denominator contains h k / m, but it must contain h^2 k / m. The additional "
                 "factor h comes from x' = x + v' h.": (v - w * x) / (1.0 + y + w),
             }
@@ -73,6 +80,14 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
             new_velocities = {
                 "In your formula for v', you halve the term h k x / m. Use the whole term, because "
                 "both a and a' contain -k x / m.": (rest - 0.5 * w * x)
+                / (1.0 + 0.5 * y + 0.25 * w * h),
+                "Your v' uses only the old values, as in explicit Euler. Use the mean of the old "
+                "and the new acceleration, and solve for v'.": u,
+                "Your v' uses the acceleration after a step of explicit Euler in place of the new "
+                "one. The new one depends on v' itself, so solve for v'.": v
+                - 0.5 * (w * (x + x + v * h) + y * (v + u)),
+                "The term h^2 k / (4 m) is missing from your numerator. The mean of the forces "
+                "contains half of k v h / 2, too.": (v * (1.0 - 0.5 * y) - w * x)
                 / (1.0 + 0.5 * y + 0.25 * w * h),
                 "The stiffness is missing from your denominator. The force at x' = x + (v + v') "
                 "h / 2 depends on v', so add h^2 k / (4 m) to the denominator.": (rest - w * x)
@@ -84,6 +99,11 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
             slips |= {
                 slip: (x + 0.5 * (v + new_v) * h, new_v) for slip, new_v in new_velocities.items()
             }
+        without = "The acceleration is a = -(k x + c v) / m."
+        idle = "Your result ignores the damping."
+        if method == "trapezoidal" and not stiffness:
+            idle = "Your result shows no damping. Either you leave it out, or one of its two terms "
+            idle += "has the wrong sign."
         fits = {
             "You return the two results in the wrong order. Return the position x' first and "
             "the velocity v' second.": off(
@@ -93,18 +113,23 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
             f"{RULES[method][0]} and v' = {RULES[method][1]}.": off(
                 other, x, v, stiffness, damping, m, h, new
             ),
-            "Your result ignores the damping. The acceleration is a = -(k x + c v) / m, so include "
-            "the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
+            f"{idle} {without}": off(method, x, v, stiffness, 0.0, m, h, new),
             "Your result ignores the stiffness. The acceleration is a = -(k x + c v) / m, so "
             "include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
-            "You don't divide the stiffness and the damping by the mass m. The acceleration is a = "
-            "-(k x + c v) / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
+            f"You don't divide the {'stiffness' if stiffness else 'damping'} by the mass m. "
+            f"{without}": off(method, x, v, stiffness, damping, 1.0, h, new),
         }
         # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
             slip = "You move the body with its old velocity, x' = x + v h. The equation of this "
             slip += f"method is x' = {RULES[method][0]}."
+        if not slip and new[0] == x:
+            slip = "You return the old position. The equation of this method is x' = "
+            slip += f"{RULES[method][0]}."
+        if not slip and abs(new[0] - x - (v + new[1]) * h) < 1e-10:
+            slip = "You move the body by the sum of both velocities. The equation of this method "
+            slip += f"is x' = {RULES[method][0]}."
         new_alone = method == "trapezoidal" and abs(new[0] - x - new[1] * h) < 1e-10
         if not slip and new_alone and left[0] != 0.0:
             slip = "You move the body with its new velocity alone, x' = x + v' h. The equation of "
@@ -118,7 +143,7 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
         expect_close(new[1], new[1] - left[1], then=then, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="says how quickly its error shrinks")
 @pytest.mark.parametrize(("method", "factor"), [("backward_euler", 2.0), ("trapezoidal", 4.0)])
 def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> None:
     about.read = f"the docstring of {method}"
@@ -141,7 +166,7 @@ def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> No
     )
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="It is stable for every stiffness")
 @pytest.mark.parametrize("method", METHODS)
 def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
@@ -171,7 +196,7 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
         expect_close(left, wanted, tolerance=tolerance)
 
 
-@pytest.mark.exercise("B6.9")
+@pytest.mark.exercise("B6.9", asks="every step divides the energy by 1 + k h^2 / m")
 def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     about.read = "the docstring of backward_euler"
     x, v = draw_number(rng), draw_number(rng)
@@ -185,23 +210,3 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     before = 0.5 * k * x * x + 0.5 * m * v * v
     wanted = 1.0 / (1.0 + k * h * h / m)
     expect_close(energy / before, wanted, tolerance=1e-12)
-
-
-@pytest.mark.exercise("B6.9")
-@pytest.mark.robust
-@pytest.mark.parametrize("method", METHODS)
-def test_an_implicit_step_rejects_invalid_arguments(method: str) -> None:
-    about.read = f"the docstring of {method}"
-    step = METHODS[method]
-    bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
-    call = method + "(x={}, v={}, stiffness={}, damping={}, mass={}, duration={})"
-    expect_finite_numbers(call, step, (1, 2, 3, 4, 5, 6), bad)
-    about(
-        f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
-        cause=(
-            "A stiffness and a damping of 0 are valid. Without a force the body must "
-            "keep its velocity v and move by v h."
-        ),
-    )
-    got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)
-    expect_close(got, (11.0, 3.0))

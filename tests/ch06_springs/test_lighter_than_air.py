@@ -17,7 +17,7 @@ from expect import UNCHANGED, about, blame, expect_close, expect_unchanged, xyz
 READ = "exercise 6.2 and the docstring of LighterThanAir"
 
 
-@pytest.mark.exercise("6.2")
+@pytest.mark.exercise("6.2", asks="the lift is F e^(-y / H)")
 def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
     about.read = READ
     most, scale, f = positive_number(rng, 5.0, 90.0), positive_number(rng), components(rng)
@@ -50,6 +50,14 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
             "Your lift is F e^(y / H), which grows with the height y. The exponent needs a "
             "minus sign.": most * math.exp(share),
             "Your lift points down. Add the force along +Y.": -lift,
+            "Your height is the distance from (0, 0, 0). Use the y component of the position.": most
+            * math.exp(-math.hypot(3.0, y, 5.0) / scale),
+            "Your lift is F e^-y / H, where F is max_lift and H is scale_height. Divide y by H in "
+            "the exponent.": most * math.exp(-y) / scale,
+            "Your lift is F e^(-H / y), where F is max_lift and H is scale_height. Divide y by H "
+            "instead of H by y.": most * math.exp(-1.0 / share),
+            "You subtract the weight of the balloon. Gravity acts separately, so add only the "
+            "lift.": lift - 7.0 * 9.81,
             "You multiplied the lift by the particle's mass of 7 kg. The lift does not depend "
             "on the mass, so leave it out.": 7.0 * lift,
         }
@@ -58,7 +66,7 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("6.2")
+@pytest.mark.exercise("6.2", asks="Below the ground the lift stays at max_lift")
 def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     about.read = READ
     most, scale = positive_number(rng, 5.0, 90.0), positive_number(rng)
@@ -98,7 +106,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator, in N")
 
 
-@pytest.mark.exercise("6.2")
+@pytest.mark.exercise("6.2", asks="At some height the lift equals the weight")
 def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     about.read = READ
     about.call = "a particle p of 2 kg with damping 0.5 and g = 9.81 m/s^2 that "

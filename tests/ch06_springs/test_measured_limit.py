@@ -7,14 +7,12 @@ from random import Random
 
 import pytest
 
-from ch06_springs.exercises import largest_stable_stiffness, swings_wider
-from ch06_springs.step_probes import measured, never_safe, released, wider
+from ch06_springs.step_probes import measured, never_safe, released, wider, wider_by
 from expect import (
     about,
     blame,
     expect_between,
     expect_close,
-    expect_error,
     expect_exactly,
     expect_that,
 )
@@ -38,16 +36,33 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
     return ((1.0 / keep - 1.0) if explicit else 2.0 * (1.0 + keep) / keep) / (share * h * h)
 
 
-def invalid(arguments: tuple[float, float, float]) -> str:
-    """Name the one that is not valid of a stiffness, a damping and a duration."""
-    stiffness, damping, duration = arguments
-    if not 0.0 < duration < math.inf:
-        return f"The duration is {duration}. It must be positive and finite, so raise ValueError."
-    name, value = ("damping", damping) if stiffness >= 0.0 else ("stiffness", stiffness)
-    return f"The {name} is {value}. It must be finite and not negative, so raise ValueError."
+def why(otherwise: str) -> str:
+    """Return the mistake that swings_wider shows in swings of known sizes, or the other cause."""
+    late = "Compare the largest distance in the last quarter of the steps with the largest one in "
+    late += "an earlier quarter."
+    if wider_by((1.0, 1.0, 1.0, 1.2), 1.2) and not wider_by((1.0, 1.0, 1.0, 1.2), 0.0):
+        return (
+            "Your result depends on the position after the last step, which may be anywhere in a "
+            f"swing. {late}"
+        )
+    if wider_by((1.2, 1.2, 1.2, 1.2), 1.2):
+        return (
+            f"You compare the distances with START, but they may exceed it without growing. {late}"
+        )
+    if not wider_by((1.0, 1.0, 1.0, 1.01), 1.01):
+        return (
+            "You don't notice swings that grow by 1%. Either your tolerance is too large, or "
+            f"you compare the wrong swings. {late}"
+        )
+    if wider_by((1.0, 1.0, 1.0, 1.0001), 1.0001):
+        return (
+            "Your tolerance is missing or too small. The steps seldom meet the end of a swing "
+            "exactly, so allow the largest distance to vary by 0.1%."
+        )
+    return otherwise
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="Release the particle at rest, START m away")
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
@@ -110,7 +125,7 @@ def test_how_the_particle_is_released() -> None:
     )
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="if the stiffness differs from the limit by at least 1 %")
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None:
     about.read = WIDER
@@ -156,20 +171,24 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         about.call = f"the integrator is stable up to {limit:.6g} N/m; swings_wider(integrator, "
         about.call += f"stiffness={k:.6g}, damping={damping}, duration=1/60)"
         got = wider(share, explicit, k, damping, h)
+        if got is not wanted and part in (0.98, 1.02):
+            about.cause = why(about.cause)
         expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="Oscillations of constant amplitude do not count as growing.")
 def test_swings_of_constant_size_are_not_wider() -> None:
     about.read = WIDER
     about.cause = "Without damping, semi-implicit Euler keeps the amplitude, so the result must be "
-    about.cause += "False. Compare the largest distances in many late and many early swings, "
-    about.cause += "because a step can miss the peak of a swing."
+    about.cause += "False. Compare the largest distances, without their signs, in many late and "
+    about.cause += "many early swings, because a step can miss the peak of a swing."
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
         about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
         about.call += f"stiffness={k:.6g}, damping=1.0, duration=1/60)"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
+        if got is not False:
+            about.cause = why(about.cause)
         expect_exactly(got, False)
     about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
     about.call += "stiffness=14700, damping=1.0, duration=1/60)"
@@ -185,7 +204,7 @@ def test_swings_of_constant_size_are_not_wider() -> None:
     expect_exactly(got, True)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="The result must be within 1 % of the true limit")
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     about.read = LARGEST
@@ -195,24 +214,24 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
         damping = 0.9  # with which it is stable up to about 1 N/m
     about.call = "the check passes its own integrator; largest_stable_stiffness(integrator, "
     about.call += f"damping={damping}, duration={h!r})"
-    about.cause = "Measure the limit with the integrator that is passed in, because no formula "
-    about.cause += "covers every integrator. Keep halving the interval between a stable and an "
-    about.cause += "unstable stiffness."
+    about.cause = "Your result is not the limit of this integrator. Call swings_wider(integrator, "
+    about.cause += "stiffness, damping, duration) for the middle of the interval. If it is stable, "
+    about.cause += "make it the new lower end, and otherwise the new upper end."
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
-        "The lower end of your interval never moves from SOFTEST / h^2, where the search begins. "
-        "If the stiffness in the middle of the interval is stable, make it the new lower end.": 1e-7
-        / h**2,
-        "The upper end of your interval never moves from STIFFEST / h^2, where the search "
-        "begins. If the stiffness in the middle of the interval is unstable, make it the new "
-        "upper end.": 16.0 / h**2,
         "You return max_stable_stiffness, the formula for explicit Euler. This integrator is a "
         "different one, so measure its limit with swings_wider.": limit_of(1.0, True, damping, h),
         "Your result is STIFFEST / h. The ends of the interval depend on the square of the "
         "duration h, so divide by h^2.": 16.0 / h,
     }
     blame(got, slips)
+    for end, other, size in (("lower", "upper", 1e-7), ("upper", "lower", 16.0)):
+        if isinstance(got, float) and abs(got * h**2 / size - 1.0) < 0.02:
+            stable = "stable" if end == "lower" else "unstable"
+            about.cause = f"The {end} end of your interval never moves from where the search "
+            about.cause += f"begins. A middle that is {stable} must become the new {end} end. Did "
+            about.cause += f"you make it the new {other} end?"
     if isinstance(got, float) and 0.02 < abs(got / wanted - 1.0) < 0.3:
         about.cause = "Your search stops too early, so its result is off by "
         about.cause += f"{abs(got / wanted - 1.0):.1%}. Keep halving the interval until its ends "
@@ -221,7 +240,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     expect_close(got, wanted, unit="N/m", tolerance=0.02 * wanted)
 
 
-@pytest.mark.exercise("6.5")
+@pytest.mark.exercise("6.5", asks="even the stiffest spring is stable, return STIFFEST / h^2")
 def test_the_ends_of_the_measured_range() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
@@ -248,45 +267,3 @@ def test_the_ends_of_the_measured_range() -> None:
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
     expect_close(got, most, tolerance=0.01 * most)
-
-
-@pytest.mark.exercise("6.5")
-@pytest.mark.robust
-def test_measuring_rejects_invalid_arguments() -> None:
-    about.read = WIDER
-
-    def step(particles: list, apply_forces: object, duration: float) -> None:
-        """Do nothing: the particle never swings wider."""
-
-    for bad in (
-        (-1.0, 0.5, 0.25),
-        (math.nan, 0.5, 0.25),
-        (1.0, -0.5, 0.25),
-        (1.0, math.nan, 0.25),
-        (1.0, 0.5, 0.0),
-        (1.0, 0.5, -0.25),
-        (1.0, 0.5, math.nan),
-    ):
-        expect_error(
-            lambda bad=bad: swings_wider(step, *bad),
-            ValueError,
-            cause=invalid(bad),
-            call="swings_wider(integrator, stiffness={}, damping={}, duration={})".format(*bad),
-            allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
-        )
-    about.read = LARGEST
-    for damping, duration in ((-0.5, 0.25), (math.nan, 0.25), (0.5, 0.0), (0.5, math.inf)):
-        expect_error(
-            lambda damping=damping, duration=duration: largest_stable_stiffness(
-                step, damping, duration
-            ),
-            ValueError,
-            cause=invalid((1.0, damping, duration)),
-            call=f"largest_stable_stiffness(integrator, damping={damping}, duration={duration})",
-            allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
-        )
-    about.call = "swings_wider(explicit_euler, stiffness=10.0, damping=0.5, duration=1/60)"
-    about.cause = "All of these arguments are valid, so don't raise an error. A stiffness of 10 "
-    about.cause += "N/m is below the limit of 41.8 N/m, so the result must be False."
-    got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
-    expect_exactly(got, False)

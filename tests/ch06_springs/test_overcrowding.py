@@ -18,7 +18,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.3 and the docstring of Overcrowding"
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="that particle pushes with the force k")
 def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
     about.read = READ
     here, d, f = components(rng), direction(rng), components(rng)
@@ -58,8 +58,12 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         near = share * distance
         pushes = {
             "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
-            "There is no push, perhaps because your loop ends when it reaches p itself in the "
-            "list. Skip p, and continue with the next particle.": 0.0,
+            "There is no push. Either your loop ends when it reaches p itself in the list, or you "
+            "compare wrong numbers, such as the squared distance. Skip only p.": 0.0,
+            "Your push is half of what it should be. Either you divide it by the number of "
+            "particles, or you multiply it by the duration.": 0.5 * push,
+            "Your push grows with the distance l of q. Multiply the stiffness by (self.distance - "
+            "l), so that the nearest particles push the most.": k * near,
             "The size of your push equals the stiffness, however far q is from p. Multiply the "
             "stiffness by (self.distance - l), where l is the distance of q from p.": k,
             "You multiply the push by the whole offset. Normalize the offset first, so that it is "
@@ -81,7 +85,7 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="from every other particle that is too close")
 def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
@@ -121,7 +125,7 @@ def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="exactly the same position does not push")
 def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
@@ -138,8 +142,8 @@ def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator, in N", tolerance=1e-12)
     about.cause = (
-        "The list of particles belongs to the caller. Don't reorder it, and don't move its "
-        "particles."
+        "The list of particles belongs to the caller. Don't reorder it, don't remove anything from "
+        "it, and don't move its particles."
     )
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
@@ -161,7 +165,7 @@ def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     expect_close(got, (0.0, 15.0, 0.0), tolerance=1e-7)
 
 
-@pytest.mark.exercise("6.3")
+@pytest.mark.exercise("6.3", asks="too close therefore push each other apart")
 def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     about.read = READ
     places = [components(rng) for _ in range(6)]

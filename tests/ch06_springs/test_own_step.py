@@ -77,7 +77,7 @@ def turn_of_an_orbit(rng: Random) -> tuple[int, float]:
     return field.count, worst
 
 
-@pytest.mark.exercise("G6.3")
+@pytest.mark.exercise("G6.3", asks="farther from its true position than 0.5 %")
 def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
     about.read = STEP
     m, n = positive_number(rng, 1.0, 4.0), positive_number(rng, 1.0, 4.0)
@@ -162,7 +162,7 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("G6.3")
+@pytest.mark.exercise("G6.3", asks="It must be at most 1e-2.")
 def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
     about.read = STEP
     about.call = f"p moves once around an orbit of eccentricity {ECCENTRICITY}; my_step([p], "
@@ -181,7 +181,7 @@ def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], Non
     )
 
 
-@pytest.mark.exercise("G6.3")
+@pytest.mark.exercise("G6.3", asks="With at most 500 evaluations, an error of 1e-3")
 @pytest.mark.parametrize("most", [1e-3, 1e-4], ids=["error 0.001", "error 0.0001"])
 def test_it_is_accurate_with_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP

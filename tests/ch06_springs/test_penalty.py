@@ -18,7 +18,7 @@ ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of PenaltyGround"
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="Push a particle upward if it is below the ground")
 def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
     about.read = READ
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
@@ -41,6 +41,8 @@ def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
             "Subtract the particle's y from self.height.": k * (depth - height),
             "You multiply the push by the mass. It depends only on the stiffness and the depth, so "
             "leave the mass out.": 2.0 * k * depth,
+            "You multiply the push by the duration, which is 0.5 s here, or by a half. Add the "
+            "whole force k depth.": 0.5 * k * depth,
             "There is no push, although p is below the surface. Check the sign of the depth, "
             "which is self.height minus the particle's y.": 0.0,
         }
@@ -49,7 +51,7 @@ def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="if it is below the ground")
 def test_there_is_no_force_above_the_ground(rng: Random) -> None:
     about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
@@ -98,7 +100,7 @@ def test_there_is_no_force_above_the_ground(rng: Random) -> None:
     expect_close(got, (0.0, k, 0.0), then="; p.force_accumulator, in N", tolerance=1e-12)
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="Add the force only if it is positive.")
 def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     about.read = "the docstring of PenaltyGround.update_force"
     k, c, depth = positive_number(rng), positive_number(rng), positive_number(rng)
@@ -106,7 +108,7 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     ground = PenaltyGround(0.0, k, c)
     for share, cause in (
         (
-            -2.0,
+            -0.5,
             "The particle is still sinking, so v_y is negative and the damping adds to the "
             "push. The force is k depth - c v_y, where k is the stiffness and c the damping.",
         ),
@@ -132,10 +134,19 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "You leave out the damping. Subtract c v_y from the push, where c is the damping and "
-            "v_y the upward velocity.": (0.0, push, 0.0),
-            "Your force is k depth + c v_y, so the damping speeds the motion up. It must "
-            "oppose the motion, so reverse its sign.": (
+            "Your damping has no effect while the particle rises. Subtract c v_y from the push "
+            "then too, where c is the damping and v_y the upward velocity."
+            if share > 0.0
+            else "You leave out the damping. Subtract c v_y from the push, where c is the damping "
+            "and v_y the upward velocity.": (0.0, push, 0.0),
+            "Your damping uses the whole speed of the particle. Use v_y, its upward velocity, "
+            "which is negative while it sinks.": (
+                0.0,
+                max(push - c * math.hypot(4.0, v, 4.0), 0.0),
+                0.0,
+            ),
+            "Your damping reduces the push while the particle sinks. Either its sign is wrong, or "
+            "you use the size of v_y. The force is k depth - c v_y.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,
@@ -156,7 +167,7 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("G6.1")
+@pytest.mark.exercise("G6.1", asks="that rests on it sinks in by m g / k")
 def test_a_body_comes_to_rest_below_the_surface() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
     about.call = "p of 2 kg that falls 0.5 m with g = 10 m/s^2 onto PenaltyGround(height=0, "

@@ -11,7 +11,7 @@ import pytest
 from ch06_springs.springs import max_stable_stiffness
 from ch06_springs.step_probes import step_matrix
 from draw import positive_number
-from expect import about, blame, expect_close, expect_error, expect_exactly, expect_that, named
+from expect import about, blame, expect_close, expect_exactly, expect_that, named
 
 READ = "exercise 6.6 and the docstring of max_stable_stiffness"
 
@@ -23,7 +23,7 @@ def largest_eigenvalue(matrix: tuple[float, float, float, float]) -> float:
     return max(abs((a + d) / 2.0 + root), abs((a + d) / 2.0 - root))
 
 
-@pytest.mark.exercise("6.6b")
+@pytest.mark.exercise("6.6b", asks="the limit is m (d^-h - 1) / h^2")
 def test_the_largest_stiffness_by_known_values() -> None:
     about(
         cause="The largest stable stiffness is m (d^-h - 1) / h^2, where d is the damping per "
@@ -43,6 +43,12 @@ def test_the_largest_stiffness_by_known_values() -> None:
             "damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
             "Your result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
             "Particle.integrate (E-16). Use d^-h - 1 instead of 1 - d^h.": (1.0 - keep) * 3600.0,
+            "Your result is m d^-h / h^2, where d is the damping and h the duration. Subtract 1 "
+            "from d^-h.": wanted + 3600.0,
+            "Your result is 4 m / h^2, the limit of semi-implicit Euler without damping. "
+            "Particle.integrate is explicit Euler, so use m (d^-h - 1) / h^2.": 14_400.0,
+            "Your result is 0, although some springs are stable at this damping. Perhaps the sign "
+            "of your exponent is wrong. It is -h, the negative duration.": 0.0,
             "Your result is the limit of semi-implicit Euler. Particle.integrate is explicit "
             "Euler, so use m (d^-h - 1) / h^2, where d is the damping and h the duration.": 2.0
             * (1.0 + keep)
@@ -69,7 +75,7 @@ def test_the_largest_stiffness_by_known_values() -> None:
         expect_close(got, wanted, tolerance=1e-10 * wanted)
 
 
-@pytest.mark.exercise("6.6b")
+@pytest.mark.exercise("6.6b", asks="above which a spring makes a simulation explode")
 def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
     about.read = READ
     for _ in range(5):
@@ -92,15 +98,15 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
             )
 
 
-@pytest.mark.exercise("6.6b")
+@pytest.mark.exercise("6.6b", asks="no spring is stable, so the result is 0")
 def test_the_ends_of_the_damping() -> None:
     about.read = READ
     for d, wanted, cause in (
         (
             1.0,
             0.0,
-            "No spring is stable at a damping of 1. Return exactly 0, and not the negative zero "
-            "that the formula gives.",
+            "No spring is stable at a damping of 1, so return 0. The formula gives 0 here too, "
+            "because d^-h is 1.",
         ),
         (
             1.5,
@@ -118,7 +124,7 @@ def test_the_ends_of_the_damping() -> None:
         about(f"max_stable_stiffness(damping={d}, duration=0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
         expect_that(isinstance(got, (int, float)), f"{got!r}", "a number")
-        came, right = f"{got:.15g}", f"{wanted:.15g}"
+        came, right = f"{got + 0.0:.15g}", f"{wanted:.15g}"  # a zero may be negative
         expect_that(came == right, f"{came} N/m", f"{right} N/m")
     about.call = "max_stable_stiffness(damping=1 - 1e-12, duration=1e-3), in N/m"
     about.cause = "Your difference d^-h - 1 loses most of its digits, because d^-h is close to 1. "
@@ -136,7 +142,7 @@ def test_the_ends_of_the_damping() -> None:
     expect_close(got, 0.75)
 
 
-@pytest.mark.exercise("6.6b")
+@pytest.mark.exercise("6.6b", asks="d^-h is too large for a float, the result is math.inf")
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(damping=1e-300, duration=1000.0), in N/m", read=READ)
@@ -144,42 +150,3 @@ def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about.cause += "large for a float. Catch the error and return math.inf."
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)
-
-
-@pytest.mark.exercise("6.6b")
-@pytest.mark.robust
-def test_max_stable_stiffness_rejects_invalid_arguments() -> None:
-    about.read = READ
-    for bad in (
-        (-0.5, 0.25, 1.0),
-        (math.nan, 0.25, 1.0),
-        (math.inf, 0.25, 1.0),
-        (0.5, 0.0, 1.0),
-        (0.5, -0.25, 1.0),
-        (0.5, math.inf, 1.0),
-        (0.5, math.nan, 1.0),
-        (0.0, 0.0, 1.0),
-        (0.5, 0.25, 0.0),
-        (0.5, 0.25, -1.0),
-        (0.0, 0.25, math.inf),
-        (0.5, 0.25, math.nan),
-    ):
-        damping, duration, mass = bad
-        name, value = ("mass", mass) if 0.0 < duration < math.inf else ("duration", duration)
-        cause = f"The {name} is {value}. It must be positive and finite, so raise ValueError"
-        cause += ", even if the damping is 0." if damping == 0.0 else "."
-        if not 0.0 <= damping < math.inf:
-            cause = f"The damping is {damping}. It must be finite and not negative, so raise "
-            cause += "ValueError."
-        expect_error(
-            lambda bad=bad: max_stable_stiffness(*bad),
-            ValueError,
-            call="max_stable_stiffness(damping={}, duration={}, mass={})".format(*bad),
-            allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
-            cause=cause,
-        )
-    about.call = "max_stable_stiffness(damping=0.25, duration=1.0, mass=2.0), in N/m"
-    about.cause = "All of these arguments are valid, so don't raise an error. The result is 2 "
-    about.cause += "(0.25^-1 - 1) / 1^2, which is 6."
-    got = max_stable_stiffness(0.25, 1.0, 2.0)
-    expect_close(got, 6.0)

@@ -10,9 +10,28 @@ from ch06_springs.step_probes import Body, energy_left, growth, stepped
 from expect import about, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
+EXERCISES = {
+    "explicit_euler": "B6.6",
+    "semi_implicit_euler": "B6.6",
+    "leapfrog": "B6.12",
+    "velocity_verlet": "B6.7",
+    "runge_kutta_4": "B6.8",
+}
+LIMITS = {  # of k h^2 / m
+    "semi_implicit_euler": 4.0,
+    "leapfrog": 4.0,
+    "velocity_verlet": 4.0,
+    "runge_kutta_4": 8.0,
+}
 
 
-@pytest.mark.exercise("B6.6")
+def methods(*names: str, asks: str) -> pytest.MarkDecorator:
+    """Run a check for some integrators, each as a check of its exercise."""
+    marks = {name: pytest.mark.exercise(EXERCISES[name], asks=asks) for name in names}
+    return pytest.mark.parametrize("method", [pytest.param(n, marks=marks[n]) for n in names])
+
+
+@pytest.mark.exercise("B6.6", asks="every step multiplies the energy by the same factor")
 def test_explicit_euler_gains_energy_by_its_factor() -> None:
     about.read = "the docstring of explicit_euler, and E-17"
     about.call = "explicit_euler([p], apply_forces, h) 600 times, with p of 1 kg on a spring of "
@@ -27,7 +46,7 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
     expect_close(got, wanted, tolerance=1e-11 * wanted)
 
 
-@pytest.mark.exercise("B6.6")
+@pytest.mark.exercise("B6.6", asks="its energy never drifts as long as the spring")
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     about.read = "the docstring of semi_implicit_euler"
     about.cause = (
@@ -55,7 +74,7 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B6.6b")
+@pytest.mark.exercise("B6.12", asks="keeps the energy within a narrower band")
 def test_leapfrog_swings_as_its_frequency_says() -> None:
     about.read = "the docstring of leapfrog"
     about.cause = (
@@ -76,7 +95,7 @@ def test_leapfrog_swings_as_its_frequency_says() -> None:
         expect_close(got, wanted, tolerance=1e-9)
 
 
-@pytest.mark.exercise("B6.6")
+@pytest.mark.exercise("B6.6", asks="undamped springs below max_stable_stiffness are stable")
 def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
     about.read = "the docstring of explicit_euler and of max_stable_stiffness"
     h, d, frames = 1.0 / 60.0, 0.5, 2000
@@ -100,16 +119,7 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
         expect_close(far / near, wanted, tolerance=0.01)
 
 
-@pytest.mark.parametrize(
-    "method",
-    [
-        pytest.param("explicit_euler", marks=pytest.mark.exercise("B6.6")),
-        pytest.param("semi_implicit_euler", marks=pytest.mark.exercise("B6.6")),
-        pytest.param("leapfrog", marks=pytest.mark.exercise("B6.6b")),
-        pytest.param("velocity_verlet", marks=pytest.mark.exercise("B6.7")),
-        pytest.param("runge_kutta_4", marks=pytest.mark.exercise("B6.8")),
-    ],
-)
+@methods("explicit_euler", *LIMITS, asks="says how quickly its error shrinks")
 def test_the_order_of_a_step(method: str) -> None:
     about.read = f"the docstring of {method}"
     body: Body = ((1.0, 0.0, 0.5), (0.0, 1.0, 0.0), ZERO, 1.0, 1.0, ZERO)
@@ -140,16 +150,9 @@ def test_the_order_of_a_step(method: str) -> None:
         )
 
 
-@pytest.mark.parametrize(
-    ("method", "limit"),
-    [
-        pytest.param("semi_implicit_euler", 4.0, marks=pytest.mark.exercise("B6.6")),
-        pytest.param("leapfrog", 4.0, marks=pytest.mark.exercise("B6.6b")),
-        pytest.param("velocity_verlet", 4.0, marks=pytest.mark.exercise("B6.7")),
-        pytest.param("runge_kutta_4", 8.0, marks=pytest.mark.exercise("B6.8")),
-    ],
-)
-def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: float) -> None:
+@methods(*LIMITS, asks="stable if k h² / m is below")
+def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str) -> None:
+    limit = LIMITS[method]
     about.read = f"the docstring of {method}"
     h = 1.0 / 60.0
     frames = 500

@@ -56,6 +56,39 @@ gained = math.expm1(s) / k1 if s else time / mass
 return speed / (math.exp(s) + k2 * speed * gained)
 """,
     },
+    "ch06_springs": {
+        "closed_form.damped_spring_state": """
+half, chi = damping / (2.0 * mass), math.sqrt(stiffness / mass)
+gamma = math.sqrt(abs(half - chi)) * math.sqrt(half + chi)
+fade = math.exp(-half * time)
+stay, swing = fade, fade * time
+if half < chi:
+    stay, swing = fade * math.cos(gamma * time), fade * math.sin(gamma * time) / gamma
+elif half > chi:
+    stay, swing = fade * math.cosh(gamma * time), fade * math.sinh(gamma * time) / gamma
+x, v = x0 * (stay + half * swing) + v0 * swing, v0 * (stay - half * swing) - x0 * chi**2 * swing
+return x, v
+""",
+        "integrators.watched": """
+steps = 0
+
+def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
+    nonlocal steps
+    integrator(particles, apply_forces, duration)
+    steps += 1
+    for i, particle in enumerate(particles):
+        speed = particle.velocity.magnitude()
+        if speed > speed_limit:
+            raise SimulationDiverged(i, steps, speed, speed_limit)
+
+return step
+""",
+        "springs.max_stable_stiffness": """
+if damping == 0.0:
+    return math.inf
+return max(0.0, mass * math.expm1(-duration * math.log(damping)) / duration**2)
+""",
+    },
     "ch09_rotations": {
         "matrix3.Matrix3.is_rotation": """
 identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)

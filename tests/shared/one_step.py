@@ -61,24 +61,37 @@ def wrong_steps(
         parts: tuple[float, ...],
         *,
         later: float = 0.0,
-        back: bool = True,
+        back: tuple[bool, bool] = (True, True),
+        ends: bool = True,
         turns: bool = True,
+        piles: bool = False,
     ) -> tuple[float, float]:
-        moved = pushed = velocity = rate = 0.0
+        """Return the state after a step with the weighted mean of rates.
+
+        ``back`` says whether position and velocity return to the start before each rate, ``ends``
+        whether they do at the end, and ``piles`` whether the forces of all rates add up.
+        """
+        moved = pushed = velocity = rate = pile = 0.0
         start = x, v
         for number, (weight, part) in enumerate(zip(weights, parts, strict=True)):
             position = start[0] + velocity * part * h
             velocity = start[1] + turns * rate * part * h
-            start = start if back else (position, velocity)
-            rate = force(position, velocity) + later * (number > 0)
+            start = start[0] if back[0] else position, start[1] if back[1] else velocity
+            rate = force(position, velocity) + later * (number > 0) + piles * pile
+            pile = rate - acceleration
             moved += weight * velocity
             pushed += weight * rate
-        return x + moved / sum(weights) * h, (v + pushed / sum(weights) * h) * keep
+        start = (x, v) if ends else start
+        return start[0] + moved / sum(weights) * h, (start[1] + pushed / sum(weights) * h) * keep
 
     keep, first, half_keep = d**h, force(x, v), d ** (0.5 * h)
+    moved_first = {
+        "You move p before you call apply_forces, so the forces belong to the wrong position. Call "
+        "apply_forces first.": (x + v * h, (v + force(x + v * h, v) * h) * keep),
+    }
     if method == "explicit_euler":
         middle, early = x + 0.5 * h * v, (v + 0.5 * h * first) * half_keep
-        return {
+        return moved_first | {
             "You take two steps of half the duration, so the second one uses a new velocity. Take "
             "a single step instead.": (
                 middle + 0.5 * h * early,
@@ -87,9 +100,10 @@ def wrong_steps(
         }
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
-        return {
+        return moved_first | {
             "You move the position twice, once with the old velocity and once with the new one. "
-            "Move it only once, with the new velocity.": (x + (v + new) * h, new),
+            "Move it only once, with the new velocity. If you store the position at the start, "
+            "store a copy.": (x + (v + new) * h, new),
             "You move the position with the mean of the old and the new velocity. Semi-implicit "
             "Euler uses only the new velocity.": (x + 0.5 * (v + new) * h, new),
             "You move the position with the velocity before damping. Multiply the velocity by d^h "
@@ -112,6 +126,10 @@ def wrong_steps(
             "drift instead.": (x + 0.5 * h * (v + early), early),
             "After the kick, you drift for the whole step. The first drift already covered half of "
             "it, so drift only for the other half.": (middle + h * new, new),
+            "You call integrate, which moves the particle as well. Call kick, which changes only "
+            "the velocity.": (middle + h * v + 0.5 * h * new, new),
+            "You move p for the whole step before you call apply_forces. Call it after the first "
+            "half drift.": (x + h * v, (v + force(x + h * v, v) * h) * keep),
             "The second half drift is missing. After the kick, move the position by the new "
             "velocity times half the duration.": (middle, new),
             "You kick for only half the step. Leapfrog has a single kick, which must cover the "
@@ -120,6 +138,10 @@ def wrong_steps(
     if method == "velocity_verlet":
         bare, half, whole = (x + v * h + part * first * h * h for part in (0.0, 0.5, 1.0))
         least, second, most = (force(place, v + first * h) for place in (bare, half, whole))
+        last = force(half, v)
+        piled = first + second - acceleration
+        kicked = (v + 0.5 * h * first) * half_keep
+        ahead = x + h * kicked
         velocities = {
             "Your new velocity uses only the acceleration at the start of the step. Use the mean "
             "of the accelerations at the start and at the end instead.": v + first * h,
@@ -128,7 +150,7 @@ def wrong_steps(
             "You add up the forces of both evaluations, so the velocity changes by twice as much "
             "as it should. Use their mean instead.": v + (first + second - a) * h,
             "Your new velocity starts from v + a h, which is only the estimate for the second "
-            "evaluation. Start from the old velocity v instead.": v
+            "evaluation. Start from the old velocity v instead, of which you need a copy.": v
             + (1.5 * first + 0.5 * second) * h,
             "Your second evaluation still includes the forces of the first one. Clear the "
             "accumulators in between, and restore only the forces added before the step.": v
@@ -137,9 +159,21 @@ def wrong_steps(
             "Store this force, and add it again before the second evaluation.": v
             + 0.5 * (first + second - a + acceleration) * h,
             "Your second evaluation uses the old velocity. Set the velocity to v + a h before you "
-            "evaluate the forces again.": v + 0.5 * (first + force(half, v)) * h,
+            "evaluate the forces again.": v + 0.5 * (first + last) * h,
+            "Your second evaluation still includes the forces of the first one, and it uses the "
+            "old velocity. Clear the accumulators in between, and set the velocity to v + a h.": v
+            + 0.5 * (first + last + first - acceleration) * h,
+            "The forces of the second evaluation are still in the accumulators when you add the "
+            "mean force. Clear the accumulators first.": v
+            + (second + 0.5 * (first + second) - acceleration) * h,
+            "The forces of both evaluations are still in the accumulators when you add the mean "
+            "force. Clear the accumulators after each evaluation.": v
+            + (piled + 0.5 * (first + piled) - acceleration) * h,
         }
         return {
+            "You kick for half the step, drift, and kick again. With damping, or with forces that "
+            "depend on the velocity, this is a different method. Use the formulas in the "
+            "docstring.": (ahead, (kicked + 0.5 * h * force(ahead, kicked)) * half_keep),
             "You move p by v h alone. Add a h^2 / 2, where a is the acceleration at the start of "
             "the step.": (bare, (v + 0.5 * (first + least) * h) * keep),
             "You move p by v h + a h^2. Use a h^2 / 2, because the velocity reaches v + a h only "
@@ -170,7 +204,23 @@ def wrong_steps(
             ),
             "For each rate, you move on from the state of the previous one. Return to the start of "
             "the step first, and move from there at the previous rate.": mean_of(
-                weights, parts, back=False
+                weights, parts, back=(False, False)
+            ),
+            "The start of the step moves along with p, because you stored its position and "
+            "velocity without copying them. Store copies.": mean_of(
+                weights, parts, back=(False, False), ends=False
+            ),
+            "The position at the start of the step moves along with p, because you stored it "
+            "without copying it. Store a copy.": mean_of(
+                weights, parts, back=(False, True), ends=False
+            ),
+            "The velocity at the start of the step changes along with p, because you stored it "
+            "without copying it. Store a copy.": mean_of(
+                weights, parts, back=(True, False), ends=False
+            ),
+            "Each evaluation still includes the forces of the previous ones. Clear the "
+            "accumulators in between, and restore only the forces added before the step.": mean_of(
+                weights, parts, piles=True
             ),
             "Before each evaluation, you move p but keep its old velocity. Also set the velocity "
             "to v + a h / 2 or v + a h, where a is the previous acceleration.": mean_of(

@@ -36,6 +36,20 @@ from ch05_forces.particle import Particle
 from ch05_forces.sniper import SniperRange, Wind
 from ch06_springs.adaptive import adaptive
 from ch06_springs.camera import SpringCamera
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.exercises import largest_stable_stiffness, swings_wider
+from ch06_springs.integrators import (
+    backward_euler,
+    explicit_euler,
+    leapfrog,
+    runge_kutta_4,
+    semi_implicit_euler,
+    trapezoidal,
+    velocity_verlet,
+    watched,
+)
+from ch06_springs.spring_bridge import hang_bridge, load_bridge
+from ch06_springs.springs import FakeStiffSpring, max_stable_stiffness
 from ch07_constraints.angle_chain import AngleChain
 from ch07_constraints.angle_pendulum import DoublePendulum
 from ch07_constraints.angle_rope import AngleRope
@@ -76,6 +90,7 @@ LIMITED = {"k1": 0.3, "k2": 0.05, "mass": 2.0, "speed": 5.0}
 COASTING = LIMITED | {"time": 1.5}
 A, B = Particle(), Particle(Vector3(2.0))
 LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(START)  # m, initial height of the tip of a long arm of 4 m
+STEPS = (explicit_euler, semi_implicit_euler, leapfrog, velocity_verlet, runge_kutta_4)
 
 Refused = tuple[str, Any, Callable[[Any], object]]  # name, bad value, function of the value
 
@@ -192,6 +207,38 @@ VALUES: dict[str, list[Refused]] = {
         ("position", NOWHERE, SpringCamera),
         ("target", NOWHERE, lambda x: SpringCamera(UP).follow(x, 1.0)),
         *(("omega", x, lambda x: SpringCamera(UP, x)) for x in (0.0, NAN, INF)),
+        *(("duration", x, lambda x, f=f: f([A], print, x)) for f in STEPS for x in (0.0, NAN)),
+        *(
+            (name, bad, lambda x, f=f, i=i: f(*[1.0] * i, x, *[1.0] * (5 - i)))
+            for f in (backward_euler, trapezoidal, damped_spring_state)
+            for i, name, bad in (
+                (0, "x", NAN),
+                (1, "v", INF),
+                (2, "stiffness", -1.0),
+                (3, "damping", NAN),
+                (4, "mass", 0.0),
+                (5, "time" if f is damped_spring_state else "duration", -1.0),
+            )
+        ),
+        ("angle", INF, lambda _: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200)),
+        *(("speed_limit", x, lambda x: watched(print, x)) for x in (0.0, NAN, INF)),
+        *(
+            ("duration", 0.0, lambda x, p=p: FakeStiffSpring(UP, 1.0, 1.0).update_force(p, x))
+            for p in (A, Particle(mass=INF))
+        ),
+        ("stiffness", -1.0, lambda x: swings_wider(print, x, 0.5, 0.25)),
+        ("damping", NAN, lambda x: swings_wider(print, 1.0, x, 0.25)),
+        ("duration", 0.0, lambda x: swings_wider(print, 1.0, 0.5, x)),
+        ("damping", -0.5, lambda x: largest_stable_stiffness(print, x, 0.25)),
+        ("duration", INF, lambda x: largest_stable_stiffness(print, 0.5, x)),
+        ("damping", -0.5, lambda x: max_stable_stiffness(x, 0.25)),
+        ("duration", 0.0, lambda x: max_stable_stiffness(0.0, x)),
+        ("mass", 0.0, lambda x: max_stable_stiffness(0.0, 0.25, x)),
+        ("height", 0.0, lambda x: hang_bridge(ForceRegistry(), [], x, 1.0, 1.0)),
+        ("stiffness", -1.0, lambda x: hang_bridge(ForceRegistry(), [], 1.0, x, 1.0)),
+        ("damping", NAN, lambda x: hang_bridge(ForceRegistry(), [], 1.0, 1.0, x)),
+        ("x must", INF, lambda x: load_bridge([A], x, 1.0)),
+        ("weight", -1.0, lambda x: load_bridge([A], 0.0, x)),
     ],
     "ch07_constraints": [
         ("bounce_height", -0.1, lambda x: restitution_of_drop(1.0, x)),

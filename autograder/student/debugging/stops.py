@@ -102,6 +102,6 @@ def _add_stops(node: ast.AST, name: str) -> None:
             (stop,) = ast.parse(f"if {NAME}({own!r}): breakpoint()").body
             # On the line of the def, because a debugger goes on to the next line.
             for part in ast.walk(stop):
-                ast.copy_location(part, child)
-                part.end_lineno = child.lineno
+                if isinstance(part, ast.stmt | ast.expr):
+                    part.lineno = part.end_lineno = child.lineno
             child.body.insert(first, stop)

@@ -28,8 +28,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
     larger. You do not have to compute the angle, because the sign of the scalar product already
     tells you which kind it is. The numbers in the example differ from the book's.
 
-    Raises:
-        ValueError: if the scalar product is NaN, because then it has no sign.
+    Return both as a pair. The word "right" is only for a scalar product of exactly 0.
 
     Exercise 2.2a.
 
@@ -97,8 +96,8 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     The lesson asks what this does to ``b``. The numbers in the example differ from the book's.
 
     Raises:
-        ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or
-            if d is shorter than 1e-6, which means that ``a`` and ``b`` are parallel.
+        ValueError: if d is shorter than 1e-6. Then ``a`` and ``b`` are parallel, and d is only a
+            rounding error without a direction.
 
     Exercise 2.6.
 
@@ -133,10 +132,7 @@ def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vec
     """Compute where a body is after it has moved at a constant velocity for some time.
 
     ``position`` is in m, ``velocity`` in m/s and ``duration`` in s. The result is the new position,
-    p' = p + v t. The start position in the example differs from the book's.
-
-    Raises:
-        ValueError: if the duration is not positive and finite.
+    p' = p + v t, as a new vector. The start position in the example differs from the book's.
 
     Exercise 2.7, Eq. 2.7.
 

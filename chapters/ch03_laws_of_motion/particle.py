@@ -143,8 +143,7 @@ class Particle:
         at all. The duration may be 0 or negative, because some integrators of chapter 6 split a
         step into several drifts, some of them backward.
 
-        The duration is not checked here. The caller, such as ``integrate``, checks it once per
-        step. Book Eq. 2.7.
+        Book Eq. 2.7.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
@@ -155,7 +154,7 @@ class Particle:
         book's listing, the acceleration is applied first, and the damping then acts on the result.
         The book's Eq. 3.6 damps only the old velocity: v d^h + a h (erratum E-16). A kick does not
         change the position, and an immovable particle also keeps its velocity. As in ``drift``, the
-        duration may be 0 or negative and is not checked.
+        duration may be 0 or negative.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
@@ -168,9 +167,5 @@ class Particle:
 
         The new velocity must come from ``self.kick(duration)``, because the particle of chapter 5
         overrides ``kick`` to add forces. An immovable particle does not change.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. The particle does not change.
-            TypeError: if the duration is not a number. The particle does not change.
         """
         raise NotImplementedError("Exercise B3.4: The step")

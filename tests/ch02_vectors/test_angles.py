@@ -99,23 +99,6 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     expect_exactly(got, "right", then="; the second result, the kind of angle")
 
 
-@pytest.mark.exercise("2.2a")
-@pytest.mark.robust
-def test_a_scalar_product_of_nan_is_refused() -> None:
-    about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    about.cause = (
-        "The scalar product is NaN here, so it has no sign and tells you nothing about the angle. "
-        "Raise ValueError."
-    )
-    about.read = "the docstring of scalar_product_and_angle"
-    good = Vector3(1.0, 2.0, 3.0)
-    expect_error(
-        lambda: exercises.scalar_product_and_angle(Vector3(math.nan, 0.0, 0.0), good),
-        ValueError,
-        allowed=lambda: exercises.scalar_product_and_angle(good, good),
-    )
-
-
 # 2.5 The angle between two vectors, in two ways
 
 

@@ -12,7 +12,6 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_same_object,
     expect_that,
     expect_unchanged,
@@ -139,21 +138,3 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     about.call = f"v = Vector3{a}; v += v"
     w += w
     expect_close(xyz(w), tuple(2.0 * n for n in a), then="; v")
-
-
-@pytest.mark.exercise("B2.5")
-@pytest.mark.robust
-def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
-    a = components(rng)
-    v = Vector3(*a)
-    about.cause = (
-        "You don't check the operand, which is a number here. If it is not a Vector3, return "
-        "NotImplemented, and Python raises the TypeError for you."
-    )
-    about.read = "the docstring of Vector3.__add__"
-    for call, attempt, allowed in (
-        (f"Vector3{a} + 1.0", lambda: v + 1.0, lambda: v + v),
-        (f"Vector3{a} - 1.0", lambda: v - 1.0, lambda: v - v),
-    ):
-        about.call = call
-        expect_error(attempt, TypeError, allowed=allowed)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from random import Random
-from typing import Any
 
 import pytest
 
@@ -15,9 +14,7 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_unchanged,
-    scoped,
     xyz,
 )
 
@@ -156,56 +153,3 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
         sums = {"damp_per_frame": "v d + a h", "damp_per_second": "v d^h + a h"}
         about.cause = f"The result is wrong. Compute {sums[name]} in a new vector."
         expect_close(xyz(result), wanted, tolerance=1e-13)
-
-
-@scoped
-def expect_refusal(
-    name: str, damping: Any, duration: Any, error: type[Exception], *, good: tuple[float, float]
-) -> None:
-    """Expect an equation to refuse a damping or a duration, and to accept two valid ones."""
-    about.call = f"{name}(Vector3(1, 2, 3), Vector3(), damping={damping!r}, duration={duration!r})"
-    function = getattr(forms, name)
-    expect_error(
-        lambda: function(Vector3(1, 2, 3), Vector3(), damping, duration),
-        error,
-        allowed=lambda: function(Vector3(1, 2, 3), Vector3(), *good),
-    )
-
-
-@pytest.mark.exercise("B3.3")
-@pytest.mark.robust
-@pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
-@pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
-def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
-    about.cause = (
-        f"The duration is {bad}, but it must be positive and finite. Check it with positive() from "
-        "arguments.py, which raises the ValueError for you."
-    )
-    about.read = f"the docstring of {name}"
-    expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0))
-
-
-@pytest.mark.exercise("B3.3")
-@pytest.mark.robust
-@pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
-def test_both_equations_refuse_text(name: str) -> None:
-    about.cause = (
-        "Check the damping with not_negative() and the duration with positive() from arguments.py. "
-        "Both raise the TypeError for you."
-    )
-    about.read = "the docstring in damping.py"
-    for numbers in (("0.5", 0.5), (0.5, "0.5")):
-        expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5))
-
-
-@pytest.mark.exercise("B3.3")
-@pytest.mark.robust
-@pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
-@pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
-def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
-    about.cause = (
-        f"The damping is {bad}, but it must be finite and at least 0. Check it with not_negative() "
-        "from arguments.py, which raises the ValueError for you."
-    )
-    about.read = f"the docstring of {name}"
-    expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))

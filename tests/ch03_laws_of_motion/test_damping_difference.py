@@ -15,9 +15,7 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_unchanged,
-    scoped,
     xyz,
 )
 
@@ -38,7 +36,6 @@ SUM = "You return the sum over all runs. Divide it by the number of runs to get 
 CARRIED = (
     "Your second run starts where the first one ended. Start every run from the given velocity v."
 )
-Runs = list[list[float]]
 
 
 def draw_damping(rng: Random) -> float:
@@ -180,58 +177,3 @@ def test_the_difference_is_zero_without_damping(rng: Random) -> None:
     expect_close(got, 0.0, tolerance=1e-13)
     expect_unchanged("v", xyz(v), first, cause=UNCHANGED)
     expect_unchanged("a", xyz(a), second, cause=UNCHANGED)
-
-
-@scoped
-def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]) -> None:
-    """Expect damping_difference to refuse a damping or its runs, and to accept two valid ones."""
-    about.call = (
-        f"damping_difference(Vector3(), Vector3(0, -10, 0), damping={damping}, runs={runs})"
-    )
-    about.read = "the docstring of damping_difference"
-    gravity = Vector3(0.0, -10.0, 0.0)
-    expect_error(
-        lambda: exercises.damping_difference(Vector3(), gravity, damping, runs),
-        ValueError,
-        allowed=lambda: exercises.damping_difference(Vector3(), gravity, *good),
-    )
-
-
-@pytest.mark.exercise("3.5b")
-@pytest.mark.robust
-def test_an_empty_list_of_runs_is_refused() -> None:
-    about.cause = (
-        "You don't check for an empty list of runs, and an empty list has no mean. Raise "
-        "ValueError if there are no runs."
-    )
-    expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
-
-
-@pytest.mark.exercise("3.5b")
-@pytest.mark.robust
-@pytest.mark.parametrize("runs", [[[]], [[0.5], []]])
-def test_a_run_without_steps_is_refused(runs: Runs) -> None:
-    about.cause = "A run without steps shows nothing, so raise ValueError if one of them is empty."
-    expect_no_difference(0.9, runs, good=(0.9, [[0.5], [0.5]]))
-
-
-@pytest.mark.exercise("3.5b")
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
-def test_a_run_with_a_bad_duration_is_refused(bad: float) -> None:
-    about.cause = (
-        f"The last duration is {bad}, but it must be positive and finite. If you call "
-        "damp_per_frame and damp_per_second in every step, they check it for you."
-    )
-    expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
-
-
-@pytest.mark.exercise("3.5b")
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
-def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
-    about.cause = (
-        f"The damping is {bad}, but it must be at least 0 and finite. If you call "
-        "damp_per_frame and damp_per_second in every step, they check it for you."
-    )
-    expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import about, blame, expect_close, expect_error, expect_that, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_that, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:
@@ -348,53 +348,3 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     )
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     expect_close(kicks[0][1], wanted, then="; p.position during kick", tolerance=1e-13)
-
-
-@pytest.mark.exercise("B3.4")
-@pytest.mark.robust
-@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan])
-def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
-    about.read = "the docstring of integrate"
-    x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
-    for mass in (1.0, math.inf):
-        about.cause = (
-            f"The duration is {duration}, but it must be positive and finite. Check it with "
-            "positive() from arguments.py, which raises the ValueError for you."
-        )
-        if mass == math.inf:
-            shown = "NaN" if math.isnan(duration) else duration
-            about.cause = (
-                f"You accept a duration of {shown} because the mass is infinite. Check the "
-                "duration before you check the mass."
-            )
-        about.call = (
-            f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, mass={mass!r}); "
-            f"p.integrate({duration})"
-        )
-        p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
-        for _ in range(2):  # a duration remembered from the first attempt must not pass the second
-            expect_error(
-                lambda p=p: p.integrate(duration),
-                ValueError,
-                allowed=lambda: Particle().integrate(0.5),
-            )
-        about.cause = (
-            "Your integrate moves the particle before it rejects the duration. Check the duration "
-            "before you change anything."
-        )
-        expect_unchanged("p.position", xyz(p.position), x)
-        expect_unchanged("p.velocity", xyz(p.velocity), v)
-
-
-@pytest.mark.exercise("B3.4")
-@pytest.mark.robust
-def test_text_is_refused_as_a_duration() -> None:
-    about.call = 'Particle().integrate("0.5")'
-    about.cause = (
-        "A string is not a duration. Check the duration with positive() from arguments.py, which "
-        "raises the TypeError for you."
-    )
-    about.read = "the docstring of integrate"
-    expect_error(
-        lambda: Particle().integrate("0.5"), TypeError, allowed=lambda: Particle().integrate(0.5)
-    )

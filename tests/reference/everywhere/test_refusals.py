@@ -13,7 +13,11 @@ from typing import Any
 import pytest
 
 from ch02_vectors import arguments
-from ch02_vectors.vector import Vector3
+from ch02_vectors.calculus import add_up_accelerations, difference_quotients
+from ch02_vectors.exercises import position_after
+from ch02_vectors.vector import Vector3, make_orthonormal_basis
+from ch03_laws_of_motion import exercises as laws
+from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch04_particle_engine.ballistics import aim
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.exact_frames import places_in_frames
@@ -105,8 +109,48 @@ VALUES: dict[str, list[Refused]] = {
             ("v", bad, lambda x: arguments.finite_vector("v", x))
             for bad in (NOWHERE, Vector3(0.0, INF), Vector3(0.0, 0.0, -INF))
         ),
+        ("a and b", NOWHERE, lambda x: make_orthonormal_basis(x, UP)),
+        ("duration", NAN, lambda x: position_after(UP, UP, x)),
+        ("times", [0.0], lambda x: difference_quotients(x, [UP])),
+        ("time", NAN, lambda x: difference_quotients([0.0, x], [UP, UP])),
+        *(("times", x, lambda x: difference_quotients([1.0, x], [UP, UP])) for x in (0.5, 1.0)),
+        ("values", "got 1", lambda _: difference_quotients([0.0, 1.0], [UP])),
+        ("values", NOWHERE, lambda x: difference_quotients([0.0, 1.0], [UP, x])),
+        ("times", [0.0], lambda x: add_up_accelerations(x, [], UP, UP)),
+        ("time", INF, lambda x: add_up_accelerations([0.0, x], [UP], UP, UP)),
+        ("accelerations", "got 2", lambda _: add_up_accelerations([0.0, 1.0], [UP, UP], UP, UP)),
+        ("accelerations", NOWHERE, lambda x: add_up_accelerations([0.0, 1.0], [x], UP, UP)),
+        ("position", NOWHERE, lambda x: add_up_accelerations([0.0, 1.0], [UP], x, UP)),
+        ("velocity", NOWHERE, lambda x: add_up_accelerations([0.0, 1.0], [UP], UP, x)),
     ],
-    "ch03_laws_of_motion": [("position", NOWHERE, lambda x: Particle(x))],
+    "ch03_laws_of_motion": [
+        ("position", NOWHERE, lambda x: Particle(x)),
+        *(("duration", x, lambda x: Particle().integrate(x)) for x in (0.0, -0.5, INF, NAN)),
+        ("duration", 0.0, lambda x: Particle(mass=INF).integrate(x)),
+        *(
+            row
+            for damp in (damp_per_frame, damp_per_second)
+            for row in (
+                ("damping", -0.5, lambda x, damp=damp: damp(UP, UP, x, 0.5)),
+                ("duration", 0.0, lambda x, damp=damp: damp(UP, UP, 0.5, x)),
+            )
+        ),
+        ("first_mass", 0.0, lambda x: laws.speed_ratio(x, 1.0)),
+        ("second_mass", INF, lambda x: laws.speed_ratio(1.0, x)),
+        ("first_mass", NAN, lambda x: laws.gravity_between(x, 1.0, 1.0)),
+        ("second_mass", -1.0, lambda x: laws.gravity_between(1.0, x, 1.0)),
+        ("distance", 0.0, lambda x: laws.gravity_between(1.0, 1.0, x)),
+        ("time", 0.0, lambda x: laws.position_by_equation(UP, UP, UP, x)),
+        ("duration", NAN, lambda x: laws.state_by_steps(UP, UP, UP, x, 1)),
+        ("steps", 0, lambda x: laws.state_by_steps(UP, UP, UP, 1.0, x)),
+        ("duration", INF, lambda x: laws.stepping_error(UP, UP, UP, x, 1)),
+        ("steps", -1, lambda x: laws.stepping_error(UP, UP, UP, 1.0, x)),
+        ("mean", 0.0, lambda x: laws.random_frames(x, 0.5, 1.0, 3)),
+        ("jitter", -0.1, lambda x: laws.random_frames(0.1, x, 1.0, 3)),
+        ("total", INF, lambda x: laws.random_frames(0.1, 0.5, x, 3)),
+        ("damping", -0.5, lambda x: laws.damping_difference(UP, UP, x, [[0.5]])),
+        ("duration", 0.0, lambda x: laws.damping_difference(UP, UP, 0.5, [[0.5, x]])),
+    ],
     "ch04_particle_engine": [
         ("count", 0, lambda x: Payload(1, x)),
         ("min_age", -0.1, lambda x: rule(min_age=x)),
@@ -247,6 +291,12 @@ TYPES: dict[str, list[Refused]] = {
         *(("count", b, lambda x: arguments.whole("count", x)) for b in (2.0, True, "3", None)),
         *(("v", bad, lambda x: arguments.finite_vector("v", x)) for bad in (3.0, (1, 2, 3), None)),
         ("v", 3, lambda x: arguments.instance_of("v", x, Vector3)),
+    ],
+    "ch03_laws_of_motion": [
+        ("duration", "0.5", lambda x: Particle().integrate(x)),
+        ("damping", "0.5", lambda x: damp_per_frame(UP, UP, x, 0.5)),
+        ("duration", "0.5", lambda x: damp_per_second(UP, UP, 0.5, x)),
+        ("first_mass", "2", lambda x: laws.gravity_between(x, 1.0, 1.0)),
     ],
     "ch05_forces": [("origin", None, lambda x: Uplift(x, 1.0, UP))],
     "ch07_constraints": [

@@ -38,8 +38,9 @@ def add_up_accelerations(
 
     ``accelerations`` has one vector in m/s^2 for each interval, in which the acceleration is
     constant. ``position`` in m and ``velocity`` in m/s belong to the first time. In an interval of
-    duration h, p' = p + v h + a h^2 / 2 and v' = v + a h. Return the positions and the velocities.
-    Both lists have as many vectors as ``times``, and begin with copies of the given ones.
+    duration h, p' = p + v h + a h^2 / 2 and v' = v + a h. Each interval starts with the position
+    and the velocity at the end of the one before. Return the positions and the velocities. Both
+    lists have as many vectors as ``times``, and begin with copies of the given ones.
 
     Book 2.2.2, Eq. 2.8 and 2.9. Exercise B2.13.
 

@@ -2,8 +2,9 @@
 
 The damping d is the fraction of its velocity that a particle keeps. In Eq. 3.5 the particle keeps
 this fraction in every time step, however long the step is. In Eq. 3.6 it keeps this fraction in
-every second of simulated time, so the damping does not depend on the frame rate. The engine itself
-uses a variant of Eq. 3.6, which you write in particle.py.
+every second of simulated time, so the damping does not depend on the frame rate. With d = 0 the
+particle keeps nothing of its velocity, and with d above 1 it speeds up. The engine itself uses a
+variant of Eq. 3.6, which you write in particle.py.
 
 Both functions return the velocity after a time step as a new vector, and do not change their
 arguments. The velocity is in m/s, the acceleration in m/s^2 and the duration in s.

@@ -85,7 +85,9 @@ def stepping_error(
     """Measure how far from the exact position a particle ends up when it moves in time steps.
 
     The result is the position after the steps minus the exact position, in m, as a new vector. The
-    function takes the same arguments as ``state_by_steps``. Exercise 3.4d.
+    function takes the same arguments as ``state_by_steps``.
+
+    Exercise 3.4d.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)

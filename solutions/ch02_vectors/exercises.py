@@ -68,7 +68,8 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     """Compute the angle between two vectors from their scalar product.
 
-    The result is in radians, between 0 and pi, or NaN if a component is NaN.
+    The result is in radians, between 0 and pi, or NaN if a component is NaN. Rounding can give a
+    cosine slightly above 1 or below -1, so limit it to this range before you call ``math.acos``.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero, because a zero vector has no direction.
@@ -89,7 +90,8 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 
     The length |a x b| depends on the sine of the angle. Two angles that add up to pi have the same
     sine, so the length alone cannot distinguish them. Return both angles in radians, the smaller
-    one first. If a component is NaN, both angles are NaN.
+    one first. Rounding can give a sine slightly above 1, so limit it to 1. If a component is NaN,
+    both angles are NaN.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero, because a zero vector has no direction.

@@ -38,7 +38,7 @@ def basis_of(
     return [expect_vector(v) for v in (first, second, third)]
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="Build three perpendicular unit vectors")
 def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about(f"{THREE.format(a, b)}; v1, v2, v3", read="book 2.1.9")
@@ -75,7 +75,7 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
             expect_close(got, wanted, call=name, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="The first vector of the basis points along a")
 def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
     about.read = "book 2.1.9"
     for _ in range(4):  # by chance, a wrong second vector may lean toward one b
@@ -98,7 +98,7 @@ def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
         expect_that(along > 0.0, f"{along:.6g}", "a positive number", call=name)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="which makes the basis right-handed")
 def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
@@ -122,7 +122,7 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="All three are new vectors")
 def test_the_basis_leaves_its_arguments_unchanged(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -156,12 +156,12 @@ def expect_same_basis(a: Components, b: Components, scale: float) -> None:
         expect_close(got[i], wanted[i], then=f"; vector {i + 1} of the basis", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="Only the directions of a and b matter")
 def test_lengths_do_not_matter(rng: Random) -> None:
     expect_same_basis(components(rng), components(rng), 1e4)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="a and b matter, not their lengths")
 @pytest.mark.robust
 def test_huge_and_tiny_lengths_do_not_matter(rng: Random) -> None:
     expect_same_basis(components(rng), components(rng), 1e200)
@@ -179,7 +179,7 @@ def expect_refusal(a: Components, b: Components) -> None:
     expect_error(attempt, ValueError, allowed=lambda: basis_of(X_AXIS, Y_AXIS))
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="or if they are parallel, because such vectors do not")
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
     about.cause = (
@@ -190,7 +190,7 @@ def test_vectors_along_one_axis_are_refused() -> None:
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="They count as parallel if the sine")
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
@@ -203,7 +203,7 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
         expect_refusal(a, (a[0] * scale, a[1] * scale, a[2] * scale))
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="the sine of the angle between them is below 1e-12")
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
     about.cause = (
@@ -227,7 +227,7 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="if a or b is zero, or if")
 @pytest.mark.robust
 def test_the_zero_vector_is_refused() -> None:
     about.cause = (

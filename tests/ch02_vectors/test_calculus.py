@@ -94,7 +94,7 @@ def motion_of(times: list[float], accelerations: list[Any], *start: Any) -> tupl
 # B2.12 Average rates of change
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="the change of the vector divided by the duration")
 def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> None:
     rows = [components(rng) for _ in TIMES]
     about.call = f"difference_quotients([0, 0.5, 2.5], {shown(rows)})"
@@ -143,7 +143,7 @@ def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> No
     expect_close(got, over(0.5, 2.0), then="; the quotients", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="Return the times in the middle of the intervals")
 def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     times = draw_times(rng, 4)
     rows = [components(rng) for _ in times]
@@ -169,7 +169,7 @@ def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     expect_close(list(got), middles, then="; the times", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="is exactly the velocity in the middle of the interval")
 def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     times = draw_times(rng, 5)
@@ -194,7 +194,7 @@ def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: 
     expect_close(twice, [*a] * 3, then="; the quotients", tolerance=1e-9)
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="No function here changes its arguments")
 def test_the_table_stays_the_same(rng: Random) -> None:
     times, rows = draw_times(rng, 3), [components(rng) for _ in range(3)]
     given_times, given = list(times), vectors(rows)
@@ -219,7 +219,7 @@ def test_the_table_stays_the_same(rng: Random) -> None:
 # B2.13 From accelerations back to positions
 
 
-@pytest.mark.exercise("B2.13")
+@pytest.mark.exercise("B2.13", asks="p' = p + v h + a h^2 / 2 and")
 def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     start, h = number(rng, 1.0, 3.0), positive_number(rng, 0.3, 0.9)
@@ -275,7 +275,7 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     expect_close(motions, [*v, *fast], then="; the velocities", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.13")
+@pytest.mark.exercise("B2.13", asks="Each interval starts with the position")
 def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
     p, v = components(rng), components(rng)
     times = draw_times(rng, 5)
@@ -306,7 +306,7 @@ def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
     expect_close(places, wanted_p, then="; the positions", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.13")
+@pytest.mark.exercise("B2.13", asks="all vectors in the results are new")
 def test_the_results_are_new_vectors(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     position, velocity, pull = Vector3(*p), Vector3(*v), Vector3(*a)

@@ -28,7 +28,7 @@ def scaled(a: Components, scale: float) -> Components:
     return a[0] * scale, a[1] * scale, a[2] * scale
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Both v * scale and scale * v call this method")
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
@@ -50,7 +50,7 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         expect_close(xyz(factor * v), wanted)
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Multiply every component by a number, in place")
 def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = before = Vector3(*a)
@@ -68,7 +68,7 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     expect_same_object(made, step, v, before)
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Divide every component by a number, and return a new vector")
 def test_division_by_a_number(rng: Random) -> None:
     a, divisor = components(rng), number(rng)
     v = Vector3(*a)
@@ -117,7 +117,7 @@ def divide_in_place(a: Components, divisor: object) -> object:
     return v
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="ZeroDivisionError if it is zero")
 @pytest.mark.robust
 def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
@@ -139,7 +139,7 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
         expect_error(attempt, ZeroDivisionError, allowed=allowed)
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Raises TypeError if scale is a vector")
 @pytest.mark.robust
 def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
     a, b = components(rng), components(rng)

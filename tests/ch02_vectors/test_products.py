@@ -26,7 +26,7 @@ from expect import (
 # B2.6 Add a scaled vector
 
 
-@pytest.mark.exercise("B2.6")
+@pytest.mark.exercise("B2.6", asks="Add a multiple of another vector, v * scale, to this one")
 def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     a, b, scale = components(rng), components(rng), number(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -59,7 +59,7 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b)
 
 
-@pytest.mark.exercise("B2.6")
+@pytest.mark.exercise("B2.6", asks="It must also work if v is the vector itself")
 def test_add_scaled_with_itself(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -73,7 +73,7 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     expect_close(xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]), then="; v")
 
 
-@pytest.mark.exercise("B2.6")
+@pytest.mark.exercise("B2.6", asks="Use this method to update a vector")
 def test_add_scaled_frame_after_frame(rng: Random) -> None:
     start, velocity = components(rng), components(rng)
     wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
@@ -90,7 +90,7 @@ def test_add_scaled_frame_after_frame(rng: Random) -> None:
 # B2.7 The component product
 
 
-@pytest.mark.exercise("B2.7")
+@pytest.mark.exercise("B2.7", asks="matching component of v, and return a new vector")
 def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -118,7 +118,7 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b)
 
 
-@pytest.mark.exercise("B2.7")
+@pytest.mark.exercise("B2.7", asks="by the matching component of v, in place")
 def test_the_component_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -135,7 +135,7 @@ def test_the_component_product_in_place(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B2.7")
+@pytest.mark.exercise("B2.7", asks="This must also work if v is the vector itself")
 def test_the_component_product_with_itself(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -153,7 +153,7 @@ def test_the_component_product_with_itself(rng: Random) -> None:
 # B2.8 The scalar product
 
 
-@pytest.mark.exercise("B2.8")
+@pytest.mark.exercise("B2.8", asks="The dot product is a single number, the sum")
 def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -183,7 +183,7 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B2.8")
+@pytest.mark.exercise("B2.8", asks="so that a @ b equals a.dot(b)")
 def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     a, b = components(rng), components(rng)
     wanted = dot(a, b)
@@ -197,7 +197,7 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.8")
+@pytest.mark.exercise("B2.8", asks="|a| |b| cos t, where t is the angle")
 def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None:
     angle, first, second = rng.uniform(1.8, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     a = (0.0, first, 0.0)
@@ -213,7 +213,7 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.8")
+@pytest.mark.exercise("B2.8", asks="NaN and infinite components must not be hidden")
 @pytest.mark.robust
 def test_the_scalar_product_keeps_nan_and_infinity() -> None:
     w = Vector3(1.0, 1.0, 1.0)
@@ -241,7 +241,7 @@ def vector_product(a: Components, b: Components) -> Components:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-@pytest.mark.exercise("B2.9")
+@pytest.mark.exercise("B2.9", asks="The axes of our engine are right-handed")
 def test_the_vector_product_of_two_axes_is_the_third() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     about(
@@ -270,7 +270,7 @@ def test_the_vector_product_of_two_axes_is_the_third() -> None:
         expect_close(got, wanted)
 
 
-@pytest.mark.exercise("B2.9")
+@pytest.mark.exercise("B2.9", asks="Return the vector product a x b as a new vector")
 def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -287,7 +287,7 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B2.9")
+@pytest.mark.exercise("B2.9", asks="has the length |a| |b| sin t")
 def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
     angle, first, second = rng.uniform(0.2, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     a = (0.0, 0.0, first)
@@ -303,7 +303,7 @@ def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
     expect_close(xyz(got), wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.9")
+@pytest.mark.exercise("B2.9", asks="Set this vector to the vector product self x v")
 def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -327,7 +327,7 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B2.9")
+@pytest.mark.exercise("B2.9", asks="is the vector itself. The product is then zero")
 def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)

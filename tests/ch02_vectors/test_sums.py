@@ -24,7 +24,7 @@ ZERO = (0.0, 0.0, 0.0)
 # B2.5 Add and subtract
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="return their sum as a new vector")
 def test_the_sum_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -47,7 +47,7 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b)
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="return the difference as a new vector")
 def test_the_difference_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -80,7 +80,7 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b)
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="their methods must end with return self")
 @pytest.mark.parametrize(("operator", "sign"), [("+=", 1.0), ("-=", -1.0)], ids=["plus", "minus"])
 def test_plus_and_minus_equals_change_the_vector_itself(
     rng: Random, operator: str, sign: float
@@ -124,7 +124,7 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     expect_same_object(made, step, v, before)
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="This must also work if v is the vector itself")
 def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)

@@ -43,7 +43,7 @@ def draw_damping(rng: Random) -> float:
     return round(rng.uniform(0.3, 0.9), 3)
 
 
-@pytest.mark.exercise("3.5b")
+@pytest.mark.exercise("3.5b", asks="So both lose equally much if all steps")
 def test_equal_frames_make_no_difference(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     h = rng.choice((0.0125, 0.025, 0.05))
@@ -73,7 +73,7 @@ def test_equal_frames_make_no_difference(rng: Random) -> None:
     expect_close(got, 0.0, tolerance=1e-12)
 
 
-@pytest.mark.exercise("3.5b")
+@pytest.mark.exercise("3.5b", asks="the mean duration of all steps of all runs")
 def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Random) -> None:
     v, damping = components(rng), draw_damping(rng)
     long = round(rng.uniform(0.3, 0.5), 2)
@@ -107,7 +107,7 @@ def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Rand
     expect_close(got, difference(kept), tolerance=1e-12)
 
 
-@pytest.mark.exercise("3.5b")
+@pytest.mark.exercise("3.5b", asks="Return the mean over all runs")
 def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
@@ -160,7 +160,7 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("3.5b")
+@pytest.mark.exercise("3.5b", asks="None of these functions changes its arguments")
 def test_the_difference_is_zero_without_damping(rng: Random) -> None:
     first, second = components(rng), components(rng)
     v, a = Vector3(*first), Vector3(*second)

@@ -24,7 +24,7 @@ from expect import (
 # 3.1 The same force on two masses
 
 
-@pytest.mark.exercise("3.1")
+@pytest.mark.exercise("3.1", asks="the same force has half the effect")
 def test_twice_the_mass_gets_half_the_speed() -> None:
     about(
         "speed_ratio(first_mass=2, second_mass=1)",
@@ -44,7 +44,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
 
-@pytest.mark.exercise("3.1")
+@pytest.mark.exercise("3.1", asks="the speed of the first particle divided by the speed")
 def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
     about.call = f"speed_ratio(first_mass={first}, second_mass={second})"
@@ -60,7 +60,7 @@ def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
 # 3.2 Gravity between two people
 
 
-@pytest.mark.exercise("3.2")
+@pytest.mark.exercise("3.2", asks="use the book's value, 6.67428e-11")
 def test_the_force_between_two_people_of_100_kg() -> None:
     about(
         "gravity_between(100, 100, distance=1)",
@@ -81,7 +81,7 @@ def test_the_force_between_two_people_of_100_kg() -> None:
     expect_close(got, 6.67428e-7, tolerance=1e-20)
 
 
-@pytest.mark.exercise("3.2")
+@pytest.mark.exercise("3.2", asks="Compute the force in N with which two masses")
 def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     about.read = "book 3.2, Eq. 3.3"
@@ -122,7 +122,7 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
     return tuple(Vector3(*a) for a in all_of)
 
 
-@pytest.mark.exercise("3.4a")
+@pytest.mark.exercise("3.4a", asks="The result is p' = p + v t + a t^2 / 2")
 def test_five_seconds_by_the_equation() -> None:
     about(
         f"{EXAMPLE}; position_by_equation(p, v, a, time=5)",
@@ -145,7 +145,7 @@ def test_five_seconds_by_the_equation() -> None:
     expect_close(xyz(got), (-18.0, 12.5, 15.25))
 
 
-@pytest.mark.exercise("3.4a")
+@pytest.mark.exercise("3.4a", asks="in m, as a new vector. It is exact")
 def test_the_equation_gives_a_new_position(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     position, velocity, acceleration = vectors(x, v, a)
@@ -169,7 +169,7 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
             expect_unchanged(name, xyz(now), before)
 
 
-@pytest.mark.exercise("3.4b")
+@pytest.mark.exercise("3.4b", asks="Each step first moves the particle with its old velocity")
 def test_one_step_and_five_steps_of_a_second() -> None:
     about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
     wanted = {1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)), 5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5))}
@@ -209,7 +209,7 @@ def test_one_step_and_five_steps_of_a_second() -> None:
         expect_close(xyz(velocity), v, then="; the velocity")
 
 
-@pytest.mark.exercise("3.4b")
+@pytest.mark.exercise("3.4b", asks="None of these functions changes its arguments")
 def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
@@ -239,7 +239,7 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     expect_unchanged("a", xyz(acceleration), a)
 
 
-@pytest.mark.exercise("3.4d")
+@pytest.mark.exercise("3.4d", asks="the position after the steps minus the exact position")
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
         f"{EXAMPLE}; stepping_error(p, v, a, duration=1, steps=5)",
@@ -268,7 +268,7 @@ def test_five_steps_are_off_by_half_a_step() -> None:
     expect_close(xyz(got), (5.0, -2.5, -1.25), tolerance=1e-12)
 
 
-@pytest.mark.exercise("3.4d")
+@pytest.mark.exercise("3.4d", asks="minus the exact position, in m, as a new vector")
 def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)

@@ -31,7 +31,7 @@ def a_particle(
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="The duration may be 0 or negative")
 def test_a_drift_moves_the_position_alone(rng: Random) -> None:
     x, v, a, damping = components(rng), components(rng), components(rng), draw_part(rng)
     about.read = "the docstring of drift"
@@ -72,7 +72,7 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="A kick changes only the velocity")
 def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
     x, v, a, drawn = components(rng), components(rng), components(rng), draw_part(rng)
     about.read = "the docstring of kick"
@@ -139,7 +139,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="split a step into several drifts")
 def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     words, p = a_particle(x, v, a)
@@ -160,7 +160,7 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="An immovable particle does not move at all")
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     for move in ("drift", "kick"):

@@ -34,7 +34,7 @@ def draw_mass(rng: Random) -> float:
 # B3.1 Mass, inverse mass and damping
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="A new particle has a mass of 1 kg")
 def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
     about.call = "Particle()"
     about.cause = (
@@ -60,7 +60,7 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
         expect_exactly(got, True)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="The particle stores this number instead of the mass")
 def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
@@ -86,7 +86,7 @@ def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
         expect_close(p.inverse_mass, 1.0 / mass)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="The mass of the particle in kg")
 def test_the_mass_is_returned(rng: Random) -> None:
     mass = draw_mass(rng)
     about.read = "book 3.2"
@@ -99,7 +99,7 @@ def test_the_mass_is_returned(rng: Random) -> None:
         expect_close(got, value)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="Set the inverse of the mass, 1 / mass")
 def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
     about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse:.6g}"
@@ -124,7 +124,7 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     expect_exactly(p.has_finite_mass, True)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="Use math.inf to make the particle immovable")
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
@@ -149,7 +149,7 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     expect_exactly(p.has_finite_mass, False)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="which means that its inverse mass is 0")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
@@ -172,7 +172,7 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     expect_exactly(got, False, then="; p.has_finite_mass")
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="0 stops the particle, and a number above 1")
 def test_a_damping_is_stored_unchanged(rng: Random) -> None:
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
@@ -214,7 +214,7 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="if the mass is not positive")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
@@ -225,7 +225,7 @@ def test_a_mass_must_be_positive(bad: float) -> None:
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="if the inverse mass is negative or not finite")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
@@ -237,7 +237,7 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="if the damping is negative or not finite")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
@@ -249,7 +249,7 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     expect_refusal("damping", bad, ValueError, good=0.5, read=about.read)
 
 
-@pytest.mark.exercise("B3.1")
+@pytest.mark.exercise("B3.1", asks="raises TypeError for anything that is not a number")
 @pytest.mark.robust
 @pytest.mark.parametrize(
     ("name", "good"), [("mass", 4.0), ("inverse_mass", 0.25), ("damping", 0.5)]
@@ -266,7 +266,7 @@ def test_text_is_refused_as_a_value(name: str, good: float) -> None:
 # B3.2 Momentum
 
 
-@pytest.mark.exercise("B3.2")
+@pytest.mark.exercise("B3.2", asks="Return the momentum of the particle, m v")
 def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.momentum()"
@@ -294,7 +294,7 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     expect_close(got, wanted)
 
 
-@pytest.mark.exercise("B3.2")
+@pytest.mark.exercise("B3.2", asks="m v, in kg m/s as a new vector")
 def test_momentum_is_a_new_vector(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
@@ -317,7 +317,7 @@ def test_momentum_is_a_new_vector(rng: Random) -> None:
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
-@pytest.mark.exercise("B3.2")
+@pytest.mark.exercise("B3.2", asks="so its momentum is zero")
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
     about.cause = (
@@ -335,7 +335,7 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
 # 3.3 Kinetic energy
 
 
-@pytest.mark.exercise("3.3")
+@pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2")
 def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
@@ -367,7 +367,7 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("3.3")
+@pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2")
 def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
     about.cause = (
@@ -379,7 +379,7 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     expect_close(p.kinetic_energy(), 2.0)
 
 
-@pytest.mark.exercise("3.3")
+@pytest.mark.exercise("3.3", asks="so its kinetic energy is 0")
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
     about.cause = (

@@ -30,7 +30,7 @@ def a_particle(
     return words, Particle(*vectors, damping=damping)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="the new position depends only on the old velocity")
 def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     about.read = "book 3.3.1, Eq. 2.7; errata.md"
@@ -66,7 +66,7 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
         expect_close(xyz(p.position), wanted, tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="the acceleration and the damping that the particle has now")
 def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, a)
@@ -103,7 +103,7 @@ def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="The velocity of such a body stays the same")
 def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
     h = draw_frame(rng)
     about.cause = (
@@ -120,7 +120,7 @@ def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
         expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="fraction of the velocity that the particle keeps per second")
 def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
     v, drawn = components(rng), round(rng.uniform(0.2, 0.8), 3)
     about.read = "book 3.3, Eq. 3.6"
@@ -162,7 +162,7 @@ def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
         expect_close(got, wanted, then=f"{frames}; p.velocity", tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="the acceleration is applied first, and the damping then")
 def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     damping = round(rng.uniform(0.2, 0.8), 3)
@@ -189,7 +189,7 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="the acceleration and the damping that the particle has now")
 def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
     v, damping = components(rng), round(rng.uniform(0.2, 0.8), 3)
     about.call = (
@@ -210,7 +210,7 @@ def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
     expect_close(xyz(p.velocity), wanted)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="0 stops the particle, and a number above 1")
 def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
@@ -229,7 +229,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     expect_close(xyz(p.position), wanted, then="; p.position", tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="does not depend on the mass, because the acceleration")
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
     about.cause = (
@@ -250,7 +250,7 @@ def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
         expect_close(xyz(p.velocity), wanted)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="by one step of explicit Euler")
 def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
     about.call = (
         "p = Particle(acceleration=Vector3(0, -10, 0)); p.integrate(1/60) 300 times; p.position"
@@ -266,7 +266,7 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
     expect_close(got, wanted, tolerance=1e-11)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="An immovable particle does not change")
 def test_a_step_does_not_change_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     about.call = (
@@ -294,7 +294,7 @@ def test_a_step_does_not_change_an_immovable_particle(rng: Random) -> None:
     expect_close(xyz(p.position), wanted, tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="in its last time step, in m/s^2 as a new vector")
 def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> None:
     a = components(rng)
     about.call = (
@@ -329,7 +329,7 @@ def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> Non
     expect_close(got, (a[1], a[2], a[0]))
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="The new velocity must come from self.kick(duration)")
 def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
     about.call = f"p is a particle whose class overrides kick; p.integrate({h})"

@@ -126,7 +126,15 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
             "the factor d^h applies only to the old velocity."
         )
         kept = math.sqrt(d)
-        mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
+        mistakes = [
+            (combined(v, a, kept, 0.5 * kept), listing),
+            (
+                combined(v, a, kept, 1.0),
+                "You add the whole acceleration, which is the change of velocity in one second. "
+                "Multiply it by the duration of the step first.",
+            ),
+            (combined(v, a, kept, 0.0), "You leave out the acceleration. Add a h to v d^h."),
+        ]
         blame(xyz(got), mistakes)
         wanted = combined(v, a, kept, 0.5)
         expect_close(xyz(got), wanted, tolerance=1e-13)

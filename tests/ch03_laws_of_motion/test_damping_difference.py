@@ -9,7 +9,7 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import exercises
-from draw import components
+from draw import Components, components, rounded
 from expect import (
     UNCHANGED,
     about,
@@ -28,9 +28,29 @@ OWN_MEAN = (
     "You compute a new mean for each run. A game has one factor for all of its frames, so use the "
     "mean duration of all steps of all runs."
 )
-EQUAL = (
-    "Your two velocities are equal at the end. Either both names stand for the same vector, or you "
-    "compute a new mean for each run. Use the mean duration of all steps of all runs."
+MEAN_OF_MEANS = (
+    "You compute the mean of each run, and then the mean of these means. A long run has more "
+    "steps, so divide the sum of all durations by the number of all steps."
+)
+SAME_VECTOR = (
+    "Your two velocities are always equal at the end, so both names probably stand for the same "
+    "vector, which your code changes in place. Compute a new vector for each of them in each step."
+)
+FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
+NO_MEAN = (
+    "Your mean duration is 0, as after a division with //, which rounds down. Then d ** 0 is 1, "
+    "and Eq. 3.5 does not damp. Use / instead."
+)
+PER_RUN = (
+    "You divide the sum of all durations by the number of runs. Divide it by the number of all "
+    "steps to get their mean duration."
+)
+SWAPPED = (
+    "You swap the two factors. Pass d ** mean to damp_per_frame, and d itself to damp_per_second."
+)
+RATE = (
+    "You divide the number of steps by their total time, which is the frame rate. Divide the time "
+    "by the number of steps to get the mean duration."
 )
 SUM = "You return the sum over all runs. Divide it by the number of runs to get the mean."
 CARRIED = (
@@ -41,6 +61,27 @@ CARRIED = (
 def draw_damping(rng: Random) -> float:
     """Draw a damping that is far enough from 1 for each mistake to show."""
     return round(rng.uniform(0.3, 0.9), 3)
+
+
+def apart(
+    v: Components,
+    a: Components,
+    runs: list[list[float]],
+    per_frame: float,
+    per_second: float,
+) -> float:
+    """Return the mean difference for a factor per frame and another one per second."""
+    found = []
+    for run in runs:
+        ends = []
+        for u, b in zip(v, a, strict=True):
+            by_frame = by_second = u
+            for h in run:
+                by_frame = by_frame * per_frame + b * h
+                by_second = by_second * per_second**h + b * h
+            ends.append(by_frame - by_second)
+        found.append(math.hypot(*ends))
+    return math.fsum(found) / len(found)
 
 
 @pytest.mark.exercise("3.5b", asks="So both lose equally much if all steps")
@@ -58,27 +99,28 @@ def test_equal_frames_make_no_difference(rng: Random) -> None:
     about.read = READ
     runs = [[h] * 30, [h] * 20]
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
-    confused = []
-    for frames in (30, 20):
-        ends = []
-        for u, b in zip(v, a, strict=True):
-            by_frame = by_second = u
-            for _ in range(frames):
-                by_frame = by_frame * damping + b * h
-                by_second = by_second * damping**h + b * h
-            ends.append(by_frame - by_second)
-        confused.append(math.hypot(*ends))
-    blame(got, [(math.fsum(confused) / 2.0, PER_FRAME)])
+    mistakes = [
+        (apart(v, a, runs, damping, damping), PER_FRAME),
+        (apart(v, a, runs, damping, damping**h), SWAPPED),
+        (apart(v, a, runs, 1.0, damping), NO_MEAN),
+        (apart(v, a, runs, damping ** (25.0 * h), damping), PER_RUN),
+        (apart(v, a, runs, damping ** (1.0 / h), damping), RATE),
+    ]
+    blame(got, mistakes)
     # The rounding errors of numbers up to 20 in 30 steps.
     expect_close(got, 0.0, tolerance=1e-12)
 
 
 @pytest.mark.exercise("3.5b", asks="the mean duration of all steps of all runs")
 def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Random) -> None:
-    v, damping = components(rng), draw_damping(rng)
+    x, y, z = components(rng)
+    damping = draw_damping(rng)
+    v = (100.0 * x, 100.0 * y, 100.0 * z)  # so fast that a rounded difference is not 0
     long = round(rng.uniform(0.3, 0.5), 2)
     runs = [[0.1, 0.2] * 4, [long, 0.1, long]]
-    about.call = f"damping_difference(Vector3{v}, Vector3(), damping={damping}, runs={runs})"
+    about.call = (
+        f"damping_difference(Vector3{rounded(v)}, Vector3(), damping={damping}, runs={runs})"
+    )
     about.cause = (
         "Without acceleration, Eq. 3.5 leaves d ** (mean * n) of the velocity after n steps, and "
         "Eq. 3.6 leaves d ** t after t seconds. Use one mean duration for all steps of all runs."
@@ -96,15 +138,22 @@ def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Rand
     kept = damping**mean
     carried = abs(kept**8 - damping ** times[0]) + abs(kept**11 - damping ** math.fsum(times))
     of_means = (times[0] / 8.0 + times[1] / 3.0) / 2.0
+    equal = SAME_VECTOR
+    if isinstance(got, (int, float)) and abs(got) < 1e-9:
+        # Without acceleration, a mean of each run gives 0, too. With one, it does not.
+        other = exercises.damping_difference(Vector3(), Vector3(x, y, z), damping, runs)
+        equal = SAME_VECTOR if isinstance(other, (int, float)) and abs(other) < 1e-9 else OWN_MEAN
     mistakes = [
         (difference(damping), PER_FRAME),
-        (0.0, EQUAL),
-        (difference(damping**of_means), OWN_MEAN),
+        (0.0, equal),
+        (math.floor(difference(kept)), FLOOR),
+        (difference(damping**of_means), MEAN_OF_MEANS),
         (2.0 * difference(kept), SUM),
         (speed * carried / 2.0, CARRIED),
     ]
     blame(got, mistakes)
-    expect_close(got, difference(kept), tolerance=1e-12)
+    # The rounding errors of numbers up to 2000.
+    expect_close(got, difference(kept), tolerance=1e-10)
 
 
 @pytest.mark.exercise("3.5b", asks="Return the mean over all runs")

@@ -1,4 +1,4 @@
-"""Exercises 3.1, 3.2 and 3.4. Exercise 3.3 is in test_particle.py, 3.5 in other files."""
+"""Exercises 3.1, 3.2 and 3.4. Exercises 3.3 and 3.5 are in other files."""
 
 from __future__ import annotations
 
@@ -54,6 +54,12 @@ def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
     )
     about.read = "the docstring of speed_ratio"
     got = exercises.speed_ratio(first, second)
+    mistakes = [
+        (second // first, "You divide with //, which rounds down to a whole number. Use /."),
+        (1.0 / first, "You return only 1 / m1. Divide it by 1 / m2, which gives m2 / m1."),
+        (first / second, "You return m1 / m2. The heavier body is slower, so return m2 / m1."),
+    ]
+    blame(got, mistakes)
     expect_close(got, second / first)
 
 
@@ -76,6 +82,15 @@ def test_the_force_between_two_people_of_100_kg() -> None:
             "instead.",
         ),
         (1e4, "You leave out the constant G. Multiply by GRAVITATIONAL_CONSTANT."),
+        (0.0, "You divide with //, which rounds down to a whole number, here to 0. Use / instead."),
+        (
+            6.67428e-7 / 2.0,
+            "You divide by distance * 2, which doubles the distance. Its square is distance**2.",
+        ),
+        (
+            6.67428e-7 * 2.0,
+            "You double the force, as / distance * 2 does. Divide by the square, distance**2.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, 6.67428e-7, tolerance=1e-20)
@@ -100,7 +115,8 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
             ),
             (
                 wanted * distance**2,
-                "You ignore the distance r, but gravity gets weaker with it. Divide by r^2.",
+                "Either you ignore the distance r, or you write / distance * distance, which "
+                "divides by it and then multiplies by it again. Divide by distance**2.",
             ),
             (
                 wanted * distance**4,
@@ -134,6 +150,8 @@ def test_five_seconds_by_the_equation() -> None:
     mistakes = [
         ((-43.0, 25.0, 21.5), "You leave out the factor 1/2 in the last term, which must be a t^2 "
          "/ 2."),
+        ((7.0, 0.0, 9.0), "Either you leave out the last term, a t^2 / 2, or you write its factor "
+         "as 1 // 2, which is 0. Write 0.5 or 1 / 2."),
         ((2.0, 2.5, 10.25), "You multiply the acceleration by t instead of t^2. The last term must "
          "be a t^2 / 2."),
         ((-20.0, 7.5, 16.25), "You return only the displacement v t + a t^2 / 2. Add the start "
@@ -199,6 +217,10 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             ),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
+                (2.0, 4.0, 3.5) if steps == 1 else (-22.0, 14.0, 18.5),
+                "You take one step too many. Loop over range(steps).",
+            ),
+            (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
                 "You change the velocity before the position. Compute the new position first, with "
                 "the old velocity (E-17).",
@@ -239,6 +261,28 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     expect_unchanged("a", xyz(acceleration), a)
 
 
+def other_errors() -> list[tuple[Components, str]]:
+    """Return the errors for other numbers of steps, durations and total times, with the causes."""
+    found: list[tuple[Components, str]] = []
+    for steps in (5, 1, 4, 6):
+        for h in (1.0, 0.2, 5.0):
+            for total in (5.0, 1.0, steps * h, 4.0, 6.0, 0.2, 25.0):
+                if (steps, h, total) == (5, 1.0, 5.0):
+                    continue
+                x, y, z = (
+                    v * (steps * h - total)
+                    + a * (h * h * steps * (steps - 1) - total * total) / 2.0
+                    for v, a in zip(VELOCITY, ACCELERATION, strict=True)
+                )
+                taken = f"{steps} steps of {h:g} s" if steps > 1 else f"a single step of {h:g} s"
+                cause = (
+                    f"You take {taken}, and subtract the exact position after {total:g} s. Take 5 "
+                    "steps of 1 s, and subtract the exact position after their total time, 5 s."
+                )
+                found.append(((x, y, z), cause))
+    return found
+
+
 @pytest.mark.exercise("3.4d", asks="the position after the steps minus the exact position")
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
@@ -249,15 +293,16 @@ def test_five_steps_are_off_by_half_a_step() -> None:
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
+        *other_errors(),
+        (
+            (9.0, -8.5, -10.75),
+            "You subtract the exact position from the velocity. state_by_steps returns the "
+            "position first, so take its first result.",
+        ),
         (
             (-5.0, 2.5, 1.25),
             "You subtract in the wrong order, which flips the sign. Return the position after the "
             "steps minus the exact position.",
-        ),
-        (
-            (-15.0, 5.5, 12.75),
-            "You compute the exact position after one step of 1 s. Compute it after the total time "
-            "of all steps, which is 5 s here.",
         ),
         (
             math.hypot(5.0, 2.5, 1.25),

@@ -1,4 +1,4 @@
-"""Mass, inverse mass and damping (B3.1), momentum (B3.2) and kinetic energy (3.3)."""
+"""Mass, inverse mass and damping (B3.1), and momentum (B3.2)."""
 
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ from expect import (
 )
 
 ZERO = (0.0, 0.0, 0.0)
+FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
 
 
 def draw_mass(rng: Random) -> float:
@@ -55,6 +56,11 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
         about.call = f"a particle p with a mass of {mass} kg; p.has_finite_mass"
         got = Particle(mass=mass).has_finite_mass
         about.cause = "You return False for a finite mass. Return True unless the mass is infinite."
+        if got is False and Particle(mass=mass).inverse_mass == 0.0:
+            about.cause = (
+                "The inverse mass of this particle is 0, as if its mass were infinite. Store 1 / "
+                "mass. The operator // rounds down to a whole number, here to 0."
+            )
         if isinstance(got, (int, float)) and not isinstance(got, bool):
             about.cause = "You return a number. Return the result of a comparison, True or False."
         expect_exactly(got, True)
@@ -72,7 +78,8 @@ def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
         cause="The inverse mass must be 1 / mass. Store it in the mass setter.",
     )
     p = Particle(mass=first)
-    blame(p.inverse_mass, [(first, setter if p.mass == 1.0 / first else getter)])
+    mistakes = [(first, setter if p.mass == 1.0 / first else getter), (1.0 // first, FLOOR)]
+    blame(p.inverse_mass, mistakes)
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
         about.cause = (
@@ -95,7 +102,7 @@ def test_the_mass_is_returned(rng: Random) -> None:
         about.call = f"p = Particle(mass={value!r}); p.mass"
         about.cause = "The mass getter must return the mass, which is 1 / inverse mass."
         got = Particle(mass=value).mass
-        blame(got, [(1.0 / value, inverse)])
+        blame(got, [(1.0 / value, inverse), (1.0 // (1.0 / value), FLOOR)])
         expect_close(got, value)
 
 
@@ -297,13 +304,13 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
 @pytest.mark.exercise("B3.2", asks="m v, in kg m/s as a new vector")
 def test_momentum_is_a_new_vector(rng: Random) -> None:
     v = components(rng)
-    about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
+    about.call = f"p = Particle(velocity=Vector3{v}, mass=1.0); p.momentum()"
     about.cause = (
         "Your momentum changes the velocity of the particle. Return a new vector and leave the "
         "velocity unchanged, as self.velocity * self.mass does."
     )
     about.read = "the docstring of momentum"
-    p = Particle(velocity=Vector3(*v))
+    p = Particle(velocity=Vector3(*v), mass=1.0)
     momentum = p.momentum()
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     own = "The momentum must be m v, which equals v for a mass of 1 kg."
@@ -330,64 +337,3 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
         p = Particle(velocity=Vector3(*velocity), mass=math.inf)
         expect_close(xyz(p.momentum()), ZERO)
         expect_unchanged("p.velocity", xyz(p.velocity), velocity, cause=UNCHANGED)
-
-
-# 3.3 Kinetic energy
-
-
-@pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2")
-def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
-    mass, v = draw_mass(rng), components(rng)
-    about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
-    about.cause = (
-        "The kinetic energy is m |v|^2 / 2, where m is the mass and |v| the speed. Check each "
-        "factor of your formula against it."
-    )
-    about.read = "book 3, exercise 3.3"
-    p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
-    got, squared = p.kinetic_energy(), dot(v, v)
-    mistakes = [
-        (
-            mass * squared,
-            "You return m |v|^2, without the factor 1/2. The kinetic energy is m |v|^2 / 2.",
-        ),
-        (
-            0.5 * mass * math.sqrt(squared),
-            "You return m |v| / 2. Square the speed |v|, because the kinetic energy is m |v|^2 / "
-            "2.",
-        ),
-        (
-            0.5 / mass * squared,
-            "You multiply by the inverse mass instead of the mass. Use self.mass, because the "
-            "kinetic energy is m |v|^2 / 2.",
-        ),
-    ]
-    blame(got, mistakes)
-    expect_close(got, 0.5 * mass * squared)
-    expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
-
-
-@pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2")
-def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
-    about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
-    about.cause = (
-        "The kinetic energy must be 1 kg * (2 m/s)^2 / 2 = 2 J. It doesn't depend on the direction "
-        "of the velocity, so it is never negative."
-    )
-    about.read = "book 3, exercise 3.3"
-    p = Particle(velocity=Vector3(0, 0, -2))
-    expect_close(p.kinetic_energy(), 2.0)
-
-
-@pytest.mark.exercise("3.3", asks="so its kinetic energy is 0")
-def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
-    v = components(rng)
-    about.cause = (
-        "You multiply by an infinite mass. Return 0.0 if has_finite_mass is False, because a "
-        "particle that cannot move has no kinetic energy."
-    )
-    about.read = "the docstring of kinetic_energy"
-    for velocity in (ZERO, v):
-        about.call = f"p = Particle(velocity=Vector3{velocity}, mass=math.inf); p.kinetic_energy()"
-        p = Particle(velocity=Vector3(*velocity), mass=math.inf)
-        expect_close(p.kinetic_energy(), 0.0)

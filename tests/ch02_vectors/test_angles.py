@@ -168,12 +168,34 @@ def test_the_angles_of_the_book() -> None:
             "You return the two angles in the wrong order. Return the smaller one first.",
         ),
         (
+            (wanted[0], 180.0 - wanted[0]),
+            "You subtract the angle from 180, but it is in radians, in which half a turn is pi. "
+            "Return pi - t as the second angle.",
+        ),
+        (
+            (wanted[0], 135.0),
+            "Your second angle is in degrees, but it must be in radians. Return pi - t.",
+        ),
+        (
+            (wanted[0], 0.5 * math.pi - wanted[0]),
+            "You subtract the angle from pi / 2. Angles with the same sine add up to pi, so return "
+            "pi - t as the second one.",
+        ),
+        (
+            (wanted[0], -wanted[0]),
+            "The sine of -t is not that of t. Return pi - t as the second angle.",
+        ),
+        (
+            (wanted[0], wanted[0] + math.pi),
+            "The sine of t + pi is not that of t. Return pi - t as the second angle.",
+        ),
+        (
             wanted[0],
             "You return only one of the two possible angles. Return t and pi - t as a pair, "
             "because both have the same sine.",
         ),
     ]
-    blame(angles, mistakes)
+    blame(angles, [*mistakes, (math.sqrt(0.5), "This is the sine. Pass it to math.asin.")])
     expect_close(angles, wanted)
 
 

@@ -21,6 +21,10 @@ from expect import (
     xyz,
 )
 
+ORDER = (
+    "You return the vectors of the basis in the wrong order. The first one points along a, the "
+    "second one toward b, and the third one is a x b, divided by its length."
+)
 THREE = "a, b = Vector3{}, Vector3{}; v1, v2, v3 = make_orthonormal_basis(a, b)"
 X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
@@ -36,6 +40,13 @@ def basis_of(
     about.read = "the docstring of make_orthonormal_basis"
     first, second, third = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     return [expect_vector(v) for v in (first, second, third)]
+
+
+def perpendicular_to(a: Components, b: Components) -> Components:
+    """Return the unit vector along a x b."""
+    x, y, z = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    length = math.hypot(x, y, z)
+    return x / length, y / length, z / length
 
 
 @pytest.mark.exercise("B2.10", asks="Build three perpendicular unit vectors")
@@ -85,14 +96,29 @@ def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
             "Vector 1 of your basis is not the normalized a. Keep the direction of a, and rotate "
             "only b to make it perpendicular to a."
         )
-        first, second, _ = basis_of(a, b)
+        first, second, third = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)
+        normal = perpendicular_to(a, b)
+        rotated_b = perpendicular_to(normal, a)
+        blame(first, [(normal, ORDER), (rotated_b, ORDER)])
         expect_close(first, wanted, then="; vector 1 of the basis", tolerance=1e-12)
         about.cause = (
-            "The second vector of your basis points away from b. Compute c = a x b first, and then "
-            "the second vector as c x a."
+            "The second vector of your basis doesn't point toward b. Compute c = a x b first, and "
+            "then the second vector as c x a."
         )
+        opposite = tuple(-n for n in rotated_b)
+        reversed_normal = tuple(-n for n in normal)
+        swapped = (
+            "The second vector of your basis points away from b, because you compute it as a x c. "
+            "Swap the factors, and compute it as c x a, with c = a x b."
+        )
+        if max(abs(m - n) for m, n in zip(third, reversed_normal, strict=True)) < 1e-9:
+            swapped = (
+                "The second vector of your basis points away from b, because you compute c as b x "
+                "a. Swap the factors, and compute it as c = a x b."
+            )
+        blame(second, [(opposite, swapped), (normal, ORDER), (reversed_normal, ORDER)])
         along = dot(second, b)
         name = f"{THREE.format(a, b)}; v2.dot(b)"
         expect_that(along > 0.0, f"{along:.6g}", "a positive number", call=name)

@@ -48,7 +48,12 @@ def test_split_the_vector_of_the_book() -> None:
                 12.0,
                 "You return the squared length of v as the first result. Return the length itself, "
                 "which is v.magnitude().",
-            )
+            ),
+            (
+                1.0,
+                "You measure the length of a vector that is already normalized, so it is 1. "
+                "Measure the length of v first, and don't change v.",
+            ),
         ],
     )
     third = 1.0 / math.sqrt(3.0)
@@ -127,6 +132,14 @@ def test_the_perpendicular_vector_of_the_book() -> None:
             -3.0,
             "You solve the equation for 3 z, not for z. Divide the result by a.z, which is 3 here.",
         ),
+        (
+            -9.0,
+            "You multiply by a.z. Divide by it to solve the equation for z.",
+        ),
+        (
+            -11.0 / 3.0,
+            "You subtract the term of y instead of adding it. Solve 3 z = -(1 * 7 + 2 * (-2)).",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, -1.0)
@@ -147,6 +160,26 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
         # The rounding errors of two terms of up to 100, which may cancel, are divided by z.
         tolerance = 1e-12 / abs(z)
         wanted = -(ax * x + ay * y) / z
+        floor = "You divide with //, which rounds down to a whole number. Use / instead."
+        mistakes = [
+            (-(ax * x + ay * y) // z, floor),
+            (-((ax * x + ay * y) // z), floor),
+            (
+                -ax * x + ay * y / z,
+                "Your formula lacks brackets, so the minus sign and the division each apply to one "
+                "term only. Compute -(a.x x + a.y y) / a.z.",
+            ),
+            (
+                -ax * x - ay * y / z,
+                "Your formula lacks brackets, so only the last term is divided. Divide the whole "
+                "sum: -(a.x x + a.y y) / a.z.",
+            ),
+            (
+                (-ax * x + ay * y) / z,
+                "The minus sign applies only to your first term. Compute -(a.x x + a.y y) / a.z.",
+            ),
+        ]
+        blame(got, mistakes)
         expect_close(got, wanted, tolerance=tolerance)
 
 
@@ -180,15 +213,11 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         f"b = Vector3{rounded(b)}  # a unit vector, rounded to 6 digits; remove_projection(a, b)"
     )
     about.cause = (
-        "You reject unit vectors whose lengths differ from 1 only by rounding. Don't compare a "
-        "length with 1 by ==, but accept a difference of up to 1e-6."
-    )
-    about.read = "book 2.1.7"
-    c, d, angle = exercises.remove_projection(v, w)
-    about.cause = (
         "Return three results: the number c = a . b, the vector d = b - c a, and the angle between "
         "a and d in radians."
     )
+    about.read = "book 2.1.7"
+    c, d, angle = exercises.remove_projection(v, w)
     along = dot(a, b)
     name = f"{about.call}; the first result, c"
     expect_close(c, along, call=name, tolerance=1e-12)
@@ -300,6 +329,10 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
             "You add the velocity as if one second had passed. Multiply it by the time t first.",
         ),
         ((10, -10, 20), "You return only the displacement v t. Add it to the position p."),
+        (
+            (-7, 15, -24),
+            "You subtract v t, so the body moves backward. Add v t to the position p.",
+        ),
         (
             (40, 40, -20),
             "You return (p + v) t, because you multiply the position by the time as well. Multiply "

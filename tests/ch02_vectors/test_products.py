@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -241,6 +243,23 @@ def vector_product(a: Components, b: Components) -> Components:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
+def wrong_component(gots: Sequence[Any], wanteds: Sequence[Components], otherwise: str) -> str:
+    """Return a cause that names the only wrong component of some vector products."""
+    pairs = [
+        pair
+        for got, wanted in zip(gots, wanteds, strict=True)
+        for pair in enumerate(zip(got, wanted, strict=True))
+    ]
+    wrong = {i for i, (one, other) in pairs if abs(one - other) > 1e-9}
+    if len(wrong) != 1:  # several components are wrong, or none
+        return otherwise
+    x, y, z = ("xyz" * 2)[wrong.pop() :][:3]
+    return (
+        f"The {x} component of your vector product is wrong. It must be self.{y} * v.{z} - "
+        f"self.{z} * v.{y}. Check its signs and its letters."
+    )
+
+
 @pytest.mark.exercise("B2.9", asks="The axes of our engine are right-handed")
 def test_the_vector_product_of_two_axes_is_the_third() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -254,6 +273,9 @@ def test_the_vector_product_of_two_axes_is_the_third() -> None:
         a, b = axes[i], axes[(i + 1) % 3]
         about.call = f"Vector3{a}.cross(Vector3{b})"
         products.append((about.call, xyz(Vector3(*a).cross(Vector3(*b))), axes[(i + 2) % 3]))
+    if all(isinstance(got, tuple) for _, got, _ in products):
+        _, gots, wanteds = zip(*products, strict=True)
+        about.cause = wrong_component(gots, wanteds, about.cause)
     turned = [got == tuple(-n for n in wanted) for _, got, wanted in products]
     for i, (call, got, wanted) in enumerate(products):
         about.call = call
@@ -281,8 +303,11 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     )
     about.read = "book 2.1.8, Eq. 2.6"
     wanted = vector_product(a, b)
+    got = xyz(v.cross(w))
+    if isinstance(got, tuple):
+        about.cause = wrong_component([got], [wanted], about.cause)
     # The two terms of a component may cancel, so rounding is measured by the terms.
-    expect_close(xyz(v.cross(w)), wanted, tolerance=1e-12)
+    expect_close(got, wanted, tolerance=1e-12)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 

@@ -39,12 +39,12 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     no_vector = "Your three sums are right, but you don't return a vector. Pass them to Vector3()."
     blame(got, [(wanted, no_vector)])
     expect_close(got, wanted)
-    about.cause = (
-        "Your __add__ changes v or w, but only v += w may change v. Return a new vector and leave "
-        "both unchanged."
-    )
-    expect_unchanged("v", xyz(v), a)
-    expect_unchanged("w", xyz(w), b)
+    for name, now, before in (("v", v, a), ("w", w, b)):
+        about.cause = (
+            f"Your __add__ changes {name}, but only v += w may change a vector, and only v. Return "
+            "a new vector and leave both unchanged."
+        )
+        expect_unchanged(name, xyz(now), before)
 
 
 @pytest.mark.exercise("B2.5", asks="return the difference as a new vector")
@@ -72,12 +72,12 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
-    about.cause = (
-        "Your __sub__ changes v or w, but only v -= w may change v. Return a new vector and leave "
-        "both unchanged."
-    )
-    expect_unchanged("v", xyz(v), a)
-    expect_unchanged("w", xyz(w), b)
+    for name, now, before in (("v", v, a), ("w", w, b)):
+        about.cause = (
+            f"Your __sub__ changes {name}, but only v -= w may change a vector, and only v. Return "
+            "a new vector and leave both unchanged."
+        )
+        expect_unchanged(name, xyz(now), before)
 
 
 @pytest.mark.exercise("B2.5", asks="their methods must end with return self")

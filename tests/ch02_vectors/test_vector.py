@@ -137,6 +137,12 @@ def test_magnitude_is_the_length(rng: Random) -> None:
             "You leave out z. Add its square to the sum before you take the square root.",
         ),
         (
+            math.fsum(map(abs, a)),
+            "You add up the components without their signs. Add up their squares, and take the "
+            "square root of the sum.",
+        ),
+        (length**2 / 2.0, "You halve the sum. The square root is the power 0.5, as in x**0.5."),
+        (
             sum(a),
             "You return the sum of the components. Square each of them first, and then take the "
             "square root of the sum.",
@@ -234,6 +240,10 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
             scaled(a, length**-2),
             "You divide the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
+        ),
+        (
+            tuple(n // length for n in a),
+            "You divide with //, which rounds down to a whole number. Use / instead.",
         ),
         (
             (x, y, a[2] / math.hypot(x, y, a[2])),

@@ -33,6 +33,7 @@ IN_PLACE = (
     "Your function changes a vector of the table, because -= and /= work in place. Write "
     "(b - a) / duration, which creates a new vector."
 )
+FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
 SUMS = "book 2.2.2, Eq. 2.8 and 2.9; the docstring of add_up_accelerations"
 
 
@@ -96,6 +97,8 @@ def tried(function: Callable[..., Any], *given: Any) -> Any:
 def expect_the_same_table(given: list[Any], rows: list[Components]) -> None:
     """Expect that the function has not changed a vector of the table."""
     __tracebackhide__ = True
+    lists = "Your function changes the lists of the caller. Only read them."
+    expect_exactly(len(given), len(rows), then="; the length of values after the call", cause=lists)
     for i, row in enumerate(rows):
         expect_unchanged(f"values[{i}]", xyz(given[i]), row, cause=IN_PLACE)
 
@@ -196,22 +199,19 @@ def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     blame(
         list(got),
         [
-            (starts, f"You return the starts of the intervals. {about.cause}"),
+            (
+                starts,
+                "Either you return the starts of the intervals, or you halve the duration with //, "
+                "which rounds down to 0. The time must be the middle of the interval.",
+            ),
             (ends, f"You return the ends of the intervals. {about.cause}"),
             (durations, f"You return the durations of the intervals. {about.cause}"),
             ([d / 2.0 for d in durations], "This is half the duration. Add the start to it."),
             ([2.0 * m for m in middles], "This is the sum of the two times. Divide it by 2."),
-            (
-                [2.0 * m // 2.0 for m in middles],
-                "You divide with //, which rounds down to a whole number. Use / instead.",
-            ),
+            ([2.0 * m // 2.0 for m in middles], FLOOR),
             (
                 [s + e / 2.0 for s, e in zip(starts, ends, strict=True)],
                 "Your formula lacks brackets, so only the second time is halved. Halve the sum.",
-            ),
-            (
-                [s + d for s, d in zip(starts, [e // 2.0 for e in durations], strict=True)],
-                "You divide with //, which rounds down to a whole number. Use / instead.",
             ),
         ],
     )
@@ -250,10 +250,9 @@ def test_the_table_stays_the_same(rng: Random) -> None:
     about.call = f"times, values = {times}, {shown(rows)}; difference_quotients(times, values)"
     about.cause, about.read = IN_PLACE, QUOTIENTS
     quotients_of(given_times, given)
-    about.cause = "Your function changes the lists of the caller. Only read them."
-    expect_exactly((len(given_times), len(given)), (3, 3), then="; the lengths of both lists")
-    expect_unchanged("times", given_times, times)
     expect_the_same_table(given, rows)
+    changed = "Your function changes the list of times. Only read it."
+    expect_unchanged("times", given_times, times, cause=changed)
 
 
 # B2.13 From accelerations back to positions
@@ -294,10 +293,7 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
         ([*p, *moved(0.5, times[1])], in_time("at the end")),
         ([*p, *moved(0.5, times[0])], in_time("at the start")),
         ([*p, *moved(0.5, -h)], "Your duration is negative. Subtract the start from the end."),
-        (
-            [*v, *fast],
-            "You return the two lists in the wrong order. Return the positions first.",
-        ),
+        ([*v, *fast], "You return the two lists in the wrong order. Return the positions first."),
         (
             [0.0, 0.0, 0.0, *(n - x for n, x in zip(moved(0.5), p, strict=True))],
             "Your body starts at the origin. Begin with the given position, or with a copy of it.",

@@ -133,6 +133,16 @@ def test_the_perpendicular_vector_of_the_book() -> None:
             "You solve the equation for 3 z, not for z. Divide the result by a.z, which is 3 here.",
         ),
         (
+            -7.0 - 4.0 / 3.0,
+            "Your formula lacks brackets, so the minus sign and the division each apply to one "
+            "term only. Compute -(a.x x + a.y y) / a.z.",
+        ),
+        (
+            -7.0 + 4.0 / 3.0,
+            "Your formula lacks brackets, so only the last term is divided. Divide the whole sum: "
+            "-(a.x x + a.y y) / a.z.",
+        ),
+        (
             -9.0,
             "You multiply by a.z. Divide by it to solve the equation for z.",
         ),
@@ -164,16 +174,6 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
         mistakes = [
             (-(ax * x + ay * y) // z, floor),
             (-((ax * x + ay * y) // z), floor),
-            (
-                -ax * x + ay * y / z,
-                "Your formula lacks brackets, so the minus sign and the division each apply to one "
-                "term only. Compute -(a.x x + a.y y) / a.z.",
-            ),
-            (
-                -ax * x - ay * y / z,
-                "Your formula lacks brackets, so only the last term is divided. Divide the whole "
-                "sum: -(a.x x + a.y y) / a.z.",
-            ),
             (
                 (-ax * x + ay * y) / z,
                 "The minus sign applies only to your first term. Compute -(a.x x + a.y y) / a.z.",

@@ -53,14 +53,17 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
     for mass in (1.0, 1e9, 0.001):
+        about.call = f"p = Particle(mass={mass}); p.inverse_mass"
+        p = Particle(mass=mass)
+        about.cause = (
+            "The inverse mass of this particle is 0, as if its mass were infinite. Store 1 / mass. "
+            "The operator // rounds down to a whole number, here to 0."
+        )
+        if p.inverse_mass == 0.0:
+            expect_close(p.inverse_mass, 1.0 / mass)
         about.call = f"a particle p with a mass of {mass} kg; p.has_finite_mass"
-        got = Particle(mass=mass).has_finite_mass
+        got = p.has_finite_mass
         about.cause = "You return False for a finite mass. Return True unless the mass is infinite."
-        if got is False and Particle(mass=mass).inverse_mass == 0.0:
-            about.cause = (
-                "The inverse mass of this particle is 0, as if its mass were infinite. Store 1 / "
-                "mass. The operator // rounds down to a whole number, here to 0."
-            )
         if isinstance(got, (int, float)) and not isinstance(got, bool):
             about.cause = "You return a number. Return the result of a comparison, True or False."
         expect_exactly(got, True)

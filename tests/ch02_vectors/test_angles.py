@@ -54,6 +54,8 @@ def test_the_sign_of_the_scalar_product_gives_the_kind_of_angle(rng: Random, wor
             "Return a pair: the scalar product a . b, and one of the words acute, right and obtuse."
         )
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
+        if product in ("acute", "right", "obtuse"):
+            about.cause = "You return the two results in the wrong order. Return the number first."
         name = f"{about.call}; the first result, the scalar product"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = (
@@ -65,7 +67,18 @@ def test_the_sign_of_the_scalar_product_gives_the_kind_of_angle(rng: Random, wor
         about.cause = (
             "Return exactly one of the words acute, right and obtuse as the second result."
         )
-        if got in ("acute", "obtuse"):
+        opposite = Vector3(-b[0], -b[1], -b[2])
+        if (
+            got in ("acute", "obtuse")
+            and got != word
+            and exercises.scalar_product_and_angle(Vector3(*a), opposite)[1] == got
+        ):
+            about.cause = (
+                f"You return {got} for this angle, and also if b is reversed. Test the sign of the "
+                "scalar product. If you compare an angle instead, it is in radians, in which 90 "
+                "degrees are pi / 2."
+            )
+        elif got in ("acute", "obtuse"):
             about.cause = (
                 "You swap acute and obtuse. The angle is acute if the scalar product is positive, "
                 "and obtuse if it is negative."
@@ -136,6 +149,10 @@ def test_the_angles_of_the_book() -> None:
             -0.25 * math.pi,
             "You pass the cosine to math.asin, which needs a sine. Pass it to math.acos instead.",
         ),
+        (
+            math.atan(-math.sqrt(0.5)),
+            "You pass the cosine to math.atan, which needs a tangent. Pass it to math.acos.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, 0.75 * math.pi)
@@ -182,6 +199,11 @@ def test_the_angles_of_the_book() -> None:
             "pi - t as the second one.",
         ),
         (
+            (wanted[0], 2.0 * math.pi - wanted[0]),
+            "You subtract the angle from 2 pi. Angles with the same sine add up to pi, so return "
+            "pi - t as the second one.",
+        ),
+        (
             (wanted[0], -wanted[0]),
             "The sine of -t is not that of t. Return pi - t as the second angle.",
         ),
@@ -216,7 +238,25 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
         "You return pi minus the angle, because you lose or flip the sign of the scalar product. "
         "Check where your code changes the sign of v . w."
     )
-    blame(got, [(math.pi - angle, other)])
+    mistakes = [(math.pi - angle, other)]
+    long, short = math.hypot(*a), math.hypot(*b)
+    for cosine, cause in (
+        (dot(a, b) / long, "You divide the scalar product only by |v|. Divide it by |w|, too."),
+        (dot(a, b) / short, "You divide the scalar product only by |w|. Divide it by |v|, too."),
+        (
+            dot(a, b) / long * short,
+            "Your formula lacks brackets, so you multiply by |w|. Divide by the product: "
+            "a.dot(b) / (|v| * |w|).",
+        ),
+    ):
+        if abs(cosine) < 1.0:  # otherwise, a clamp gives 0 or pi, whatever the mistake is
+            mistakes.append((math.acos(cosine), cause))
+    clamped = (
+        "The angle is 0 or pi, although v and w are not parallel. Probably your cosine is outside "
+        "the range from -1 to 1, and the clamp hides that. Divide v . w by both lengths, and put "
+        "brackets around their product."
+    )
+    blame(got, [*mistakes, (0.0, clamped), (math.pi, clamped)])
     # Rounding errors are divided by sin t, at least 0.3, and drawing the vectors adds its own.
     expect_close(got, angle, tolerance=1e-12)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
@@ -237,6 +277,8 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)
     wanted = (min(angle, math.pi - angle), max(angle, math.pi - angle))
+    half, inverse = math.pi / 2.0, "You pass the sine to math.acos. Pass it to math.asin."
+    blame(got, [((half - wanted[0], half + wanted[0]), inverse)])
     # Rounding errors are divided by |cos t|, at least 0.12, and drawing the vectors adds its own.
     expect_close(got, wanted, tolerance=1e-11)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)

@@ -16,6 +16,7 @@ from expect import (
     cause_of,
     expect_close,
     expect_error,
+    expect_that,
     expect_unchanged,
     is_plain,
     xyz,
@@ -58,6 +59,9 @@ def test_split_the_vector_of_the_book() -> None:
     )
     third = 1.0 / math.sqrt(3.0)
     expect_close(magnitude, math.sqrt(12.0), then="; the first result, the length")
+    nothing = "Your second result is None, as v.normalize() returns it. Return v.normalized()."
+    where = "; the second result, the direction"
+    expect_that(unit is not None, "None, no vector", "a vector", then=where, cause=nothing)
     wanted = (third, -third, -third)
     mistakes = [
         (
@@ -220,6 +224,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     c, d, angle = exercises.remove_projection(v, w)
     along = dot(a, b)
     name = f"{about.call}; the first result, c"
+    if not is_plain(c):
+        about.cause = "You return the results in the wrong order. Return c, d and the angle."
     expect_close(c, along, call=name, tolerance=1e-12)
     wanted = (b[0] - along * a[0], b[1] - along * a[1], b[2] - along * a[2])
     name = f"{about.call}; the second result, d"
@@ -239,6 +245,14 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
             "a . b.",
         ),
         (
+            tuple(n - along * n for n in b),
+            "You subtract c b instead of c a. Return d = b - c a.",
+        ),
+        (
+            tuple(n / math.hypot(*wanted) for n in wanted),
+            "You normalize d. Return d = b - c a as it is.",
+        ),
+        (
             tuple(a[i] - along * b[i] for i in range(3)),
             "You return a - c b, because you swap a and b. Return d = b - c a.",
         ),
@@ -253,6 +267,15 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
             90.0,
             "Your angle is in degrees, but it must be in radians. The math module already returns "
             "radians, so don't convert the angle.",
+        ),
+        (
+            0.0,
+            "Your angle is 0, as if you returned the scalar product of a and d, or its arcsine. "
+            "Pass the cosine of the angle to math.acos.",
+        ),
+        (
+            math.acos(max(-1.0, min(math.sqrt(1.0 - along**2), 1.0))),
+            "You return the angle between b and d. Return the angle between a and d instead.",
         ),
         (
             math.acos(max(-1.0, min(along, 1.0))),
@@ -328,6 +351,7 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
             (4, 4, -2),
             "You add the velocity as if one second had passed. Multiply it by the time t first.",
         ),
+        ((3.1, 4.9, -3.8), "You divide the velocity by the time. Multiply it by the time."),
         ((10, -10, 20), "You return only the displacement v t. Add it to the position p."),
         (
             (-7, 15, -24),

@@ -40,7 +40,11 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         if factor == 2:
             about.cause = "Your code fails for 2, which is an int. Accept both an int and a float."
         about.call = f"v = Vector3{a}; v * {factor}"
-        expect_close(xyz(v * factor), wanted)
+        got = xyz(v * factor)
+        plain = "Your products are right, but you don't return a vector. Pass them to Vector3()."
+        added = "You add the number to each component. Multiply each component by it."
+        mistakes = [(wanted, plain), (tuple(n + factor for n in a), added)]
+        expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
         reads = (
             "Your __mul__ changes v, but only v *= may do that. Return a new vector and leave v "
             "unchanged."

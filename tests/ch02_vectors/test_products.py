@@ -25,6 +25,12 @@ from expect import (
     xyz,
 )
 
+
+def vector_product(a: Components, b: Components) -> Components:
+    """Return a x b, computed from its definition."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
 # B2.6 Add a scaled vector
 
 
@@ -48,6 +54,8 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
          "number. Multiply only w by it, and then add the product to v."),
         (tuple(a[i] + b[i] for i in range(3)), "You add w without multiplying it by the "
          "number. Multiply each component of w first."),
+        (tuple(a[i] + b[i] + scale for i in range(3)), "You add the number to each component. "
+         "Multiply each component of w by it."),
         (tuple(b[i] * scale for i in range(3)), "v is now only w times the number. Add this "
          "product to the components that v already has."),
     ]  # fmt: skip
@@ -174,12 +182,20 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
          "dividing it."),
         (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing from your sum. Add "
          "v.z * w.z to it."),
+        (dot(a, a), "You multiply the components of v by themselves. Multiply them by those of w."),
+        (dot(b, b), "You multiply the components of w by themselves. Multiply them by those of v."),
+        (sum(a) * sum(b), "You multiply the sums of the components. Multiply the matching "
+         "components first, and then add up the three products."),
         (math.hypot(*a) * math.hypot(*b), "The result is |v| |w|, the product of the lengths. "
          "Multiply the matching components instead, and add up the three products."),
     ]  # fmt: skip
     blame(got, mistakes)
     if not is_plain(got):
-        about.cause = "You return the three products as a vector. Add them up and return the sum."
+        about.cause = "You return a vector. Add up the three products, and return their sum."
+        products = "You return the three products as a vector. Add them up and return the sum."
+        crossed = "You return the vector product, a vector. The scalar product is a number."
+        pairs = zip(a, b, strict=True)
+        blame(xyz(got), [([p * q for p, q in pairs], products), (vector_product(a, b), crossed)])
     expect_close(got, wanted, tolerance=1e-12)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
@@ -238,11 +254,6 @@ def test_the_scalar_product_keeps_nan_and_infinity() -> None:
 # B2.9 The vector product
 
 
-def vector_product(a: Components, b: Components) -> Components:
-    """Return a x b, computed from its definition."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
 def wrong_component(gots: Sequence[Any], wanteds: Sequence[Components], otherwise: str) -> str:
     """Return a cause that names the only wrong component of some vector products."""
     pairs = [
@@ -276,6 +287,13 @@ def test_the_vector_product_of_two_axes_is_the_third() -> None:
     if all(isinstance(got, tuple) for _, got, _ in products):
         _, gots, wanteds = zip(*products, strict=True)
         about.cause = wrong_component(gots, wanteds, about.cause)
+        if gots == ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)):
+            about.cause = "Your y and z components are in the wrong order. Swap them."
+        if all(got == (0.0, 0.0, 0.0) for got in gots):
+            about.cause = (
+                "Your vector product of two different axes is zero, like the component product. "
+                "Each component of the vector product uses the two other letters."
+            )
     turned = [got == tuple(-n for n in wanted) for _, got, wanted in products]
     for i, (call, got, wanted) in enumerate(products):
         about.call = call
@@ -306,6 +324,13 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     got = xyz(v.cross(w))
     if isinstance(got, tuple):
         about.cause = wrong_component([got], [wanted], about.cause)
+    x, y, z = wanted
+    mistakes = [
+        ((x, z, y), "Your y and z components are in the wrong order."),
+        ((y, x, z), "Your x and y components are in the wrong order."),
+        ((z, y, x), "Your x and z components are in the wrong order."),
+    ]
+    blame(got, mistakes)
     # The two terms of a component may cancel, so rounding is measured by the terms.
     expect_close(got, wanted, tolerance=1e-12)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
@@ -344,6 +369,9 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     y = a[2] * b[0] - x * b[2]
     mistakes = [
         (a, LOST),
+        ((x, wanted[1], a[0] * b[1] - wanted[1] * b[0]), "Your z component is computed from the "
+         "new y, which you have already stored. Compute all three components before you store any "
+         "of them."),
         ((x, y, x * b[1] - y * b[0]), "Your y component is computed from the new x, which you have "
          "already stored. Compute all three components before you store any of them."),
     ]  # fmt: skip

@@ -141,6 +141,7 @@ def test_magnitude_is_the_length(rng: Random) -> None:
             "You add up the components without their signs. Add up their squares, and take the "
             "square root of the sum.",
         ),
+        (1.0, "Your exponent is 1 // 2, which is 0. The square root is the power 0.5."),
         (length**2 / 2.0, "You halve the sum. The square root is the power 0.5, as in x**0.5."),
         (
             sum(a),
@@ -171,6 +172,10 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
         (
             a[0] ** 2 + a[1] ** 2,
             "You return x^2 + y^2. Add the square of z.",
+        ),
+        (
+            sum(a) ** 2,
+            "You square the sum of the components. Square each of them, and then add the squares.",
         ),
     ]
     blame(got, mistakes)
@@ -241,6 +246,7 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
             "You divide the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
         ),
+        (scaled(a, length), "You multiply the vector by its length. Divide it by its length."),
         (
             tuple(n // length for n in a),
             "You divide with //, which rounds down to a whole number. Use / instead.",

@@ -72,6 +72,14 @@ def test_damping_per_frame_does_not_depend_on_the_duration(rng: Random) -> None:
                 "old velocity.",
             ),
             (combined(v, a, 1.0, h), undamped),
+            (
+                combined(v, a, 1.0 - d, h),
+                "You multiply the velocity by 1 - d, the fraction that is lost. Multiply it by d, "
+                "the fraction that is kept.",
+            ),
+            (combined(v, a, d * h, h), "You multiply the velocity by d h. Multiply it by d alone."),
+            (combined(v, a, d, 0.0), "You leave out the acceleration. Add a h to v d."),
+            (combined(v, a, d, -h), "You subtract a h. Add it to v d."),
         ]
         blame(xyz(got), mistakes)
         wanted = combined(v, a, d, h)
@@ -101,6 +109,19 @@ def test_damping_per_second_depends_on_the_duration(rng: Random) -> None:
                 combined(v, v, d * h, 0.0),
                 "You multiply the velocity by the damping times the duration, but in Eq. 3.6 "
                 "the duration is an exponent. Use damping**duration.",
+            ),
+            (
+                combined(v, v, 1.0 - d**h, 0.0),
+                "You multiply the velocity by 1 - d^h, the fraction that is lost. Multiply it by "
+                "d^h, the fraction that is kept.",
+            ),
+            (
+                combined(v, v, h**d, 0.0),
+                "You swap the base and the exponent. Use damping**duration.",
+            ),
+            (
+                combined(v, v, d ** (1.0 / h), 0.0),
+                "Your exponent is 1 / h, the step rate. Use the duration, as in damping**duration.",
             ),
         ]
         blame(xyz(got), mistakes)

@@ -105,6 +105,10 @@ def test_equal_frames_make_no_difference(rng: Random) -> None:
         (apart(v, a, runs, 1.0, damping), NO_MEAN),
         (apart(v, a, runs, damping ** (25.0 * h), damping), PER_RUN),
         (apart(v, a, runs, damping ** (1.0 / h), damping), RATE),
+        (
+            apart(v, a, runs, damping * h, damping),
+            "You multiply d by the mean duration. Use the power d ** mean.",
+        ),
     ]
     blame(got, mistakes)
     # The rounding errors of numbers up to 20 in 30 steps.
@@ -149,6 +153,25 @@ def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Rand
         (math.floor(difference(kept)), FLOOR),
         (difference(damping**of_means), MEAN_OF_MEANS),
         (2.0 * difference(kept), SUM),
+        (
+            2.0 * difference(kept) / sum(steps),
+            "You divide the sum of the differences by the number of steps. Divide it by the number "
+            "of runs.",
+        ),
+        (
+            speed * abs(kept**8 - damping ** times[0]),
+            "You return the difference of one run. Return the mean of the differences of all runs.",
+        ),
+        (
+            speed * abs(kept**3 - damping ** times[1]),
+            "You return the difference of one run. Return the mean of the differences of all runs.",
+        ),
+        (
+            speed**2
+            * ((kept**8 - damping ** times[0]) ** 2 + (kept**3 - damping ** times[1]) ** 2)
+            / 2.0,
+            "You return the mean of the squared lengths. Take the length, which is magnitude().",
+        ),
         (speed * carried / 2.0, CARRIED),
     ]
     blame(got, mistakes)

@@ -76,8 +76,8 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "You multiply by an infinite mass. Return 0.0 if has_finite_mass is False, because a "
-        "particle that cannot move has no kinetic energy."
+        "If you multiply by an infinite mass, you get infinity or NaN. Return 0.0 if "
+        "has_finite_mass is False, because a particle that cannot move has no kinetic energy."
     )
     about.read = "the docstring of kinetic_energy"
     for velocity in ((0.0, 0.0, 0.0), v):

@@ -27,12 +27,12 @@ from expect import (
 @pytest.mark.exercise("3.1", asks="the same force has half the effect")
 def test_twice_the_mass_gets_half_the_speed() -> None:
     about(
-        "speed_ratio(first_mass=2, second_mass=1)",
+        "speed_ratio(first_mass=4, second_mass=2)",
         cause="The same force accelerates the heavier body less, by a = f / m. Return the speed of "
         "the first body divided by that of the second.",
     )
     about.read = "book 3.2, Eq. 3.2; errata.md"
-    got = exercises.speed_ratio(2, 1)
+    got = exercises.speed_ratio(4, 2)
     faster = (
         "You make the heavier body faster. The book's sentence that acceleration is proportional "
         "to the mass is wrong (E-1), so use a = f / m."
@@ -81,6 +81,8 @@ def test_the_force_between_two_people_of_100_kg() -> None:
             "You add the masses, but the force is proportional to each of them. Multiply them "
             "instead.",
         ),
+        (-6.67428e-7, "Your force is negative. Return its magnitude, G m1 m2 / r^2."),
+        (6.67428e-9, "You leave out one of the two masses. The force is G m1 m2 / r^2."),
         (1e4, "You leave out the constant G. Multiply by GRAVITATIONAL_CONSTANT."),
         (0.0, "You divide with //, which rounds down to a whole number, here to 0. Use / instead."),
         (
@@ -152,6 +154,11 @@ def test_five_seconds_by_the_equation() -> None:
          "/ 2."),
         ((7.0, 0.0, 9.0), "Either you leave out the last term, a t^2 / 2, or you write its factor "
          "as 1 // 2, which is 0. Write 0.5 or 1 / 2."),
+        ((32.0, -12.5, 2.75), "You subtract the last term. Add a t^2 / 2."),
+        ((-23.0, 17.5, 5.25), "You leave out the velocity. Add v t."),
+        ((-20.5, 15.0, 10.25), "You halve the velocity term, too. Halve only the last term."),
+        ((2.0, -7.5, 55.25), "You multiply the velocity by t^2. Only the acceleration needs t^2."),
+        ((-3.0, 5.0, 11.5), "Your last term is a t. It must be a t^2 / 2, and t^2 is t**2."),
         ((2.0, 2.5, 10.25), "You multiply the acceleration by t instead of t^2. The last term must "
          "be a t^2 / 2."),
         ((-20.0, 7.5, 16.25), "You return only the displacement v t + a t^2 / 2. Add the start "
@@ -213,9 +220,23 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             ),
             (
                 (7.0, 0.0, 9.0),
-                "You take a single step of 5 s. Take five steps of 1 s instead.",
+                "Either you take a single step of 5 s, or the velocity stays the same in all "
+                "steps. Take five steps of 1 s, and change the velocity in each of them.",
             ),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
+            (
+                (3.0, 4.0, 1.0) if steps > 1 else (math.nan,) * 3,  # right for a single step
+                "Either you return after the first step, inside the loop, or each step starts from "
+                "the given position. Continue from where the last step ended.",
+            ),
+            (
+                (2.2, 4.4, 1.2),
+                "You divide the duration by the number of steps. It is the duration of one step.",
+            ),
+            (
+                (2.0, 4.5, 1.25) if steps == 1 else (-18.0, 12.5, 15.25),
+                "You add the term a h^2 / 2, which this step leaves out. Add only v h.",
+            ),
             (
                 (2.0, 4.0, 3.5) if steps == 1 else (-22.0, 14.0, 18.5),
                 "You take one step too many. Loop over range(steps).",

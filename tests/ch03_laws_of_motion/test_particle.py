@@ -64,8 +64,9 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
         about.call = f"a particle p with a mass of {mass} kg; p.has_finite_mass"
         got = p.has_finite_mass
         about.cause = "You return False for a finite mass. Return True unless the mass is infinite."
-        if isinstance(got, (int, float)) and not isinstance(got, bool):
-            about.cause = "You return a number. Return the result of a comparison, True or False."
+        if not isinstance(got, bool):
+            what = "a number" if isinstance(got, (int, float)) else "neither True nor False"
+            about.cause = f"You return {what}. Return the result of a comparison, True or False."
         expect_exactly(got, True)
 
 
@@ -173,6 +174,11 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
         "The inverse mass is 0, which means an infinite mass. Return math.inf in this case instead "
         "of dividing by 0."
     )
+    if p.inverse_mass == 1.0:
+        about.cause = (
+            "You don't store an inverse mass of 0. Python treats 0 as false in an if statement, "
+            "so don't use the inverse mass as the condition."
+        )
     expect_exactly(p.mass, math.inf, then="; p.mass")
     about.cause = (
         "This particle has an infinite mass, so has_finite_mass must be False. Compare the mass "
@@ -338,5 +344,8 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     for velocity in (ZERO, v):
         about.call = f"p = Particle(velocity=Vector3{velocity}, mass=math.inf); p.momentum()"
         p = Particle(velocity=Vector3(*velocity), mass=math.inf)
-        expect_close(xyz(p.momentum()), ZERO)
+        got = xyz(p.momentum())
+        number = "You return a number. The momentum is a vector, so return the zero vector."
+        blame(got, [(0.0, number)])
+        expect_close(got, ZERO)
         expect_unchanged("p.velocity", xyz(p.velocity), velocity, cause=UNCHANGED)

@@ -90,6 +90,12 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     about.call = f"random_frames(mean={mean}, jitter={jitter}, total=20.0, seed={seed})"
     # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
+    about.cause = (
+        "All your durations are equal, as if each of them came from a new generator with the same "
+        "seed. Create random.Random(seed) once, before the loop."
+    )
+    equal = max(frames) - min(frames) < 1e-12
+    expect_that(not equal, f"{len(frames)} equal durations", "different durations")
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
     name = f"{about.call}; the mean of the durations, without the last one"

@@ -51,13 +51,17 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "You add an extra a h^2 / 2 to the position, but the book leaves out this term. "
-                "Add only the old velocity times the duration h.",
+                "Your position has an extra a h^2 / 2, as after half a drift, a kick and half a "
+                "drift. The book leaves out this term. Add only the old velocity times h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
                 "You add the whole velocity, which is the displacement in one second. Multiply it "
                 "by the duration h first.",
+            ),
+            (
+                tuple(x[i] + 2.0 * v[i] * h for i in range(3)),
+                "You drift twice. Call self.drift(duration) once.",
             ),
             (x, "The position did not change. Call self.drift(duration) in integrate."),
         ]
@@ -80,6 +84,10 @@ def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
             tuple(v[i] + a[i] for i in range(3)),
             "You add the whole acceleration, as if the step took one second. Multiply it by the "
             "duration h first.",
+        ),
+        (
+            tuple(v[i] + 2.0 * a[i] * h for i in range(3)),
+            "You kick twice. Call self.kick(duration) once.",
         ),
         (v, "The velocity did not change. Call self.kick(duration) in integrate."),
     ]

@@ -40,6 +40,8 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
     mistakes = [
         (2.0, faster),
         (0.0, "You divide with //, which rounds down to a whole number. Use / instead."),
+        (0.25, "You return only 1 / m1. Divide it by 1 / m2, which gives m2 / m1."),
+        (-2.0, "You subtract the masses. Divide the speeds, which gives m2 / m1."),
     ]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 

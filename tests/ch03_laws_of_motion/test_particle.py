@@ -174,11 +174,11 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
         "The inverse mass is 0, which means an infinite mass. Return math.inf in this case instead "
         "of dividing by 0."
     )
-    if p.inverse_mass == 1.0:
-        about.cause = (
-            "You don't store an inverse mass of 0. Python treats 0 as false in an if statement, "
-            "so don't use the inverse mass as the condition."
-        )
+    unstored = (
+        "You don't store an inverse mass of 0. Python treats 0 as false in an if statement, so "
+        "don't use the inverse mass as the condition."
+    )
+    expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass", cause=unstored)
     expect_exactly(p.mass, math.inf, then="; p.mass")
     about.cause = (
         "This particle has an infinite mass, so has_finite_mass must be False. Compare the mass "

@@ -223,8 +223,7 @@ class Vector3:
         """Return the scalar product a . b = |a| |b| cos t, where t is the angle between a and b.
 
         You can also write ``a @ b``. If one of the vectors is a unit vector, the result is the
-        component of the other vector along it. NaN and infinite components must not be hidden, so
-        return the sum of the three products as it is. Book Eq. 2.4.
+        component of the other vector along it. Book Eq. 2.4.
         """
         return self.x * v.x + self.y * v.y + self.z * v.z
 

@@ -18,8 +18,6 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_exactly,
-    expect_nan,
     expect_unchanged,
     is_plain,
     xyz,
@@ -229,26 +227,6 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     about.read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a).dot(Vector3(*b))
     expect_close(got, wanted, tolerance=1e-12)
-
-
-@pytest.mark.exercise("B2.8", asks="NaN and infinite components must not be hidden")
-@pytest.mark.robust
-def test_the_scalar_product_keeps_nan_and_infinity() -> None:
-    w = Vector3(1.0, 1.0, 1.0)
-    about(
-        "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="You hide the NaN with a comparison, such as max or min. Return the sum without "
-        "comparing it with another number.",
-    )
-    about.read = "the docstring of Vector3"
-    expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
-    about(
-        "Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="The three products are infinity, 1 and 1, so their sum must be infinity. Don't "
-        "limit or round it.",
-    )
-    got = Vector3(math.inf, 1.0, 1.0).dot(w)
-    expect_exactly(got, math.inf)
 
 
 # B2.9 The vector product

@@ -3,11 +3,6 @@
 A table consists of a list of times in s and a list of vectors, such as the positions in the
 pictures of a film. The intervals between the times may have different lengths. No function here
 changes its arguments, and all vectors in the results are new.
-
-Raises:
-    ValueError: if there are fewer than two times, a list has the wrong length, the times do not
-        increase, or a number is infinite or NaN.
-    TypeError: if a time is not a number, or a vector is not a Vector3.
 """
 
 from __future__ import annotations
@@ -27,9 +22,6 @@ def difference_quotients(
     average accelerations. Return the times in the middle of the intervals, and the quotients. Both
     lists are one shorter than ``times``, and you can pass them to this function again.
 
-    Raises:
-        ValueError: as the top of this file says, if there are fewer than two times, for example.
-
     Book 2.2.1. Exercise B2.12.
 
     >>> positions = [Vector3(0, 0, 0), Vector3(1, 2, 0), Vector3(5, -2, 0)]
@@ -46,11 +38,9 @@ def add_up_accelerations(
 
     ``accelerations`` has one vector in m/s^2 for each interval, in which the acceleration is
     constant. ``position`` in m and ``velocity`` in m/s belong to the first time. In an interval of
-    duration h, p' = p + v h + a h^2 / 2 and v' = v + a h. Return the positions and the velocities.
-    Both lists have as many vectors as ``times``, and begin with copies of the given ones.
-
-    Raises:
-        ValueError: as the top of this file says, if there are fewer than two times, for example.
+    duration h, p' = p + v h + a h^2 / 2 and v' = v + a h. Each interval starts with the position
+    and the velocity at the end of the one before. Return the positions and the velocities. Both
+    lists have as many vectors as ``times``, and begin with copies of the given ones.
 
     Book 2.2.2, Eq. 2.8 and 2.9. Exercise B2.13.
 

@@ -74,7 +74,7 @@ class Vector3:
 
         The length must also be correct for components as large as 1e200 or as small as 1e-200,
         although the squares of such numbers overflow or underflow. If a component is NaN, the
-        length is NaN. Book 2.1.2.
+        length and the squared length are NaN. Book 2.1.2.
         """
         raise NotImplementedError("Exercise B2.2: Length")
 
@@ -133,27 +133,27 @@ class Vector3:
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def __add__(self, v: Vector3) -> Vector3:
-        """Add two vectors, and return their sum as a new vector (book 2.1.4).
-
-        Raises TypeError if ``v`` is not a vector.
-        """
+        """Add two vectors, and return their sum as a new vector (book 2.1.4)."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add ``v`` in place, and return ``self``. Raises TypeError if ``v`` is not a vector."""
+        """Add ``v`` in place, and return ``self``.
+
+        This must also work if ``v`` is the vector itself.
+        """
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Subtract a vector from this one, and return the difference as a new vector (book 2.1.4).
+        """Subtract ``v`` from this vector, and return the difference as a new vector.
 
-        Raises TypeError if ``v`` is not a vector.
+        Book 2.1.4.
         """
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract a vector from this one, in place, and return ``self``.
+        """Subtract ``v`` in place, and return ``self``.
 
-        Raises TypeError if ``v`` is not a vector.
+        This must also work if ``v`` is the vector itself.
         """
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
@@ -161,22 +161,22 @@ class Vector3:
         """Add a multiple of another vector, ``v * scale``, to this one, in place.
 
         Use this method to update a vector, for example a position by p' = p + v h. It is faster
-        than ``p += v * h``, because it creates no temporary vector. It also works if ``v`` is the
-        vector itself. Raises TypeError if ``v`` is not a vector. Book 2.1.4.
+        than ``p += v * h``, because it creates no temporary vector. It must also work if
+        ``v`` is the vector itself. Book 2.1.4.
         """
         raise NotImplementedError("Exercise B2.6: Add a scaled vector")
 
     def component_product(self, v: Vector3) -> Vector3:
         """Multiply each component by the matching component of ``v``, and return a new vector.
 
-        Raises TypeError if ``v`` is not a vector. Book 2.1.6.
+        Neither of the two vectors changes. Book 2.1.6.
         """
         raise NotImplementedError("Exercise B2.7: The component product")
 
     def component_product_update(self, v: Vector3) -> None:
         """Multiply each component by the matching component of ``v``, in place (book 2.1.6).
 
-        Raises TypeError if ``v`` is not a vector.
+        This must also work if ``v`` is the vector itself.
         """
         raise NotImplementedError("Exercise B2.7: The component product")
 
@@ -184,8 +184,7 @@ class Vector3:
         """Return the scalar product a . b = |a| |b| cos t, where t is the angle between a and b.
 
         You can also write ``a @ b``. If one of the vectors is a unit vector, the result is the
-        component of the other vector along it. Raises TypeError if ``v`` is not a vector. Book Eq.
-        2.4.
+        component of the other vector along it. Book Eq. 2.4.
         """
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
@@ -198,14 +197,14 @@ class Vector3:
 
         The product is perpendicular to both vectors and has the length |a| |b| sin t, where t is
         the angle between them. Swapping the factors reverses its direction: b x a = -(a x b).
-        Raises TypeError if ``v`` is not a vector. Book Eq. 2.6.
+        Book Eq. 2.6.
         """
         raise NotImplementedError("Exercise B2.9: The vector product")
 
     def cross_update(self, v: Vector3) -> None:
         """Set this vector to the vector product self x ``v``, in place (book 2.1.8).
 
-        Raises TypeError if ``v`` is not a vector.
+        This must also work if ``v`` is the vector itself. The product is then zero.
         """
         raise NotImplementedError("Exercise B2.9: The vector product")
 
@@ -220,9 +219,9 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
     are new vectors. Only the directions of ``a`` and ``b`` matter, not their lengths.
 
     Raises:
-        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such
-            vectors do not determine a basis. They count as parallel if the sine of the angle
-            between them is below 1e-12.
+        ValueError: if ``a`` or ``b`` is zero, or if they are parallel, because such vectors do not
+            determine a basis. They count as parallel if the sine of the angle between them is below
+            1e-12.
 
     Book 2.1.9. Its listing refuses only vectors whose product is exactly zero (erratum E-46).
     """

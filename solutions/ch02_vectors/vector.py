@@ -17,7 +17,6 @@ from collections.abc import Iterator
 _PARALLEL_LIMIT = 1e-12
 
 _WHICH_PRODUCT = "a vector times a vector has three meanings: use dot, cross or component_product"
-_NOT_A_VECTOR = "v must be a Vector3, got {!r}"
 
 
 class Vector3:
@@ -84,7 +83,7 @@ class Vector3:
 
         The length must also be correct for components as large as 1e200 or as small as 1e-200,
         although the squares of such numbers overflow or underflow. If a component is NaN, the
-        length is NaN. Book 2.1.2.
+        length and the squared length are NaN. Book 2.1.2.
         """
         return math.hypot(self.x, self.y, self.z)
 
@@ -163,39 +162,31 @@ class Vector3:
         return Vector3(self.x / length, self.y / length, self.z / length)
 
     def __add__(self, v: Vector3) -> Vector3:
-        """Add two vectors, and return their sum as a new vector (book 2.1.4).
-
-        Raises TypeError if ``v`` is not a vector.
-        """
-        if not isinstance(v, Vector3):
-            return NotImplemented
+        """Add two vectors, and return their sum as a new vector (book 2.1.4)."""
         return Vector3(self.x + v.x, self.y + v.y, self.z + v.z)
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add ``v`` in place, and return ``self``. Raises TypeError if ``v`` is not a vector."""
-        if not isinstance(v, Vector3):
-            return NotImplemented
+        """Add ``v`` in place, and return ``self``.
+
+        This must also work if ``v`` is the vector itself.
+        """
         self.x += v.x
         self.y += v.y
         self.z += v.z
         return self
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Subtract a vector from this one, and return the difference as a new vector (book 2.1.4).
+        """Subtract ``v`` from this vector, and return the difference as a new vector.
 
-        Raises TypeError if ``v`` is not a vector.
+        Book 2.1.4.
         """
-        if not isinstance(v, Vector3):
-            return NotImplemented
         return Vector3(self.x - v.x, self.y - v.y, self.z - v.z)
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract a vector from this one, in place, and return ``self``.
+        """Subtract ``v`` in place, and return ``self``.
 
-        Raises TypeError if ``v`` is not a vector.
+        This must also work if ``v`` is the vector itself.
         """
-        if not isinstance(v, Vector3):
-            return NotImplemented
         self.x -= v.x
         self.y -= v.y
         self.z -= v.z
@@ -205,11 +196,9 @@ class Vector3:
         """Add a multiple of another vector, ``v * scale``, to this one, in place.
 
         Use this method to update a vector, for example a position by p' = p + v h. It is faster
-        than ``p += v * h``, because it creates no temporary vector. It also works if ``v`` is the
-        vector itself. Raises TypeError if ``v`` is not a vector. Book 2.1.4.
+        than ``p += v * h``, because it creates no temporary vector. It must also work if
+        ``v`` is the vector itself. Book 2.1.4.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(_NOT_A_VECTOR.format(v))
         self.x += v.x * scale
         self.y += v.y * scale
         self.z += v.z * scale
@@ -217,19 +206,15 @@ class Vector3:
     def component_product(self, v: Vector3) -> Vector3:
         """Multiply each component by the matching component of ``v``, and return a new vector.
 
-        Raises TypeError if ``v`` is not a vector. Book 2.1.6.
+        Neither of the two vectors changes. Book 2.1.6.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(_NOT_A_VECTOR.format(v))
         return Vector3(self.x * v.x, self.y * v.y, self.z * v.z)
 
     def component_product_update(self, v: Vector3) -> None:
         """Multiply each component by the matching component of ``v``, in place (book 2.1.6).
 
-        Raises TypeError if ``v`` is not a vector.
+        This must also work if ``v`` is the vector itself.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(_NOT_A_VECTOR.format(v))
         self.x *= v.x
         self.y *= v.y
         self.z *= v.z
@@ -238,17 +223,12 @@ class Vector3:
         """Return the scalar product a . b = |a| |b| cos t, where t is the angle between a and b.
 
         You can also write ``a @ b``. If one of the vectors is a unit vector, the result is the
-        component of the other vector along it. Raises TypeError if ``v`` is not a vector. Book Eq.
-        2.4.
+        component of the other vector along it. Book Eq. 2.4.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(_NOT_A_VECTOR.format(v))
         return self.x * v.x + self.y * v.y + self.z * v.z
 
     def __matmul__(self, v: Vector3) -> float:
         """Return the scalar product of two vectors, so that ``a @ b`` equals ``a.dot(b)``."""
-        if not isinstance(v, Vector3):
-            return NotImplemented
         return self.dot(v)
 
     def cross(self, v: Vector3) -> Vector3:
@@ -256,10 +236,8 @@ class Vector3:
 
         The product is perpendicular to both vectors and has the length |a| |b| sin t, where t is
         the angle between them. Swapping the factors reverses its direction: b x a = -(a x b).
-        Raises TypeError if ``v`` is not a vector. Book Eq. 2.6.
+        Book Eq. 2.6.
         """
-        if not isinstance(v, Vector3):
-            raise TypeError(_NOT_A_VECTOR.format(v))
         return Vector3(
             self.y * v.z - self.z * v.y,
             self.z * v.x - self.x * v.z,
@@ -269,7 +247,7 @@ class Vector3:
     def cross_update(self, v: Vector3) -> None:
         """Set this vector to the vector product self x ``v``, in place (book 2.1.8).
 
-        Raises TypeError if ``v`` is not a vector.
+        This must also work if ``v`` is the vector itself. The product is then zero.
         """
         self.x, self.y, self.z = self.cross(v)
 
@@ -284,9 +262,9 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
     are new vectors. Only the directions of ``a`` and ``b`` matter, not their lengths.
 
     Raises:
-        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such
-            vectors do not determine a basis. They count as parallel if the sine of the angle
-            between them is below 1e-12.
+        ValueError: if ``a`` or ``b`` is zero, or if they are parallel, because such vectors do not
+            determine a basis. They count as parallel if the sine of the angle between them is below
+            1e-12.
 
     Book 2.1.9. Its listing refuses only vectors whose product is exactly zero (erratum E-46).
     """

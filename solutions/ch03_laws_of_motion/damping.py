@@ -2,12 +2,12 @@
 
 The damping d is the fraction of its velocity that a particle keeps. In Eq. 3.5 the particle keeps
 this fraction in every time step, however long the step is. In Eq. 3.6 it keeps this fraction in
-every second of simulated time, so the damping does not depend on the frame rate. The engine itself
-uses a variant of Eq. 3.6, which you write in particle.py.
+every second of simulated time, so the damping does not depend on the frame rate. With d = 0 the
+particle keeps nothing of its velocity, and with d above 1 it speeds up. The engine itself uses a
+variant of Eq. 3.6, which you write in particle.py.
 
 Both functions return the velocity after a time step as a new vector, and do not change their
-arguments. The velocity is in m/s, the acceleration in m/s^2 and the duration in s. A damping or a
-duration that is not a number raises TypeError.
+arguments. The velocity is in m/s, the acceleration in m/s^2 and the duration in s.
 """
 
 from __future__ import annotations
@@ -25,10 +25,6 @@ def damp_per_frame(
     multiplies the velocity by d, however long the step is. A higher frame rate means more steps per
     second, so it damps the motion more strongly.
 
-    Raises:
-        ValueError: if the damping is negative or not finite, or if the duration is not positive and
-            finite.
-
     Book Eq. 3.5.
     """
     not_negative("damping", damping)
@@ -43,10 +39,6 @@ def damp_per_second(
     The result is v' = v d^h + a h, where a is the acceleration and h is the duration. The particle
     keeps the fraction d of its velocity per second, so in a step of h s it keeps d^h. In contrast,
     ``Particle.kick`` computes (v + a h) d^h, like the book's listing (erratum E-16).
-
-    Raises:
-        ValueError: if the damping is negative or not finite, or if the duration is not positive and
-            finite.
 
     Book Eq. 3.6.
     """

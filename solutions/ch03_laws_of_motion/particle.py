@@ -22,9 +22,10 @@ class Particle:
     ``particle.velocity.y = 3.0``, but nothing checks these changes, so make sure that the
     components stay finite.
 
-    ``damping`` is the fraction of the velocity that the particle keeps per second. 1 keeps all of
-    it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
-    is ``math.inf``, which means that its inverse mass is 0.
+    A new particle has a mass of 1 kg and a damping of 1, unless you pass other numbers. ``damping``
+    is the fraction of the velocity that the particle keeps per second. 1 keeps all of it, 0 stops
+    the particle, and a number above 1 speeds it up. A particle is immovable if its mass is
+    ``math.inf``, which means that its inverse mass is 0.
 
     The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. A particle can
     have only the attributes that are listed in ``__slots__``, so if your code needs another
@@ -70,7 +71,8 @@ class Particle:
     def mass(self, mass: float) -> None:
         """Set the mass in kg. Use ``math.inf`` to make the particle immovable.
 
-        Like every setter of this class, it raises TypeError for anything that is not a number.
+        Like every setter of this class, it raises TypeError for anything that is not a number. If a
+        setter raises an error, the particle keeps its old value.
 
         Raises:
             ValueError: if the mass is not positive.
@@ -148,8 +150,7 @@ class Particle:
         at all. The duration may be 0 or negative, because some integrators of chapter 6 split a
         step into several drifts, some of them backward.
 
-        The duration is not checked here. The caller, such as ``integrate``, checks it once per
-        step. Book Eq. 2.7.
+        Book Eq. 2.7.
         """
         if self._inverse_mass:
             # Plain floats are many times as fast as operators, which make new vectors.
@@ -164,9 +165,13 @@ class Particle:
 
         With h = ``duration`` and the damping d, the new velocity is v' = (v + a h) d^h. As in the
         book's listing, the acceleration is applied first, and the damping then acts on the result.
-        The book's Eq. 3.6 damps only the old velocity: v d^h + a h (erratum E-16). A kick does not
-        change the position, and an immovable particle also keeps its velocity. As in ``drift``, the
-        duration may be 0 or negative and is not checked.
+        The book's Eq. 3.6 damps only the old velocity: v d^h + a h (erratum E-16). As in ``drift``,
+        the duration may be 0 or negative.
+
+        A kick changes only the velocity, and nothing at all if the particle is immovable. Use the
+        acceleration and the damping that the particle has now, because a game may change them
+        between two steps. The result does not depend on the mass, because the acceleration is
+        already given.
         """
         if self._inverse_mass:
             keep = self._damping
@@ -187,10 +192,6 @@ class Particle:
 
         The new velocity must come from ``self.kick(duration)``, because the particle of chapter 5
         overrides ``kick`` to add forces. An immovable particle does not change.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. The particle does not change.
-            TypeError: if the duration is not a number. The particle does not change.
         """
         if not (type(duration) is float and 0.0 < duration < math.inf):
             positive("duration", duration)  # accepts an int, and names the argument if it refuses

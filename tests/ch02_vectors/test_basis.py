@@ -21,6 +21,10 @@ from expect import (
     xyz,
 )
 
+ORDER = (
+    "You return the vectors of the basis in the wrong order. The first one points along a, the "
+    "second one toward b, and the third one is a x b, divided by its length."
+)
 THREE = "a, b = Vector3{}, Vector3{}; v1, v2, v3 = make_orthonormal_basis(a, b)"
 X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
@@ -38,7 +42,14 @@ def basis_of(
     return [expect_vector(v) for v in (first, second, third)]
 
 
-@pytest.mark.exercise("B2.10")
+def perpendicular_to(a: Components, b: Components) -> Components:
+    """Return the unit vector along a x b."""
+    x, y, z = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    length = math.hypot(x, y, z)
+    return x / length, y / length, z / length
+
+
+@pytest.mark.exercise("B2.10", asks="Build three perpendicular unit vectors")
 def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about(f"{THREE.format(a, b)}; v1, v2, v3", read="book 2.1.9")
@@ -75,7 +86,7 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
             expect_close(got, wanted, call=name, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="The first vector of the basis points along a")
 def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
     about.read = "book 2.1.9"
     for _ in range(4):  # by chance, a wrong second vector may lean toward one b
@@ -85,20 +96,36 @@ def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
             "Vector 1 of your basis is not the normalized a. Keep the direction of a, and rotate "
             "only b to make it perpendicular to a."
         )
-        first, second, _ = basis_of(a, b)
+        first, second, third = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)
+        normal = perpendicular_to(a, b)
+        rotated_b = perpendicular_to(normal, a)
+        blame(first, [(normal, ORDER), (rotated_b, ORDER)])
         expect_close(first, wanted, then="; vector 1 of the basis", tolerance=1e-12)
         about.cause = (
-            "The second vector of your basis points away from b. Compute c = a x b first, and then "
-            "the second vector as c x a."
+            "The second vector of your basis doesn't point toward b. Compute c = a x b first, and "
+            "then the second vector as c x a."
         )
+        opposite = tuple(-n for n in rotated_b)
+        reversed_normal = tuple(-n for n in normal)
+        swapped = (
+            "The second vector of your basis points away from b, because you compute it as a x c. "
+            "Swap the factors, and compute it as c x a, with c = a x b."
+        )
+        if max(abs(m - n) for m, n in zip(third, reversed_normal, strict=True)) < 1e-9:
+            swapped = (
+                "The second vector of your basis points away from b, because you compute c as b x "
+                "a. Swap the factors, and compute it as c = a x b."
+            )
+        blame(second, [(opposite, swapped), (normal, ORDER), (reversed_normal, ORDER)])
         along = dot(second, b)
         name = f"{THREE.format(a, b)}; v2.dot(b)"
-        expect_that(along > 0.0, f"{along:.6g}", "a positive number", call=name)
+        shown = f"{along:.6g}" if abs(along) > 1e-9 else "0, except for rounding"
+        expect_that(along > 1e-9, shown, "a positive number", call=name)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="which makes the basis right-handed")
 def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
@@ -122,7 +149,7 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="All three are new vectors")
 def test_the_basis_leaves_its_arguments_unchanged(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -156,12 +183,12 @@ def expect_same_basis(a: Components, b: Components, scale: float) -> None:
         expect_close(got[i], wanted[i], then=f"; vector {i + 1} of the basis", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="Only the directions of a and b matter")
 def test_lengths_do_not_matter(rng: Random) -> None:
     expect_same_basis(components(rng), components(rng), 1e4)
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="a and b matter, not their lengths")
 @pytest.mark.robust
 def test_huge_and_tiny_lengths_do_not_matter(rng: Random) -> None:
     expect_same_basis(components(rng), components(rng), 1e200)
@@ -179,7 +206,7 @@ def expect_refusal(a: Components, b: Components) -> None:
     expect_error(attempt, ValueError, allowed=lambda: basis_of(X_AXIS, Y_AXIS))
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="or if they are parallel, because such vectors do not")
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
     about.cause = (
@@ -190,7 +217,7 @@ def test_vectors_along_one_axis_are_refused() -> None:
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="They count as parallel if the sine")
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
@@ -203,7 +230,7 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
         expect_refusal(a, (a[0] * scale, a[1] * scale, a[2] * scale))
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="the sine of the angle between them is below 1e-12")
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
     about.cause = (
@@ -227,7 +254,7 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B2.10")
+@pytest.mark.exercise("B2.10", asks="if a or b is zero, or if")
 @pytest.mark.robust
 def test_the_zero_vector_is_refused() -> None:
     about.cause = (
@@ -236,15 +263,3 @@ def test_the_zero_vector_is_refused() -> None:
     )
     expect_refusal((0.0, 0.0, 0.0), Y_AXIS)
     expect_refusal(X_AXIS, (0.0, 0.0, 0.0))
-
-
-@pytest.mark.exercise("B2.10", weight=0.5)
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [math.nan, math.inf])
-def test_vectors_that_are_not_finite_are_refused(bad: float) -> None:
-    about.cause = (
-        "One of the vectors has an infinite component, so it has no direction and cannot give a "
-        "basis. Raise ValueError."
-    )
-    expect_refusal((bad, 0.0, 0.0), Y_AXIS)
-    expect_refusal(X_AXIS, (0.0, bad, 0.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from itertools import pairwise
 from random import Random
 from typing import Any
@@ -22,11 +23,17 @@ from expect import (
     scoped,
     xyz,
 )
+from marching import march_slips
 
 TIMES = [0.0, 0.5, 2.5]
 # Numbers of up to 200 and intervals of at least 0.2 s have rounding errors below this limit.
 SMALL = 1e-11
 QUOTIENTS = "book 2.2.1; the docstring of difference_quotients"
+IN_PLACE = (
+    "Your function changes a vector of the table, because -= and /= work in place. Write "
+    "(b - a) / duration, which creates a new vector."
+)
+FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
 SUMS = "book 2.2.2, Eq. 2.8 and 2.9; the docstring of add_up_accelerations"
 
 
@@ -68,14 +75,44 @@ def pair_of_lists(result: Any, lengths: tuple[int, int], names: tuple[str, str])
     return result[0], result[1]
 
 
+def tried(function: Callable[..., Any], *given: Any) -> Any:
+    """Call a function with a valid table, and explain an error that its lengths can cause."""
+    __tracebackhide__ = True
+    try:
+        return function(*given)
+    except ValueError:
+        about.cause = (
+            "Your code raises ValueError, although this table is valid. difference_quotients gets "
+            "as many vectors as times, and add_up_accelerations gets one vector less."
+        )
+        raise
+    except IndexError:
+        about.cause = (
+            "Your loop goes past the end of a list. Between n times there are only n - 1 "
+            "intervals. Interval i goes from times[i] to times[i + 1], and i ends at n - 2."
+        )
+        raise
+
+
+def expect_the_same_table(given: list[Any], rows: list[Components]) -> None:
+    """Expect that the function has not changed a vector of the table."""
+    __tracebackhide__ = True
+    lists = "Your function changes the lists of the caller. Only read them."
+    expect_exactly(len(given), len(rows), then="; the length of values after the call", cause=lists)
+    for i, row in enumerate(rows):
+        expect_unchanged(f"values[{i}]", xyz(given[i]), row, cause=IN_PLACE)
+
+
 @scoped
 def quotients_of(times: list[float], values: list[Any]) -> tuple[Any, list[float]]:
     """Call difference_quotients, and return its times and the components of its vectors."""
     __tracebackhide__ = True
     count = len(times) - 1
-    result = calculus.difference_quotients(times, values)
+    result = tried(calculus.difference_quotients, times, values)
     middles, quotients = pair_of_lists(result, (count, count), ("times", "quotients"))
     about.cause = "Return the times first and the quotients second. The quotients are vectors."
+    if any(not is_plain(m) for m in middles) and all(map(is_plain, quotients)):
+        about.cause = "You return the two lists in the wrong order. Return the times first."
     expect_exactly(all(map(is_plain, middles)), True, then="; are the times numbers?")
     expect_exactly(any(map(is_plain, quotients)), False, then="; are the quotients vectors?")
     return middles, flat([xyz(q) for q in quotients])
@@ -86,7 +123,7 @@ def motion_of(times: list[float], accelerations: list[Any], *start: Any) -> tupl
     """Call add_up_accelerations, and return the components of its positions and velocities."""
     __tracebackhide__ = True
     count = len(times)
-    result = calculus.add_up_accelerations(times, accelerations, *start)
+    result = tried(calculus.add_up_accelerations, times, accelerations, *start)
     positions, velocities = pair_of_lists(result, (count, count), ("positions", "velocities"))
     return flat([xyz(p) for p in positions]), flat([xyz(v) for v in velocities])
 
@@ -94,7 +131,7 @@ def motion_of(times: list[float], accelerations: list[Any], *start: Any) -> tupl
 # B2.12 Average rates of change
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="the change of the vector divided by the duration")
 def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> None:
     rows = [components(rng) for _ in TIMES]
     about.call = f"difference_quotients([0, 0.5, 2.5], {shown(rows)})"
@@ -103,7 +140,9 @@ def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> No
         "In each interval, subtract the vector at its start from the vector at its end, and divide "
         "the difference by the duration of this interval."
     )
-    _, got = quotients_of(TIMES, vectors(rows))
+    given = vectors(rows)
+    _, got = quotients_of(TIMES, given)
+    expect_the_same_table(given, rows)
     changes = [[b - a for a, b in zip(*pair, strict=True)] for pair in pairwise(rows)]
 
     def over(*durations: float) -> list[float]:
@@ -143,7 +182,7 @@ def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> No
     expect_close(got, over(0.5, 2.0), then="; the quotients", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="Return the times in the middle of the intervals")
 def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     times = draw_times(rng, 4)
     rows = [components(rng) for _ in times]
@@ -160,16 +199,26 @@ def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     blame(
         list(got),
         [
-            (starts, f"You return the starts of the intervals. {about.cause}"),
+            (
+                starts,
+                "Either you return the starts of the intervals, or you halve the duration with //, "
+                "which rounds down to 0. The time must be the middle of the interval.",
+            ),
             (ends, f"You return the ends of the intervals. {about.cause}"),
             (durations, f"You return the durations of the intervals. {about.cause}"),
             ([d / 2.0 for d in durations], "This is half the duration. Add the start to it."),
+            ([2.0 * m for m in middles], "This is the sum of the two times. Divide it by 2."),
+            ([2.0 * m // 2.0 for m in middles], FLOOR),
+            (
+                [s + e / 2.0 for s, e in zip(starts, ends, strict=True)],
+                "Your formula lacks brackets, so only the second time is halved. Halve the sum.",
+            ),
         ],
     )
     expect_close(list(got), middles, then="; the times", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="is exactly the velocity in the middle of the interval")
 def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     times = draw_times(rng, 5)
@@ -194,32 +243,22 @@ def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: 
     expect_close(twice, [*a] * 3, then="; the quotients", tolerance=1e-9)
 
 
-@pytest.mark.exercise("B2.12")
+@pytest.mark.exercise("B2.12", asks="No function here changes its arguments")
 def test_the_table_stays_the_same(rng: Random) -> None:
     times, rows = draw_times(rng, 3), [components(rng) for _ in range(3)]
     given_times, given = list(times), vectors(rows)
     about.call = f"times, values = {times}, {shown(rows)}; difference_quotients(times, values)"
-    about.cause = (
-        "Your function changes a vector of the table, because -= and /= work in place. Write "
-        "(b - a) / duration, which creates a new vector."
-    )
-    about.read = QUOTIENTS
+    about.cause, about.read = IN_PLACE, QUOTIENTS
     quotients_of(given_times, given)
-    about.cause = "Your function changes the lists of the caller. Only read them."
-    expect_exactly((len(given_times), len(given)), (3, 3), then="; the lengths of both lists")
-    expect_unchanged("times", given_times, times)
-    about.cause = (
-        "Your function changes a vector of the table, because -= and /= work in place. Write "
-        "(b - a) / duration, which creates a new vector."
-    )
-    for i, row in enumerate(rows):
-        expect_unchanged(f"values[{i}]", xyz(given[i]), row)
+    expect_the_same_table(given, rows)
+    changed = "Your function changes the list of times. Only read it."
+    expect_unchanged("times", given_times, times, cause=changed)
 
 
 # B2.13 From accelerations back to positions
 
 
-@pytest.mark.exercise("B2.13")
+@pytest.mark.exercise("B2.13", asks="p' = p + v h + a h^2 / 2 and")
 def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     start, h = number(rng, 1.0, 3.0), positive_number(rng, 0.3, 0.9)
@@ -233,11 +272,32 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     )
     places, motions = motion_of(times, vectors([a]), Vector3(*p), Vector3(*v))
 
-    def moved(half: float) -> list[float]:
+    def moved(half: float, h: float = h) -> list[float]:
         return [x + u * h + half * b * h * h for x, u, b in zip(p, v, a, strict=True)]
 
+    fast = [u + b * h for u, b in zip(v, a, strict=True)]
+    from_rest = [b * h * h / 2.0 + x for x, b in zip(p, a, strict=True)]
+    no_velocity = "You leave out the term v h. The body also moves with its velocity."
+    if motions[:3] == [0.0, 0.0, 0.0]:
+        no_velocity = "Your body starts at rest. Begin with the given velocity, or with a copy."
+    in_time = (
+        "You use the time {} of the interval as its duration h. The duration is the end minus the "
+        "start, times[i + 1] - times[i]."
+    ).format
     mistakes = [
-        ([*p, *moved(0.0)], f"You leave out the last term. {about.cause}"),
+        (
+            [*p, *moved(0.0)],
+            "Either you leave out the last term, or you write its factor as 1 // 2, which is 0. "
+            f"{about.cause}",
+        ),
+        ([*p, *moved(0.5, times[1])], in_time("at the end")),
+        ([*p, *moved(0.5, times[0])], in_time("at the start")),
+        ([*p, *moved(0.5, -h)], "Your duration is negative. Subtract the start from the end."),
+        ([*v, *fast], "You return the two lists in the wrong order. Return the positions first."),
+        (
+            [0.0, 0.0, 0.0, *(n - x for n, x in zip(moved(0.5), p, strict=True))],
+            "Your body starts at the origin. Begin with the given position, or with a copy of it.",
+        ),
         (
             [*p, *moved(1.0)],
             "Either you forget the factor 1/2 of a h^2 / 2, or you move with the new velocity. "
@@ -251,10 +311,7 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
             "Both positions are the same vector, which you change after you have put it into the "
             "list. Put in a copy, or compute a new vector.",
         ),
-        (
-            [*p, *(b * h * h / 2.0 + x for x, b in zip(p, a, strict=True))],
-            "You leave out the term v h. The body also moves with its velocity.",
-        ),
+        ([*p, *from_rest], no_velocity),
         (
             [*p, *(n - x for n, x in zip(moved(0.5), p, strict=True))],
             "This is only the displacement. Add it to the position before it.",
@@ -263,7 +320,6 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     blame(places, mistakes)
     expect_close(places, [*p, *moved(0.5)], then="; the positions", tolerance=SMALL)
     about.cause = "The velocity after an interval is v' = v + a h."
-    fast = [u + b * h for u, b in zip(v, a, strict=True)]
     blame(
         motions,
         [
@@ -275,7 +331,7 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     expect_close(motions, [*v, *fast], then="; the velocities", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.13")
+@pytest.mark.exercise("B2.13", asks="Each interval starts with the position")
 def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
     p, v = components(rng), components(rng)
     times = draw_times(rng, 5)
@@ -302,11 +358,14 @@ def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
             wanted_v.append(v[i] + math.fsum(a[i] * h for a, h, _ in past))
             gained = math.fsum(a[i] * h * since for a, h, since in past)
             wanted_p.append(p[i] + v[i] * (times[n] - times[0]) + gained)
+    slips = march_slips(times, rows, p, v)
+    blame(motions, [(fast, cause) for (_, fast), cause in slips])
     expect_close(motions, wanted_v, then="; the velocities", tolerance=SMALL)
+    blame(places, [(far, cause) for (far, _), cause in slips])
     expect_close(places, wanted_p, then="; the positions", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.13")
+@pytest.mark.exercise("B2.13", asks="all vectors in the results are new")
 def test_the_results_are_new_vectors(rng: Random) -> None:
     p, v, a = components(rng), components(rng), components(rng)
     position, velocity, pull = Vector3(*p), Vector3(*v), Vector3(*a)

@@ -28,7 +28,7 @@ def scaled(a: Components, scale: float) -> Components:
     return a[0] * scale, a[1] * scale, a[2] * scale
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Both v * scale and scale * v call this method")
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
@@ -40,7 +40,11 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         if factor == 2:
             about.cause = "Your code fails for 2, which is an int. Accept both an int and a float."
         about.call = f"v = Vector3{a}; v * {factor}"
-        expect_close(xyz(v * factor), wanted)
+        got = xyz(v * factor)
+        plain = "Your products are right, but you don't return a vector. Pass them to Vector3()."
+        added = "You add the number to each component. Multiply each component by it."
+        mistakes = [(wanted, plain), (tuple(n + factor for n in a), added)]
+        expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
         reads = (
             "Your __mul__ changes v, but only v *= may do that. Return a new vector and leave v "
             "unchanged."
@@ -50,7 +54,7 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         expect_close(xyz(factor * v), wanted)
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Multiply every component by a number, in place")
 def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = before = Vector3(*a)
@@ -68,7 +72,7 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     expect_same_object(made, step, v, before)
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Divide every component by a number, and return a new vector")
 def test_division_by_a_number(rng: Random) -> None:
     a, divisor = components(rng), number(rng)
     v = Vector3(*a)
@@ -117,7 +121,7 @@ def divide_in_place(a: Components, divisor: object) -> object:
     return v
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="ZeroDivisionError if it is zero")
 @pytest.mark.robust
 def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
@@ -139,7 +143,7 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
         expect_error(attempt, ZeroDivisionError, allowed=allowed)
 
 
-@pytest.mark.exercise("B2.3")
+@pytest.mark.exercise("B2.3", asks="Raises TypeError if scale is a vector")
 @pytest.mark.robust
 def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
     a, b = components(rng), components(rng)

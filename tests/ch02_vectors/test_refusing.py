@@ -28,7 +28,7 @@ def expect_refusal(value: Any, error: type[Exception], cause: str) -> None:
     )
 
 
-@pytest.mark.exercise("B2.11")
+@pytest.mark.exercise("B2.11", asks="and return it as a float")
 def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
     about.read = READ
     for duration in (round(rng.uniform(0.1, 5.0), 3), 1e-300, 1e300, rng.randint(1, 9)):
@@ -44,7 +44,7 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
         expect_exactly(got, float(duration))
 
 
-@pytest.mark.exercise("B2.11")
+@pytest.mark.exercise("B2.11", asks="for zero, a negative number, an infinity or NaN")
 def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
     for value in (0.0, -round(rng.uniform(0.1, 5.0), 3), -1e-300, 0):
         about.cause = (
@@ -54,7 +54,7 @@ def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
         expect_refusal(value, ValueError, about.cause)
 
 
-@pytest.mark.exercise("B2.11")
+@pytest.mark.exercise("B2.11", asks="for zero, a negative number, an infinity or NaN")
 def test_infinite_durations_and_nan_are_refused() -> None:
     infinite = (
         "You accept an infinite duration, which moves every particle to infinity. Reject it with a "
@@ -69,7 +69,7 @@ def test_infinite_durations_and_nan_are_refused() -> None:
     expect_refusal(math.nan, ValueError, nan)
 
 
-@pytest.mark.exercise("B2.11")
+@pytest.mark.exercise("B2.11", asks="for anything that is not a number")
 @pytest.mark.parametrize("value", ["0.5", None, [0.5]], ids=["text", "none", "list"])
 def test_a_duration_that_is_not_a_number_is_refused(value: Any) -> None:
     about.cause = (
@@ -79,7 +79,7 @@ def test_a_duration_that_is_not_a_number_is_refused(value: Any) -> None:
     expect_refusal(value, TypeError, about.cause)
 
 
-@pytest.mark.exercise("B2.11")
+@pytest.mark.exercise("B2.11", asks="names the argument, says what it must be")
 @pytest.mark.parametrize("value", [-1.5, "soon"], ids=["number", "text"])
 def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
     about(

@@ -12,7 +12,6 @@ from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_same_object,
     expect_that,
     expect_unchanged,
@@ -25,7 +24,7 @@ ZERO = (0.0, 0.0, 0.0)
 # B2.5 Add and subtract
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="return their sum as a new vector")
 def test_the_sum_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -40,15 +39,15 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     no_vector = "Your three sums are right, but you don't return a vector. Pass them to Vector3()."
     blame(got, [(wanted, no_vector)])
     expect_close(got, wanted)
-    about.cause = (
-        "Your __add__ changes v or w, but only v += w may change v. Return a new vector and leave "
-        "both unchanged."
-    )
-    expect_unchanged("v", xyz(v), a)
-    expect_unchanged("w", xyz(w), b)
+    for name, now, before in (("v", v, a), ("w", w, b)):
+        about.cause = (
+            f"Your __add__ changes {name}, but only v += w may change a vector, and only v. Return "
+            "a new vector and leave both unchanged."
+        )
+        expect_unchanged(name, xyz(now), before)
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="return the difference as a new vector")
 def test_the_difference_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -73,15 +72,15 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
-    about.cause = (
-        "Your __sub__ changes v or w, but only v -= w may change v. Return a new vector and leave "
-        "both unchanged."
-    )
-    expect_unchanged("v", xyz(v), a)
-    expect_unchanged("w", xyz(w), b)
+    for name, now, before in (("v", v, a), ("w", w, b)):
+        about.cause = (
+            f"Your __sub__ changes {name}, but only v -= w may change a vector, and only v. Return "
+            "a new vector and leave both unchanged."
+        )
+        expect_unchanged(name, xyz(now), before)
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="their methods must end with return self")
 @pytest.mark.parametrize(("operator", "sign"), [("+=", 1.0), ("-=", -1.0)], ids=["plus", "minus"])
 def test_plus_and_minus_equals_change_the_vector_itself(
     rng: Random, operator: str, sign: float
@@ -125,7 +124,7 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     expect_same_object(made, step, v, before)
 
 
-@pytest.mark.exercise("B2.5")
+@pytest.mark.exercise("B2.5", asks="This must also work if v is the vector itself")
 def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)
@@ -139,21 +138,3 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     about.call = f"v = Vector3{a}; v += v"
     w += w
     expect_close(xyz(w), tuple(2.0 * n for n in a), then="; v")
-
-
-@pytest.mark.exercise("B2.5")
-@pytest.mark.robust
-def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
-    a = components(rng)
-    v = Vector3(*a)
-    about.cause = (
-        "You don't check the operand, which is a number here. If it is not a Vector3, return "
-        "NotImplemented, and Python raises the TypeError for you."
-    )
-    about.read = "the docstring of Vector3.__add__"
-    for call, attempt, allowed in (
-        (f"Vector3{a} + 1.0", lambda: v + 1.0, lambda: v + v),
-        (f"Vector3{a} - 1.0", lambda: v - 1.0, lambda: v - v),
-    ):
-        about.call = call
-        expect_error(attempt, TypeError, allowed=allowed)

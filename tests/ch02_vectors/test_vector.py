@@ -40,7 +40,7 @@ def scaled(a: Components, scale: float) -> Components:
 # B2.1 Copy, clear and invert
 
 
-@pytest.mark.exercise("B2.1")
+@pytest.mark.exercise("B2.1", asks="Return a new vector with the same components")
 def test_a_copy_is_a_new_vector_with_the_same_components(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -58,7 +58,7 @@ def test_a_copy_is_a_new_vector_with_the_same_components(rng: Random) -> None:
     expect_unchanged("v", xyz(v), a)
 
 
-@pytest.mark.exercise("B2.1")
+@pytest.mark.exercise("B2.1", asks="Set all three components of the vector to zero")
 def test_clear_leaves_zero(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -80,7 +80,7 @@ def test_clear_leaves_zero(rng: Random) -> None:
     expect_close(xyz(v), ZERO, then="; v")
 
 
-@pytest.mark.exercise("B2.1")
+@pytest.mark.exercise("B2.1", asks="by changing the sign of every component")
 def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -99,7 +99,7 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     expect_close(xyz(v), scaled(a, -1.0), then="; v")
 
 
-@pytest.mark.exercise("B2.1")
+@pytest.mark.exercise("B2.1", asks="is a new vector that points in the opposite direction")
 def test_minus_v_is_a_new_vector_in_the_opposite_direction(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -120,7 +120,7 @@ def test_minus_v_is_a_new_vector_in_the_opposite_direction(rng: Random) -> None:
 # B2.2 Length
 
 
-@pytest.mark.exercise("B2.2")
+@pytest.mark.exercise("B2.2", asks="Return the length of the vector, |v|")
 def test_magnitude_is_the_length(rng: Random) -> None:
     a, length = whole_length(rng)
     about(
@@ -137,6 +137,13 @@ def test_magnitude_is_the_length(rng: Random) -> None:
             "You leave out z. Add its square to the sum before you take the square root.",
         ),
         (
+            math.fsum(map(abs, a)),
+            "You add up the components without their signs. Add up their squares, and take the "
+            "square root of the sum.",
+        ),
+        (1.0, "Your exponent is 1 // 2, which is 0. The square root is the power 0.5."),
+        (length**2 / 2.0, "You halve the sum. The square root is the power 0.5, as in x**0.5."),
+        (
             sum(a),
             "You return the sum of the components. Square each of them first, and then take the "
             "square root of the sum.",
@@ -146,7 +153,7 @@ def test_magnitude_is_the_length(rng: Random) -> None:
     expect_close(got, length)
 
 
-@pytest.mark.exercise("B2.2")
+@pytest.mark.exercise("B2.2", asks="Return the squared length of the vector")
 def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
     a, length = whole_length(rng)
     about(
@@ -166,12 +173,16 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
             a[0] ** 2 + a[1] ** 2,
             "You return x^2 + y^2. Add the square of z.",
         ),
+        (
+            sum(a) ** 2,
+            "You square the sum of the components. Square each of them, and then add the squares.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, length**2)
 
 
-@pytest.mark.exercise("B2.2")
+@pytest.mark.exercise("B2.2", asks="as large as 1e200 or as small as 1e-200")
 @pytest.mark.robust
 def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     a, length = whole_length(rng)
@@ -186,7 +197,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
         expect_close(Vector3(*b).magnitude(), length * scale)
 
 
-@pytest.mark.exercise("B2.2")
+@pytest.mark.exercise("B2.2", asks="without a direction. Its magnitude is 0")
 def test_the_zero_vector_has_the_length_zero() -> None:
     about(
         "Vector3(0, 0, 0).magnitude()",
@@ -197,7 +208,7 @@ def test_the_zero_vector_has_the_length_zero() -> None:
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
 
 
-@pytest.mark.exercise("B2.2")
+@pytest.mark.exercise("B2.2", asks="the length and the squared length are NaN")
 @pytest.mark.robust
 def test_the_length_of_a_vector_with_nan_is_nan() -> None:
     about.read = "the docstrings of Vector3 and Vector3.magnitude"
@@ -215,7 +226,7 @@ def test_the_length_of_a_vector_with_nan_is_nan() -> None:
 # B2.4 Normalize
 
 
-@pytest.mark.exercise("B2.4")
+@pytest.mark.exercise("B2.4", asks="Scale the vector to length 1 without changing its direction")
 def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
@@ -235,6 +246,11 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
             "You divide the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
         ),
+        (scaled(a, length), "You multiply the vector by its length. Divide it by its length."),
+        (
+            tuple(n // length for n in a),
+            "You divide with //, which rounds down to a whole number. Use / instead.",
+        ),
         (
             (x, y, a[2] / math.hypot(x, y, a[2])),
             "You compute the length again after you have changed x, so you divide y and z by a "
@@ -245,7 +261,7 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     expect_close(xyz(v), scaled(a, 1.0 / length), then="; v")
 
 
-@pytest.mark.exercise("B2.4")
+@pytest.mark.exercise("B2.4", asks="Return a new vector of length 1")
 def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
@@ -286,7 +302,7 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     expect_close(xyz(first), scaled(a, 1.0 / length))
 
 
-@pytest.mark.exercise("B2.4")
+@pytest.mark.exercise("B2.4", asks="has no direction, so it stays zero")
 def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
@@ -301,7 +317,7 @@ def test_the_zero_vector_stays_zero() -> None:
     expect_close(xyz(v), ZERO, then="; v")
 
 
-@pytest.mark.exercise("B2.4")
+@pytest.mark.exercise("B2.4", asks="must also work for components as large as 1e200")
 @pytest.mark.robust
 def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
     a, length = whole_length(rng)

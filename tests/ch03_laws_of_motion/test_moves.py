@@ -31,7 +31,7 @@ def a_particle(
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="The duration may be 0 or negative")
 def test_a_drift_moves_the_position_alone(rng: Random) -> None:
     x, v, a, damping = components(rng), components(rng), components(rng), draw_part(rng)
     about.read = "the docstring of drift"
@@ -57,6 +57,23 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
                 "the damping.",
             ),
             (
+                tuple(x[i] + v[i] for i in range(3)),
+                "You add the whole velocity, which is the displacement in one second. Multiply it "
+                "by the duration h.",
+            ),
+            (
+                tuple(x[i] - v[i] * h for i in range(3)),
+                "You move backward. Add the velocity times h instead of subtracting it.",
+            ),
+            (
+                tuple(n * h for n in v),
+                "Your position is now only v h, the displacement. Add it to the old position.",
+            ),
+            (
+                tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
+                "You use the acceleration in drift, but only kick may use it. Leave out a h^2 / 2.",
+            ),
+            (
                 x,
                 "The position did not change. Add the velocity times the duration h to it.",
             ),
@@ -72,7 +89,7 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="A kick changes only the velocity")
 def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
     x, v, a, drawn = components(rng), components(rng), components(rng), draw_part(rng)
     about.read = "the docstring of kick"
@@ -107,6 +124,26 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
                 "Multiply it by the duration h first.",
             ),
             (
+                tuple((v[i] + a[i] * h) * damping * h for i in range(3)),
+                "You multiply by d h, but h is an exponent. Multiply the velocity by damping**h.",
+            ),
+            (
+                tuple((v[i] + a[i] * h) * abs(1.0 - damping) ** abs(h) for i in range(3)),
+                "You multiply by (1 - d)^h. The damping d is what is kept, so multiply by d^h.",
+            ),
+            (
+                tuple(a[i] * h for i in range(3)),
+                "Your velocity is now only a h. Add it to the old velocity, and damp the sum.",
+            ),
+            (
+                tuple(v[i] * keep for i in range(3)),
+                "You leave out the acceleration. Add a h to the velocity before you damp it.",
+            ),
+            (
+                tuple((v[i] + a[i] * h * mass) * keep for i in range(3)),
+                "You multiply the acceleration by the mass. The mass doesn't matter here.",
+            ),
+            (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
                 "You multiply the velocity by the damping d, whatever the duration is. The damping "
                 "is given per second, so multiply by d^h.",
@@ -139,7 +176,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="split a step into several drifts")
 def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     words, p = a_particle(x, v, a)
@@ -160,7 +197,7 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B3.4")
+@pytest.mark.exercise("B3.4", asks="An immovable particle does not move at all")
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     for move in ("drift", "kick"):

@@ -90,10 +90,7 @@ class Contact:
         a gravity generator would jitter (7.2.3, erratum E-26).
 
         Time division resolves each impact at the moment when it happens. No such velocity has built
-        up by then, so pass a duration of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, even if nothing would change.
+        up by then, so pass a duration of 0. This method changes nothing.
         """
         raise NotImplementedError("Exercise B7.2: Bounces and resting contacts")
 
@@ -103,10 +100,8 @@ class Contact:
         The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
         opposite direction. The new velocities are va' = va + n g / ma and vb' = vb - n g / mb. Here
         ma and mb are the masses. This conserves momentum. Nothing changes if the contact is not
-        closing, or if neither particle can move. Book: sections 7.1.4 and 7.2.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, even if nothing would change.
+        closing, or if neither particle can move. Apart from the two velocities, change nothing.
+        Book: sections 7.1.4 and 7.2.
         """
         raise NotImplementedError("Exercise B7.3: Impulses")
 

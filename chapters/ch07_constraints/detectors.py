@@ -18,6 +18,7 @@ from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 from ch02_vectors.arguments import finite, instance_of, not_negative, positive
+from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, a_restitution
 
@@ -77,9 +78,6 @@ class GroundPlane:
         Returns:
             The tuple (time, contact), or None if there is no impact. The contact has a penetration
             of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite.
         """
         raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 
@@ -115,8 +113,9 @@ class ParticlePairs:
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration move in a straight line relative to each other, so
-        the time of their impact is easy to compute. Treat the velocity and the acceleration of an
-        immovable particle as zero.
+        the time of their impact is easy to compute. You may assume that the accelerations of all
+        particles are the same, or differ only by rounding errors. Treat the velocity and the
+        acceleration of an immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
@@ -127,11 +126,6 @@ class ParticlePairs:
         Returns:
             The tuple (time, contact), or None if there is no impact. The contact has the normal at
             the time of the impact, and a penetration of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, or if the accelerations of any
-                two particles differ by more than a rounding error, which is 1e-12 of their
-                magnitudes.
         """
         raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
 
@@ -178,6 +172,15 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     if the velocity reverses exactly when the gap is 0. The arguments are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
+
+
+def same_acceleration(a: Vector3, b: Vector3) -> None:
+    """Check that two accelerations are the same, apart from a rounding error.
+
+    Raises:
+        ValueError: if they differ by more than 1e-12 of their magnitudes.
+    """
+    raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:

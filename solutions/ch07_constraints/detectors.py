@@ -97,9 +97,6 @@ class GroundPlane:
         Returns:
             The tuple (time, contact), or None if there is no impact. The contact has a penetration
             of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite.
         """
         not_negative("duration", duration)
         first: Impact | None = None
@@ -151,8 +148,9 @@ class ParticlePairs:
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration move in a straight line relative to each other, so
-        the time of their impact is easy to compute. Treat the velocity and the acceleration of an
-        immovable particle as zero.
+        the time of their impact is easy to compute. You may assume that the accelerations of all
+        particles are the same, or differ only by rounding errors. Treat the velocity and the
+        acceleration of an immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
@@ -163,11 +161,6 @@ class ParticlePairs:
         Returns:
             The tuple (time, contact), or None if there is no impact. The contact has the normal at
             the time of the impact, and a penetration of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, or if the accelerations of any
-                two particles differ by more than a rounding error, which is 1e-12 of their
-                magnitudes.
         """
         not_negative("duration", duration)
         first: Impact | None = None
@@ -201,9 +194,7 @@ class ParticlePairs:
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
         """Compute the time in s until two spheres touch, or return math.inf if they never do."""
         (v, pull), (w, other) = _flight(a), _flight(b)
-        if (pull - other).magnitude() > _SAME * (pull.magnitude() + other.magnitude()):
-            seen = f"{pull!r} and {other!r}"
-            raise ValueError(f"both particles must have the same last_acceleration, got {seen}")
+        same_acceleration(pull, other)
         offset, velocity = a.position - b.position, v - w
         closing = -offset.dot(velocity)  # the closing speed times the distance
         if closing <= VELOCITY_TOLERANCE * offset.magnitude():
@@ -271,6 +262,16 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     if velocity > 0.0:  # up first; a root below 0 means that it never gets out of the ground
         return (velocity + math.sqrt(max(root, 0.0))) / -acceleration
     return 2.0 * gap / (math.sqrt(root) - velocity) if root > 0.0 else math.inf
+
+
+def same_acceleration(a: Vector3, b: Vector3) -> None:
+    """Check that two accelerations are the same, apart from a rounding error.
+
+    Raises:
+        ValueError: if they differ by more than 1e-12 of their magnitudes.
+    """
+    if (a - b).magnitude() > _SAME * (a.magnitude() + b.magnitude()):
+        raise ValueError(f"both particles must have the same acceleration, got {a!r} and {b!r}")
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:

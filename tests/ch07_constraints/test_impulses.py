@@ -16,7 +16,6 @@ from expect import (
     about,
     cause_of,
     expect_close,
-    expect_error,
     expect_unchanged,
     xyz,
 )
@@ -217,26 +216,3 @@ def test_a_resting_particle_does_not_bounce(rng: Random) -> None:
     about.cause += "leave positions to resolve_penetration."
     got = xyz(a.position)
     expect_close(got, ZERO, then="; a.position", unit="m")
-
-
-@pytest.mark.exercise("B7.3")
-@pytest.mark.robust
-def test_resolve_velocity_rejects_invalid_durations() -> None:
-    about.read = IMPULSE
-    for velocity, mass in ((-1.0, 2.0), (1.0, 2.0), (-1.0, math.inf)):
-        for duration in (-0.5, math.nan, math.inf):
-            about.call = f"particle a ({of_mass(mass)}) with velocity (0, {velocity:g}, 0); "
-            about.call += f"Contact(a, None, normal=Vector3(0, 1, 0)).resolve_velocity({duration})"
-            about.cause = f"The duration is {duration}, but it must be finite and 0 or more, even "
-            about.cause += "if no impulse is needed. Call velocity_after, which checks the "
-            about.cause += "duration, before you return."
-            a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
-            contact = Contact(a, None, Vector3(*UP))
-            expect_error(
-                lambda contact=contact, duration=duration: contact.resolve_velocity(duration),
-                ValueError,
-                allowed=lambda: Contact(Particle(), None, Vector3(*UP)).resolve_velocity(0.5),
-            )
-            got = xyz(a.velocity)
-            before = (0.0, velocity, 0.0)
-            expect_unchanged("a.velocity", got, before)

@@ -37,10 +37,15 @@ from ch07_constraints.angle_pendulum import DoublePendulum
 from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.detectors import GroundPlane, ParticlePairs, same_acceleration
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
+from ch07_constraints.exercises import (
+    force_for_frame,
+    restitution_of_drop,
+    table_of_drops,
+    top_ball_speed,
+)
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
 from ch07_constraints.reaction import ReactionForce
 from ch07_constraints.rod_tensions import RodTensions
@@ -147,8 +152,23 @@ VALUES: dict[str, list[Refused]] = {
         *(("omega", x, lambda x: SpringCamera(UP, x)) for x in (0.0, NAN, INF)),
     ],
     "ch07_constraints": [
+        *(("duration", x, lambda x: Contact(A, None, UP).velocity_after(x)) for x in (-1.0, INF)),
+        *(("duration", x, lambda x: Contact(A, None, UP).resolve_velocity(x)) for x in (-1.0, NAN)),
+        *(("duration", x, lambda x: GroundPlane([]).next_impact(x)) for x in (-1.0, NAN)),
+        *(("duration", x, lambda x: ParticlePairs([], 1.0).next_impact(x)) for x in (-1.0, INF)),
+        ("same acceleration", UP, lambda x: same_acceleration(x, Vector3())),
+        ("initial_height", 0.0, lambda x: restitution_of_drop(x, 0.0)),
         ("bounce_height", -0.1, lambda x: restitution_of_drop(1.0, x)),
+        ("bounce_height", NAN, lambda x: table_of_drops([("oak", 1.0, x)])),
         ("height", -1.0, lambda x: top_ball_speed(x, 1.0, 1.0, 0.5, 0.5)),
+        ("lower_mass", 0.0, lambda x: top_ball_speed(1.0, x, 1.0, 0.5, 0.5)),
+        ("upper_mass", INF, lambda x: top_ball_speed(1.0, 1.0, x, 0.5, 0.5)),
+        ("ground_restitution", 1.5, lambda x: top_ball_speed(1.0, 1.0, 1.0, x, 0.5)),
+        ("pair_restitution", -0.5, lambda x: top_ball_speed(1.0, 1.0, 1.0, 0.5, x)),
+        ("gravity", -1.0, lambda x: top_ball_speed(1.0, 1.0, 1.0, 0.5, 0.5, x)),
+        ("contact_time", -0.5, lambda x: force_for_frame(UP, x, 1.0)),
+        ("frame", 0.0, lambda x: force_for_frame(UP, 0.0, x)),
+        ("force", NOWHERE, lambda x: force_for_frame(x, 0.0, 1.0)),
         ("height", NAN, lambda x: GroundPlane([], x)),
         ("radius", -0.1, lambda x: GroundPlane([], 0.0, x)),
         ("radius", 0.0, lambda x: ParticlePairs([], x)),

@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.scene_probes import landing, played, refused_row, ruled
+from ch08_mass_aggregate.scene_probes import landing, played, ruled
 from draw import positive_number
 from expect import about, blame, expect_close, expect_exactly, expect_that
 
@@ -142,29 +142,6 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     expect_exactly(seen[-1][0], 10, then="; rules.score", unit="points")
     about.cause = "A fall changes the visited rows. It should only cost a life."
     expect_exactly(seen[-1][2], [a], then="; rules.visited")
-
-
-@pytest.mark.exercise("P8.1a")
-@pytest.mark.robust
-def test_rejects_a_row_that_does_not_exist(rng: Random) -> None:
-    about.read = RULES
-    rows = rng.randint(3, 6)
-    for row in (rows, -1):
-        about.cause = (
-            f"There is no row {row}, because the rows are numbered from 0 to {rows - 1}. Raise "
-            "ValueError."
-        )
-        about.call = f"Rules({rows}).landed({row})"
-        error, *after = refused_row(rows, row)
-        expect_that(error == "ValueError", error, "ValueError")
-        about.cause = "You change the score or the visited rows before you raise the error. Check "
-        about.cause += "the row first."
-        expect_exactly(after, [0, []], then="; the score and the visited rows afterward")
-    about.cause = "You reject a row that exists. Both 0 and rows - 1 are valid."
-    for row in (0, rows - 1):
-        about.call = f"Rules({rows}).landed({row})"
-        error = refused_row(rows, row)[0]
-        expect_that(error == "no error", error, "no error")
 
 
 @pytest.mark.exercise("P8.1b")

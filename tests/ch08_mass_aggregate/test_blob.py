@@ -7,14 +7,12 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.blob import spread
 from ch08_mass_aggregate.scene_probes import bonded, settled_blob, spread_of
 from draw import Components, components, direction, positive_number
 from expect import (
     about,
     blame,
     expect_close,
-    expect_error,
     expect_that,
     scoped,
 )
@@ -276,25 +274,3 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
         cause="A single particle is its own center of mass, so the spread is 0.",
     )
     expect_close(spread_of([p], [m])[0], 0.0, unit="m", tolerance=1e-12)
-
-
-@pytest.mark.exercise("B8.9")
-@pytest.mark.robust
-def test_rejects_particles_without_a_center_of_mass() -> None:
-    about.read = SPREAD
-
-    def allowed() -> None:
-        spread_of([ZERO], [1.0])
-
-    about.cause = "The list is empty, and without particles there is no center of mass. Raise "
-    about.cause += "ValueError."
-    expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
-    about.cause = "One particle has an infinite mass, so there is no center of mass. Raise "
-    about.cause += "ValueError."
-    for masses in ([1.0, math.inf], [math.inf, 1.0]):
-        expect_error(
-            lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses)[0],
-            ValueError,
-            call=f"spread(particles) with two particles whose masses are {masses} kg",
-            allowed=allowed,
-        )

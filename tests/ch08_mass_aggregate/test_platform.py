@@ -161,44 +161,22 @@ def test_rejects_what_cannot_be_balanced() -> None:
     def allowed() -> None:
         balancing_mass([1.0, 2.0], [-1.0, 2.0], -3.0)
 
-    for masses, places, x, error, cause in (
-        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "x is on the right side, which sinks, so only a "
+    for masses, places, x, cause in (
+        ([1.0, 2.0], [-1.0, 2.0], 3.0, "x is on the right side, which sinks, so only a "
          "negative mass could balance the platform. Raise ValueError."),
-        ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "x is on the left side, which sinks, so no "
+        ([1.0, 2.0], [1.0, -2.0], -3.0, "x is on the left side, which sinks, so no "
          "mass at x can balance the platform. Raise ValueError."),
-        ([1.0], [0.5], 0.25, ValueError, "x is on the right side, which sinks, so no mass at x can "
+        ([1.0], [0.5], 0.25, "x is on the right side, which sinks, so no mass at x can "
          "balance the platform. Raise ValueError."),
-        ([1.0], [-0.5], -0.25, ValueError, "x is on the left side, which sinks, so no mass at x "
+        ([1.0], [-0.5], -0.25, "x is on the left side, which sinks, so no mass at x "
          "can balance the platform. Raise ValueError."),
-        ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot exerts no torque, so it "
+        ([1.0, 2.0], [-1.0, 2.0], 0.0, "A mass at the pivot exerts no torque, so it "
                                                    "can't balance anything. Raise ValueError."),
-        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "The second mass is negative. Check every mass "
-         "with not_negative from arguments.py."),
-        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "The second mass is NaN. Check every mass "
-         "with not_negative from arguments.py."),
-        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "The second position is NaN. Check every "
-         "position with finite from arguments.py."),
-        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "The second position is infinite. Check "
-         "every position with finite from arguments.py."),
-        ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "The second mass is infinite. Check every "
-         "mass with not_negative from arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x is infinite. Check x with finite from "
-         "arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x is NaN. Check x with finite from "
-         "arguments.py."),
-        ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "x is infinite, which is invalid even if "
-         "the platform is already balanced. Check x before you return 0."),
-        ([1.0, 2.0], [1.0], -3.0, ValueError, "There are two masses but only one position. Every "
-         "mass needs a position, so raise ValueError."),
-        ([1.0], [-1.0, 2.0], 3.0, ValueError, "There are two positions but only one mass. Every "
-         "position needs a mass, so raise ValueError."),
-        ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "The second mass is a string. It must be a "
-         "number, so raise TypeError."),
     ):  # fmt: skip
         about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=cause)
         expect_error(
             lambda masses=masses, places=places, x=x: balancing_mass(masses, places, x),
-            error,
+            ValueError,
             allowed=allowed,
         )
 
@@ -256,37 +234,6 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
         cause="The old weight still counts. A weight of 0 kg replaces it, so each particle at "
         "the ends must have only its own mass again.",
     )
-
-
-@pytest.mark.exercise("B8.7")
-@pytest.mark.robust
-def test_rejects_an_invalid_weight() -> None:
-    about.read = WEIGHT
-    about(
-        "platform.put_weight(mass=3, x=1)",
-        cause="A weight of 3 kg between the ends is valid, so don't raise an error.",
-    )
-    before, error = weighed([(3.0, 1.0)])
-    expect_that(error == "no error", error, "no error")
-    for mass, x, error in (
-        (-1.0, 1.0, "ValueError"),
-        (math.nan, 1.0, "ValueError"),
-        (math.inf, 1.0, "ValueError"),
-        (1.0, -3.0001, "ValueError"),
-        (1.0, 4.0001, "ValueError"),
-        (1.0, math.nan, "ValueError"),
-        ("1", 1.0, "TypeError"),
-    ):
-        about.call = f"platform.put_weight(mass=3, x=1); platform.put_weight({mass=}, {x=})"
-        about.cause = f"The mass is {mass!r}. It must be finite and not negative, so "
-        if mass == 1.0:
-            about.cause = f"x is {x!r}. It must be between LEFT (-3 m) and RIGHT (4 m), so "
-        about.cause += f"raise {error}."
-        got, name = weighed([(3.0, 1.0), (mass, x)])
-        expect_that(name == error, name, error)
-        about.cause = "You change a mass before you raise the error. Check both arguments first, "
-        about.cause += "so that the old weight stays."
-        expect_exactly(got, before, then="; the masses of all six particles", unit="kg")
 
 
 @pytest.mark.exercise("B8.7")

@@ -13,7 +13,6 @@ from ch08_mass_aggregate.sleep_probes import (
     dropped_on,
     hung,
     on_a_spring,
-    refused,
     support_gone,
     woken_by_contact,
     woken_by_force,
@@ -378,23 +377,3 @@ def test_balls_rest_where_they_would_without_sleep() -> None:
         expect_close(got[1], 0.0, then="; its height above the ground", unit="m", tolerance=1e-6)
     about.cause = "After six seconds both balls are at rest. Check that both fall asleep."
     expect_exactly(sleepers, 2, then="; how many balls are asleep", unit="balls")
-
-
-@pytest.mark.exercise("G8.1")
-@pytest.mark.robust
-def test_run_physics_rejects_an_invalid_duration() -> None:
-    about.read = RUN
-    for duration, error in ((0.0, "ValueError"), (math.nan, "ValueError"), ("1", "TypeError")):
-        about.call = f"world.run_physics({duration!r})"
-        about.cause = f"The duration is {duration!r}. It must be a positive and finite number, so "
-        about.cause += f"raise {error} before anything changes."
-        name, force = refused(duration)
-        expect_that(name == error, name, error)
-        what = f"{about.call}; the force that was added before the call"
-        expect_close(force, (1.0, 2.0, 3.0), call=what, tolerance=0.0)
-    about(
-        "world.run_physics(0.1)",
-        cause="This duration is valid, so don't raise an error.",
-    )
-    name = refused(0.1)[0]
-    expect_that(name == "no error", name, "no error")

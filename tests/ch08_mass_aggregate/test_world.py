@@ -14,7 +14,6 @@ from ch08_mass_aggregate.probes import (
     energy_of,
     frame,
     rained,
-    refused,
     started,
     told_frame,
 )
@@ -24,7 +23,6 @@ from expect import about, blame, cause_of, expect_close, expect_exactly, expect_
 ZERO = (0.0, 0.0, 0.0)
 ENERGY = "the docstring of mechanical_energy"
 WORLD = "book 8.1, and the docstring of ParticleWorld."
-VALID = "These arguments are valid, so don't raise an error."
 
 
 def draw_body(rng: Random) -> Body:
@@ -368,33 +366,3 @@ def test_a_world_may_get_more_later(rng: Random) -> None:
     got = [velocity[1] for _, velocity in appended(h)]
     wanted = (-20.0 * h, -10.0 * h, 0.0)
     expect_close(got, wanted, tolerance=1e-12)
-
-
-@pytest.mark.exercise("B8.2")
-@pytest.mark.robust
-@pytest.mark.parametrize("method", ["run_physics", "step"])
-def test_rejects_an_invalid_duration(method: str) -> None:
-    about.read = f"{WORLD}{method}"
-    for duration, error in (
-        (0.0, "ValueError"),
-        (-0.1, "ValueError"),
-        (math.nan, "ValueError"),
-        (math.inf, "ValueError"),
-        ("0.1", "TypeError"),
-    ):
-        about(
-            "a world with one particle, on which the force (7, 8, 9) acts; "
-            f"world.{method}({duration!r})",
-            cause=f"The duration is {duration!r}. It must be a positive, finite number, so raise "
-            f"{error}.",
-        )
-        done = refused(method, duration)
-        expect_that(done["error"] == error, done["error"], error)
-        for i, name in enumerate(("position", "velocity", "force_accumulator")):
-            about.cause = f"The duration {duration!r} is invalid, but {method} changes the "
-            about.cause += f"particle's {name} before it raises {error}. Check the duration first."
-            wanted = (3.0 * i + 1.0, 3.0 * i + 2.0, 3.0 * i + 3.0)
-            expect_close(done["left"][i], wanted, then=f"; the particle's {name}", tolerance=0.0)
-    done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)
-    about(f"world.{method}(0.5)", cause=VALID)
-    expect_close(done["states"][0][1], (0.5, 0.0, 0.0), then="; velocity")

@@ -52,13 +52,16 @@ from ch07_constraints.rod_tensions import RodTensions
 from ch07_constraints.sequential_impulses import SequentialImpulses
 from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.smooth_net import SmoothNet
-from ch08_mass_aggregate.ball_game import Rules
-from ch08_mass_aggregate.blob import Blob
+from ch08_mass_aggregate.ball_game import BallGame, Rules
+from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.bridge import Bridge, Deck
 from ch08_mass_aggregate.bridge_plan import make_rows
-from ch08_mass_aggregate.cube import Cube
+from ch08_mass_aggregate.cube import Cube, fewest_rods
 from ch08_mass_aggregate.fixed_step import FixedStep
-from ch08_mass_aggregate.tilting_platform import balancing_mass
+from ch08_mass_aggregate.friction import FrictionContact
+from ch08_mass_aggregate.planks import nearest_on_segment
+from ch08_mass_aggregate.sleeping import SleepingWorld
+from ch08_mass_aggregate.tilting_platform import TiltingPlatform, balancing_mass
 from ch08_mass_aggregate.trebuchet import PIVOT_HEIGHT, START, Design
 from ch08_mass_aggregate.wheel import Wheel
 from ch08_mass_aggregate.world import ParticleWorld
@@ -241,6 +244,25 @@ VALUES: dict[str, list[Refused]] = {
         *(("driven", x, lambda x: Wheel(driven=x)) for x in (-1, 9, 2.0)),
         ("force", INF, lambda x: Wheel(x)),
         ("rows", 0, lambda x: Rules(x)),
+        ("count", 0, fewest_rods),
+        ("masses[0]", -1.0, lambda x: balancing_mass([x], [1.0], -1.0)),
+        ("places[0]", NAN, lambda x: balancing_mass([1.0], [x], -1.0)),
+        ("x must", INF, lambda x: balancing_mass([], [], x)),
+        *(("mass", x, lambda x: TiltingPlatform().put_weight(x, 1.0)) for x in (-1.0, INF)),
+        ("x must", NAN, lambda x: TiltingPlatform().put_weight(1.0, x)),
+        ("mass", INF, lambda x: spread(chain(1.0, x))),
+        *(("duration", x, lambda x: ParticleWorld([A]).run_physics(x)) for x in (0.0, INF)),
+        *(("duration", x, lambda x: ParticleWorld([A]).step(x)) for x in (-1.0, NAN)),
+        *(("duration", x, lambda x: SleepingWorld([A]).run_physics(x)) for x in (0.0, NAN)),
+        ("duration", 0.0, lambda x: BallGame().step(x)),
+        ("elapsed", -0.1, lambda x: FixedStep(print, 0.25).advance(x)),
+        ("point", NOWHERE, lambda x: nearest_on_segment(x, UP, ONES)),
+        ("a must", NOWHERE, lambda x: nearest_on_segment(UP, x, ONES)),
+        ("b must", NOWHERE, lambda x: nearest_on_segment(UP, ONES, x)),
+        *(
+            ("normal_impulse", x, lambda x: FrictionContact(A, None, UP).friction_impulse(x))
+            for x in (-1.0, INF)
+        ),
         ("balancing mass", INF, lambda _: balancing_mass([1e308], [-1e10], 1.0)),
         ("sling", LOWEST, lambda x: Design(400.0, 1.0, 4.0, x, 40.0)),
         ("particles", "twice", lambda _: ParticleWorld([A, A])),
@@ -288,6 +310,8 @@ TYPES: dict[str, list[Refused]] = {
         ("integrator", None, lambda x: ParticleWorld([A], integrator=x)),
         ("step", None, lambda x: FixedStep(x, 0.25)),
         ("max_steps", 2.0, lambda x: FixedStep(print, 0.25, x)),
+        *(("count", x, fewest_rods) for x in (2.5, True)),
+        ("point", 3.0, lambda x: nearest_on_segment(x, UP, ONES)),
     ],
     "ch09_rotations": [
         *(("nine numbers", n, lambda n: Matrix3(*range(n))) for n in (8, 12)),

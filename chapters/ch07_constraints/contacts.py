@@ -72,6 +72,7 @@ class Contact:
 
         The result is (va - vb) . n, which is negative while the bodies approach. Here n is the
         normal, va is the velocity of ``particle``, and vb is that of ``other``, or 0 if it is None.
+        This method changes nothing.
         """
         raise NotImplementedError("Exercise B7.1: Separating velocity")
 
@@ -188,7 +189,8 @@ class ContactResolver:
 
         Stop after ``limit`` resolutions, or when no contact closes faster than
         ``VELOCITY_TOLERANCE``. If several contacts are equally fast, take the first. This phase
-        ignores penetrations. The list may be empty. At least one particle of each contact can move.
+        ignores penetrations. Pass ``duration``, the time step in s, on to ``resolve_velocity``. Do
+        not change the list, which may be empty. At least one particle of each contact can move.
 
         Returns:
             The number of resolutions.
@@ -204,8 +206,8 @@ class ContactResolver:
         this update (erratum E-8).
 
         Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. If
-        several contacts are equally deep, take the first. You may assume that at least one particle
-        of every contact can move.
+        several contacts are equally deep, take the first. The list may be empty. You may assume
+        that at least one particle of every contact can move.
 
         Returns:
             The number of resolutions.

@@ -7,9 +7,9 @@ calls ``next_impact(duration)`` before it moves the particles, because it must s
 impact.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
-particles to the list later. Constructors raise ValueError for a number that is not finite, a radius
-that is too small, and a restitution outside 0 to 1. They raise TypeError for an argument of the
-wrong type.
+particles to the list later. You may also change the attributes of a detector between two calls.
+Constructors raise ValueError for a number that is not finite, a radius that is too small, and a
+restitution outside 0 to 1. They raise TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -35,7 +35,10 @@ class Detector(Protocol):
         """Find all contacts at the current positions and return them."""
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Find the first impact within ``duration`` s, as (time, contact), or return None."""
+        """Find the first impact within ``duration`` s, as (time, contact), or return None.
+
+        An impact exactly at the end of the duration counts.
+        """
 
 
 class GroundPlane:
@@ -168,8 +171,10 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
       the gap never becomes positive, the result is the time at which v reverses.
 
     A very small velocity may be only a rounding error. So if v is between -VELOCITY_TOLERANCE and
-    0, the gap closes only if a is negative. Return ``math.inf`` if the gap never closes, and also
-    if the velocity reverses exactly when the gap is 0. The arguments are not checked.
+    0, the gap closes only if a is negative. The result must have nine correct digits, even for a
+    fast body just above the ground, so do not subtract nearly equal numbers. Return ``math.inf`` if
+    the gap never closes, and also if the velocity reverses exactly when the gap is 0. The arguments
+    are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 

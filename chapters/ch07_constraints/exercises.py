@@ -36,6 +36,7 @@ def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float |
     error of the mean). For n drops the standard error is s / sqrt(n), where s is the sample
     standard deviation (with n - 1) of the restitutions. A single drop has no standard deviation, so
     the standard error is then None. The rows are in the order in which the materials first appear.
+    Without drops, the table is empty.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 

@@ -87,8 +87,9 @@ class ParticleWorld:
     def step(self, duration: float) -> None:
         """Clear all forces, and move the world forward by one time step of ``duration`` s.
 
-        Forces that you added before the call therefore have no effect. If you want to add forces by
-        hand, call ``start_frame``, add them, and then call ``run_physics``.
+        Call ``start_frame`` and then ``run_physics``, which a subclass may replace. Forces that you
+        added before the call therefore have no effect. If you want to add forces by hand, call
+        ``start_frame``, add them, and then call ``run_physics``.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 

@@ -2,7 +2,7 @@
 
 Cables and rods are links. A link is a contact generator. It generates no contact while its length
 is within its limits. When the length reaches or passes a limit, ``contacts()`` returns a contact.
-Resolving this contact brings the length back to the limit.
+Resolving this contact brings the length back to the limit. ``contacts()`` itself changes nothing.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite. They raise TypeError for an argument of the wrong

@@ -93,8 +93,9 @@ class ParticleWorld:
     def step(self, duration: float) -> None:
         """Clear all forces, and move the world forward by one time step of ``duration`` s.
 
-        Forces that you added before the call therefore have no effect. If you want to add forces by
-        hand, call ``start_frame``, add them, and then call ``run_physics``.
+        Call ``start_frame`` and then ``run_physics``, which a subclass may replace. Forces that you
+        added before the call therefore have no effect. If you want to add forces by hand, call
+        ``start_frame``, add them, and then call ``run_physics``.
         """
         positive("duration", duration)  # before the forces are cleared
         self.start_frame()

@@ -34,7 +34,7 @@ TWO = "exercise 7.3, and the docstring of top_ball_speed"
 PUSH = "exercise 7.4, and the docstring of force_for_frame"
 
 
-@pytest.mark.exercise("7.1")
+@pytest.mark.exercise("7.1", asks="square root of bounce_height / initial_height")
 def test_restitution_is_a_square_root(rng: Random) -> None:
     about.read = DROP
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
@@ -59,7 +59,7 @@ def test_restitution_is_a_square_root(rng: Random) -> None:
     expect_close(got, 0.0)
 
 
-@pytest.mark.exercise("7.1")
+@pytest.mark.exercise("7.1", asks="The table has a row for each material")
 def test_each_material_has_its_row(rng: Random) -> None:
     about.read = TABLE
     a = [k / 16.0 for k in rng.sample(range(3, 15), 4)]  # so that the heights are short numbers
@@ -122,7 +122,7 @@ def test_each_material_has_its_row(rng: Random) -> None:
     expect_exactly(len(got), 0, then="; the number of rows")
 
 
-@pytest.mark.exercise("7.1", weight=2)
+@pytest.mark.exercise("7.1", asks="at least three times on each", weight=2)
 def test_bounces_were_measured() -> None:
     about("table_of_drops(the drops in your drops.csv); the sum of all counts", read=DATA)
     about.cause = "Enter your own drops in drops.csv, one drop per line, as in drops_sample.csv: "
@@ -141,7 +141,7 @@ def test_bounces_were_measured() -> None:
     expect_exactly(got, 0, unit="drops")
 
 
-@pytest.mark.exercise("7.3")
+@pytest.mark.exercise("7.3", asks="hits the upper ball, which is still falling")
 def test_the_upper_ball_flies_off(rng: Random) -> None:
     about.read = TWO
     about.call = "top_ball_speed(height=1.0, lower_mass=9.0, upper_mass=1.0, "
@@ -202,7 +202,7 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("7.3")
+@pytest.mark.exercise("7.3", asks="the upward velocity of the upper ball")
 def test_two_balls_separate_by_their_restitution(rng: Random) -> None:
     about.read = TWO
     h, g = positive_number(rng), positive_number(rng)
@@ -227,7 +227,7 @@ def test_two_balls_separate_by_their_restitution(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("7.3")
+@pytest.mark.exercise("7.3", asks="Without height or gravity, the result is 0")
 def test_without_height_or_gravity_the_speed_is_0() -> None:
     about.read = TWO
     about.call = "top_ball_speed(height=0.0, lower_mass=2.0, upper_mass=3.0, "
@@ -246,7 +246,7 @@ def test_without_height_or_gravity_the_speed_is_0() -> None:
     expect_close(got, 0.0, unit="m/s")
 
 
-@pytest.mark.exercise("7.4")
+@pytest.mark.exercise("7.4", asks="produces the same impulse in the longer time")
 def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     about.read = PUSH
     f, frame = components(rng), positive_number(rng, 0.1, 0.9)

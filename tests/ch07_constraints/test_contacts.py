@@ -29,7 +29,7 @@ def along(n: Components, speed: float, rng: Random) -> Components:
     return (v[0] + part * n[0], v[1] + part * n[1], v[2] + part * n[2])
 
 
-@pytest.mark.exercise("B7.1")
+@pytest.mark.exercise("B7.1", asks="The result is (va - vb) . n")
 def test_separating_velocity_of_two_moving_particles(rng: Random) -> None:
     about.read = PART
     p, q, one, two = (components(rng) for _ in range(4))
@@ -67,7 +67,7 @@ def test_separating_velocity_of_two_moving_particles(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.1")
+@pytest.mark.exercise("B7.1", asks="or 0 if it is None")
 def test_the_world_does_not_move(rng: Random) -> None:
     about.read = PART
     v = components(rng)
@@ -84,7 +84,7 @@ def test_the_world_does_not_move(rng: Random) -> None:
         expect_close(got, dot(v, n), tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.1")
+@pytest.mark.exercise("B7.1", asks="This method changes nothing")
 def test_separating_velocity_changes_nothing(rng: Random) -> None:
     about.read = PART
     v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
@@ -110,7 +110,7 @@ def test_separating_velocity_changes_nothing(rng: Random) -> None:
     expect_close(got, -dot(w, m), tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="bounces with the restitution c")
 def test_a_closing_contact_bounces(rng: Random) -> None:
     about.read = AFTER
     m = direction(rng)
@@ -153,7 +153,7 @@ def test_a_closing_contact_bounces(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="is 0 or positive, the result is v_s")
 def test_a_separating_contact_does_not_bounce(rng: Random) -> None:
     about.read = AFTER
     n = direction(rng)
@@ -187,7 +187,7 @@ def test_a_separating_contact_does_not_bounce(rng: Random) -> None:
     expect_close(got, 0.0, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="Return c (a h - v_s), but never less than 0")
 def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
     about.read = REST
     n, h, c = direction(rng), 0.02, round(rng.uniform(0.3, 0.9), 3)
@@ -241,7 +241,7 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
     expect_close(got, 5.0, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="is zero or positive, leave it out")
 def test_an_acceleration_away_from_the_contact_does_not_count(rng: Random) -> None:
     about.read = REST
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
@@ -254,7 +254,7 @@ def test_an_acceleration_away_from_the_contact_does_not_count(rng: Random) -> No
     expect_close(got, 2.0 * c, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="of the particles, which includes forces")
 def test_accelerations_by_forces_count_too(rng: Random) -> None:
     about.read = REST
     mass, c, h = positive_number(rng), round(rng.uniform(0.3, 0.9), 3), 0.02
@@ -305,7 +305,7 @@ def test_accelerations_by_forces_count_too(rng: Random) -> None:
     expect_close(got, c, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="Use 0 for an immovable or missing particle")
 def test_the_difference_of_both_accelerations_counts(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
@@ -335,7 +335,7 @@ def test_the_difference_of_both_accelerations_counts(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2")
+@pytest.mark.exercise("B7.2", asks="This method changes nothing")
 def test_velocity_after_changes_nothing(rng: Random) -> None:
     about.read = AFTER
     v = components(rng)[0], -positive_number(rng), components(rng)[2]

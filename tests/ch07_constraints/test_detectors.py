@@ -31,7 +31,7 @@ PAIRS = "the docstring of ParticlePairs.contacts"
 INDICES = "; the indices of the particles in the returned contacts"
 
 
-@pytest.mark.exercise("7.5")
+@pytest.mark.exercise("7.5", asks="touches the ground or is below it")
 def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
@@ -115,7 +115,7 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                 expect_close(restitution, c, call=shown, cause=why, tolerance=1e-13)
 
 
-@pytest.mark.exercise("7.5")
+@pytest.mark.exercise("7.5", asks="Immovable particles have no contacts")
 def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     heights = [number(rng) for _ in range(6)]
@@ -140,7 +140,7 @@ def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None
     expect_exactly(third, [], then=INDICES)
 
 
-@pytest.mark.exercise("7.5")
+@pytest.mark.exercise("7.5", asks="even a very fast particle cannot pass")
 def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     about.read = GROUND
     speed = positive_number(rng, 500.0, 2000.0)
@@ -154,7 +154,7 @@ def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     expect_close(fallen, 1.0 - speed / 60.0, call=name, tolerance=1e-12, unit="m")
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="each pair of spheres that touch or overlap")
 def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
@@ -278,7 +278,7 @@ def expect_pairs(
         expect_close(depth, right[4], then=name, tolerance=1e-13, unit="m")
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="The contacts are in the order of the list")
 def test_every_pair_is_found_once(rng: Random) -> None:
     about.read = PAIRS
     for count, size, radius in ((40, 1.0, 0.25), (60, 9.0, 0.8), (30, 0.5, 2.0)):
@@ -305,7 +305,7 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         expect_pairs(got, wanted, 2.0 * radius, walls)
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="Do not compare every pair")
 def test_not_every_pair_is_compared() -> None:
     about.read = PAIRS
     about.call = "400 particles in a cube with an edge of 40 m; ParticlePairs(particles, "
@@ -321,7 +321,7 @@ def test_not_every_pair_is_compared() -> None:
     expect_exactly(found, wanted, unit="contacts")
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="you may add particles to the list later")
 def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.5, 1.5)
@@ -342,7 +342,7 @@ def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4], then=INDICES)
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="same cell or in neighboring cells can touch")
 def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
@@ -361,7 +361,7 @@ def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
         expect_exactly(seen, wanted, then=INDICES)
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="each pair of spheres that touch or overlap")
 def test_a_pile_of_six_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
     about.call = "six spheres (1 kg, radius 0.5 m) stacked on the ground; 12 semi-implicit steps "

@@ -41,7 +41,7 @@ def closing_velocities(rng: Random, n: Components) -> tuple[Components, Componen
     return v, w
 
 
-@pytest.mark.exercise("B7.3")
+@pytest.mark.exercise("B7.3", asks="impulse that changes the separating velocity")
 def test_two_balls_bounce(rng: Random) -> None:
     about.read = IMPULSE
     n = direction(rng)
@@ -100,7 +100,7 @@ def test_two_balls_bounce(rng: Random) -> None:
         expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.3")
+@pytest.mark.exercise("B7.3", asks="This conserves momentum")
 def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
     about.read = "book 7.1.2 and E-7"
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
@@ -128,7 +128,7 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         expect_close(lost, wanted, call=name, tolerance=1e-10, unit="J")
 
 
-@pytest.mark.exercise("B7.3")
+@pytest.mark.exercise("B7.3", asks="no special case for bodies that cannot move")
 def test_a_wall_takes_any_impulse(rng: Random) -> None:
     about.read = IMPULSE
     n, c, mass = direction(rng), round(rng.uniform(0.1, 0.9), 3), positive_number(rng)
@@ -154,7 +154,7 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
         expect_close(got, ZERO, then="; w.velocity", unit="m/s")
 
 
-@pytest.mark.exercise("B7.3")
+@pytest.mark.exercise("B7.3", asks="or if neither particle can move")
 def test_separating_or_immovable_particles_get_no_impulse(rng: Random) -> None:
     about.read = IMPULSE
     v, w, n = components(rng), components(rng), direction(rng)
@@ -199,7 +199,7 @@ def test_separating_or_immovable_particles_get_no_impulse(rng: Random) -> None:
         expect_unchanged(name, now, before)
 
 
-@pytest.mark.exercise("B7.3")
+@pytest.mark.exercise("B7.3", asks="the separating velocity to velocity_after(duration)")
 def test_a_resting_particle_does_not_bounce(rng: Random) -> None:
     about.read = "book 7.2.3, and the docstring of Contact.resolve_velocity"
     h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)

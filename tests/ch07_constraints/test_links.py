@@ -108,7 +108,7 @@ def expect_ends(pair: list[Any], before: Components) -> None:
     expect_unchanged(end, now[3:], before[3:])
 
 
-@pytest.mark.exercise("B7.7")
+@pytest.mark.exercise("B7.7", asks="one contact if the cable is taut")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     about.read = CABLE
@@ -140,7 +140,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         expect_ends(pair, before)
 
 
-@pytest.mark.exercise("B7.7")
+@pytest.mark.exercise("B7.7", asks="A slack cable has no contact")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     about.read = CABLE
@@ -189,7 +189,7 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     expect_unchanged("a.velocity", got, (1.0, 2.0, 3.0))
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="if the rod is too short or too long")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     about.read = ROD
@@ -225,7 +225,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         expect_contacts(about.call, link, pair, wanted)
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="use +Y as the direction from a to b")
 def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
@@ -244,7 +244,7 @@ def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     expect_contacts(about.call, rod, pair, [(0, -1, UP, 0.0, length)])
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it")
 def test_a_pendulum_swings_in_its_period() -> None:
     about.read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
@@ -271,7 +271,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
         expect_close(got, 1.0, then=name, tolerance=1e-12, unit="m")
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it")
 def test_a_string_bears_three_times_the_weight() -> None:
     about.read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
     mass = 2.0
@@ -289,7 +289,7 @@ def test_a_string_bears_three_times_the_weight() -> None:
     expect_close(got, 3.0 * mass * 10.0, tolerance=0.6, then=name, unit="N")
 
 
-@pytest.mark.exercise("7.6")
+@pytest.mark.exercise("7.6", asks="return a contact for each limit that is reached")
 def test_limits_act_at_their_ends(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
@@ -327,7 +327,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     expect_contacts(about.call, link, pair, wanted)
 
 
-@pytest.mark.exercise("7.6")
+@pytest.mark.exercise("7.6", asks="If both limits are reached, return both")
 def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
@@ -361,7 +361,7 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     expect_contacts(about.call, link, same, [])
 
 
-@pytest.mark.exercise("G7.1")
+@pytest.mark.exercise("G7.1", asks="always return two contacts")
 def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     about.read = TWO_SIDED
     pair, n, length, told_ends = ends(rng, anchored=False)

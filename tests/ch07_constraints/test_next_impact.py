@@ -29,7 +29,7 @@ PAIRS = "the docstring of ParticlePairs.next_impact"
 TIME = "; the time of the impact"
 
 
-@pytest.mark.exercise("B7.10")
+@pytest.mark.exercise("B7.10", asks="the first impact of a particle on the ground")
 def test_the_first_impact_on_the_ground(rng: Random) -> None:
     about.read = GROUND
     height, radius, c = number(rng), 0.25, round(rng.uniform(0.1, 0.9), 3)
@@ -117,7 +117,7 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
         expect_unchanged(f"the position and velocity of sphere {i}", now, before)
 
 
-@pytest.mark.exercise("B7.10")
+@pytest.mark.exercise("B7.10", asks="where a is its last_acceleration")
 def test_forces_count_and_immovable_particles_do_not(rng: Random) -> None:
     about.read = GROUND
     t = positive_number(rng)

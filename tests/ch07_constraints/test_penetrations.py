@@ -29,7 +29,7 @@ UP = (0.0, 1.0, 0.0)
 MOVE = "book 7.2.2, E-8, and the docstring of Contact.resolve_penetration"
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="so the lighter one moves farther")
 def test_the_lighter_particle_moves_farther(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
@@ -110,7 +110,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
         expect_close(got, 0.0, then="; c.penetration", unit="m")
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="If the penetration is 0 or negative")
 def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
@@ -174,7 +174,7 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     expect_close(got, ZERO + ZERO, then="; moves[0] and moves[1] in one tuple", unit="m")
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="as two new vectors")
 def test_the_moves_are_new_vectors(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
@@ -218,7 +218,7 @@ def test_the_moves_are_new_vectors(rng: Random) -> None:
         expect_close(got, ZERO, call=shown, unit="m/s")
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="Move the two particles apart along the normal")
 def test_a_resting_body_stays_on_the_ground() -> None:
     about.read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
     for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):

@@ -28,7 +28,7 @@ def touching(*pairs: tuple[int, int], restitution: float = 0.0) -> list:
     return [(a, b, RIGHT, restitution, 0.0) for a, b in pairs]
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="velocity of the contact that closes fastest")
 def test_the_fastest_contact_is_resolved_first() -> None:
     about.read = FASTEST
     contacts = touching((1, 0), (2, 1), restitution=0.5)
@@ -89,7 +89,7 @@ def test_the_fastest_contact_is_resolved_first() -> None:
         expect_exactly(used, min(limit, 3), then=name, unit="resolutions")
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="This phase ignores penetrations")
 def test_only_the_closing_velocity_decides(rng: Random) -> None:
     about.read = FASTEST
     side = positive_number(rng, 20.0, 90.0)
@@ -132,7 +132,7 @@ def test_only_the_closing_velocity_decides(rng: Random) -> None:
     expect_exactly(used, 0)
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="contacts are equally fast, take the first")
 def test_the_first_of_two_equally_fast_contacts_is_resolved() -> None:
     about.read = FASTEST
     about.cause = "You resolved the second pair in the list, but both pairs close at 2 m/s, so "
@@ -154,7 +154,7 @@ def test_the_first_of_two_equally_fast_contacts_is_resolved() -> None:
         expect_exactly(used, 1, then="; the return value", cause=why)
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="Stop after limit resolutions")
 def test_a_push_goes_through_a_row(rng: Random) -> None:
     about.read = FASTEST
     speed, mass = positive_number(rng), positive_number(rng)
@@ -193,7 +193,7 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
         expect_exactly(used, min(limit, 4), then="; the return value", unit="resolutions")
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="or when no contact closes faster than")
 def test_only_closing_contacts_are_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
@@ -241,7 +241,7 @@ def test_only_closing_contacts_are_resolved(rng: Random) -> None:
         expect_close(depths[0], depth, then="; c.penetration", unit="m")
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="or when no contact closes faster than")
 def test_many_contacts_are_resolved(rng: Random) -> None:
     about.read = FASTEST
     bodies = [(components(rng), components(rng), positive_number(rng, 2.0, 5.0)) for _ in range(6)]
@@ -276,7 +276,7 @@ def test_many_contacts_are_resolved(rng: Random) -> None:
     expect_between(now / before, 0.0, 1.0, call=name)
 
 
-@pytest.mark.exercise("B7.5")
+@pytest.mark.exercise("B7.5", asks="the time step in s, on to resolve_velocity")
 def test_each_resolution_gets_the_duration() -> None:
     about.read = FASTEST
     setup = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); both "

@@ -24,7 +24,7 @@ def row(*speeds: float, mass: float = 1.0) -> list[Body]:
     return [((float(i), 0.0, 0.0), (speed, 0.0, 0.0), mass) for i, speed in enumerate(speeds)]
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="the penetration of the deepest contact")
 def test_the_deepest_contact_is_resolved_first() -> None:
     about.read = DEEPEST
     bodies = row(1.0, 0.0, -1.0)
@@ -104,7 +104,7 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         expect_close(got, (0.0, 0.75), then=name, unit="m")
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="or when no contact is deeper than")
 def test_one_contact_is_resolved_once(rng: Random) -> None:
     about.read = DEEPEST
     n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
@@ -142,7 +142,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
     expect_exactly(used, 0)
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="So update each of these contacts")
 def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     about.read = DEEPEST
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
@@ -183,7 +183,7 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="the number of resolutions in each phase")
 def test_both_phases_have_their_own_limit() -> None:
     about.read = "the docstring of ContactResolver"
     bodies = [*row(2.0, 0.0, -2.0), ((9.0, 0.0, 0.0), RIGHT, math.inf)]
@@ -218,7 +218,7 @@ def test_both_phases_have_their_own_limit() -> None:
     expect_close(got, (0.0, 1.0, 2.0), call=name, unit="m")
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="None means twice the number of contacts")
 def test_a_stack_of_three_settles() -> None:
     about.read = "book 7.3.1, and the docstring of ContactResolver"
     about.call = "three spheres (1 kg, radius 0.5 m) stacked on the ground; 300 semi-implicit "

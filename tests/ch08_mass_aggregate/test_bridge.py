@@ -39,7 +39,7 @@ def wanted_links(places: list[Components]) -> list[tuple[int, int, float]]:
     return wanted
 
 
-@pytest.mark.exercise("B8.4")
+@pytest.mark.exercise("B8.4", asks="joins each end to the end on the same side")
 @pytest.mark.parametrize("which", ["rod", "cable", "anchored cable"])
 def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     about.read = LINKS
@@ -105,7 +105,7 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         expect_close(size, right, then=name, cause=seen, unit="m", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.4")
+@pytest.mark.exercise("B8.4", asks="All cables have a restitution of 0")
 def test_links_act_at_the_right_lengths() -> None:
     about.read = LINKS
     about.call = "links_of(make_rows()), with the planks where they start; the ends of all contacts"
@@ -142,7 +142,7 @@ def test_links_act_at_the_right_lengths() -> None:
     expect_close(got, (0.0,), then="restitutions of the contacts", tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.4")
+@pytest.mark.exercise("B8.4", asks="joins each end to its anchor")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about("the bridge, 1.5 s after it was released, at 60 steps per second", read=LINKS)
     about.cause = "The anchored cables have to carry the bridge. Give each end of each row an "
@@ -186,7 +186,7 @@ def nearest_of(points: list[tuple[float, float]], x: float) -> str:
     )
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="a line of straight segments that connect")
 def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     about.read = NEAREST
     rows = draw_rows(rng, 4)
@@ -220,7 +220,7 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="If two rows are equally near, return the first")
 def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     about.read = NEAREST
     heights = [positive_number(rng, 3.0, 5.0) for _ in range(3)]
@@ -266,7 +266,7 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="half a SPACING beyond the first or last row")
 def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     about.read = NEAREST
     rows = draw_rows(rng, 3)
@@ -299,7 +299,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         expect_exactly(count, 0, then="; the number of contacts", unit="contacts")
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="with both ends of the nearest row")
 def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     about.read = DECK
     rows = draw_rows(rng, 3)

@@ -16,7 +16,7 @@ READ = "the docstring of FixedStep.advance"
 STEP = 0.015625
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="Time that is too short for a whole step")
 def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     about.read = READ
     quarters = [rng.randint(0, 40) for _ in range(12)]
@@ -70,7 +70,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     expect_exactly(done["made"], wanted, then="; the durations of all steps")
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="sixty frames of 1/60 s give exactly sixty steps")
 @pytest.mark.parametrize("rate", [50, 60, 100])
 def test_rounding_does_not_delay_a_step(rate: int) -> None:
     about.read = READ
@@ -102,7 +102,7 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
     expect_exactly(done["rows"][0][0], 0)
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="at most the fraction SHARE of its duration")
 @pytest.mark.parametrize("duration", [1e-6, STEP, 1000.0])
 def test_share_is_a_fraction_of_a_step(duration: float) -> None:
     about.read = READ
@@ -129,7 +129,7 @@ def test_share_is_a_fraction_of_a_step(duration: float) -> None:
         expect_close(row[1], left, then="; clock.left", unit="s", tolerance=1e-9 * duration)
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="skip the steps beyond the limit")
 def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     about.read = READ
     limit, late = rng.randint(2, 5), rng.randint(3, 30)
@@ -232,7 +232,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     expect_close(row[1:], (0.0, 0.0), then="; (clock.left, clock.dropped)", unit="s")
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="Leave the time of that step in left")
 def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     about.read = READ
     good = rng.randint(1, 4)
@@ -270,7 +270,7 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     expect_exactly(done["rows"][1][0], 6 - good, unit="steps")
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="if elapsed is negative or not finite")
 @pytest.mark.robust
 def test_rejects_an_invalid_time() -> None:
     about.read = READ
@@ -298,7 +298,7 @@ def test_rejects_an_invalid_time() -> None:
     expect_that(got == "no error", got, "no error")
 
 
-@pytest.mark.exercise("B8.3")
+@pytest.mark.exercise("B8.3", asks="gives the same results on every machine")
 def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
     about.read = READ
     even = [4.0 * STEP] * 40

@@ -42,7 +42,7 @@ def called(a: Body, b: Body | None, n: Components) -> str:
     return f"{first}{second}; the normal is {rounded(n)}; "
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="the part of the relative velocity")
 @pytest.mark.parametrize("pair", [False, True], ids=["ground", "pair"])
 def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> None:
     about.read = SLIDING
@@ -67,7 +67,7 @@ def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> N
             expect_unchanged(f"the velocity of {name}", now, before)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="Its size is the smaller one of")
 @pytest.mark.parametrize("kind", ["ground", "pair", "immovable other"])
 def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
     about.read = IMPULSE
@@ -117,7 +117,7 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
             expect_unchanged(f"the velocity of {name}", now, before)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="Return zero if the bodies do not slide")
 def test_when_there_is_no_friction(rng: Random) -> None:
     about.read = IMPULSE
     n, (mass, v), j = (0.0, 1.0, 0.0), draw_body(rng), positive_number(rng)
@@ -141,7 +141,7 @@ def test_when_there_is_no_friction(rng: Random) -> None:
     expect_close(got, ZERO, unit="N s", tolerance=0.0)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="A body at rest therefore sticks")
 @pytest.mark.parametrize("tilted", ["gravity", "plane"])
 def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> None:
     about.read = IMPULSE
@@ -174,7 +174,7 @@ def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> 
         expect_close(dot(where, down), far, then="; its displacement", unit="m", tolerance=NEAR)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="never does more than stop the sliding")
 def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
     about.read = IMPULSE
     mu, speed, h = positive_number(rng, 0.3, 0.8), positive_number(rng, 2.0, 5.0), 1.0 / 60.0
@@ -194,7 +194,7 @@ def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
         expect_close(dot(velocity, way), wanted, then=name, unit="m/s", tolerance=NEAR)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="at most mu times the normal impulse")
 def test_an_impact_of_two_bodies_with_friction(rng: Random) -> None:
     about.read = IMPULSE
     for mu in (0.0, 0.1, 3.0):

@@ -50,7 +50,7 @@ def called(point: Components, a: Components, b: Components) -> str:
     return f"nearest_on_segment(point={rounded(point)}, a={rounded(a)}, b={rounded(b)})"
 
 
-@pytest.mark.exercise("G8.2")
+@pytest.mark.exercise("G8.2", asks="Find the point of the line segment")
 def test_the_nearest_point_between_the_ends(rng: Random) -> None:
     about.read = NEAREST
     about.cause = "Project point - a onto b - a, and start from a: a + (b - a) t."
@@ -77,7 +77,7 @@ def test_the_nearest_point_between_the_ends(rng: Random) -> None:
         expect_close(got, wanted, unit="m", tolerance=NEAR)
 
 
-@pytest.mark.exercise("G8.2")
+@pytest.mark.exercise("G8.2", asks="so limit t to this range")
 def test_the_nearest_point_beyond_an_end_is_the_end(rng: Random) -> None:
     about.read = NEAREST
     about.cause = "Beyond an end of the segment, the nearest point is that end. Limit t to the "
@@ -99,7 +99,7 @@ def test_the_nearest_point_beyond_an_end_is_the_end(rng: Random) -> None:
         expect_close(got, wanted, unit="m", tolerance=NEAR)
 
 
-@pytest.mark.exercise("G8.2")
+@pytest.mark.exercise("G8.2", asks="the segment is a single point")
 def test_a_segment_may_be_a_single_point(rng: Random) -> None:
     about.read = NEAREST
     about.cause = "If a and b are equal, the squared length of b - a is 0. Don't divide by it, but "
@@ -110,7 +110,7 @@ def test_a_segment_may_be_a_single_point(rng: Random) -> None:
     expect_close(got, a, unit="m", tolerance=0.0)
 
 
-@pytest.mark.exercise("G8.2")
+@pytest.mark.exercise("G8.2", asks="Return a new vector")
 def test_the_nearest_point_is_a_new_vector(rng: Random) -> None:
     about.read = NEAREST
     a, way = components(rng), direction(rng)
@@ -132,7 +132,7 @@ def test_the_nearest_point_is_a_new_vector(rng: Random) -> None:
             expect_unchanged(name, xyz(v), before)
 
 
-@pytest.mark.exercise("G8.2")
+@pytest.mark.exercise("G8.2", asks="from the nearest point of the plank to the center")
 def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
     about.read = PLANKS
     for share, over, nearer in ((0.2, 0.0, 1), (0.8, 0.0, 2), (0.0, -0.6, 1), (1.0, 0.6, 2)):
@@ -189,7 +189,7 @@ def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
         expect_close(restitution, c, then="; the restitution", tolerance=1e-12)
 
 
-@pytest.mark.exercise("G8.2")
+@pytest.mark.exercise("G8.2", asks="Return one contact for each plank")
 def test_which_planks_a_ball_touches(rng: Random) -> None:
     about.read = PLANKS
     x = float(rng.randint(2, 9))

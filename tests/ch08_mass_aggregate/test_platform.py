@@ -31,7 +31,7 @@ PLACES = [(x, y, z) for x, y in ((0.0, 0.0), (-3.0, 2.0), (4.0, 2.0)) for z in (
 PIVOT = range(6)  # the numbers of its coordinates
 
 
-@pytest.mark.exercise("B8.6")
+@pytest.mark.exercise("B8.6", asks="it can tilt but not move in any other way")
 def test_a_platform_can_only_tilt() -> None:
     about("rods_of(six particles at PLACES)", read=RODS)
     about.cause = "Each rod must join two different particles, both among the six that are passed "
@@ -59,7 +59,7 @@ def test_a_platform_can_only_tilt() -> None:
     expect_exactly(len(left), 1, then="; the platform's degrees of freedom, including the tilt")
 
 
-@pytest.mark.exercise("B8.6")
+@pytest.mark.exercise("B8.6", asks="is the current distance between its ends")
 def test_rods_have_the_right_length(rng: Random) -> None:
     about.read = RODS
     turn = positive_number(rng, 0.2, 1.2)
@@ -90,7 +90,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="Compute the mass in kg that you must place")
 def test_finds_the_balancing_mass(rng: Random) -> None:
     about(
         "four masses of 1 kg at -3, -3, 4 and 4 m; balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], "
@@ -153,7 +153,7 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
         expect_close(got, 0.0, unit="kg", tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="if no mass of 0 or more at x balances")
 @pytest.mark.robust
 def test_rejects_what_cannot_be_balanced() -> None:
     about.read = BALANCE
@@ -186,7 +186,7 @@ def _masses(own: float, left: float, right: float) -> list[float]:
     return [own + 0.5 * share for share in (left, left, right, right)]
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="carries half of the mass at its end")
 def test_both_ends_carry_the_weight(rng: Random) -> None:
     about.read = WEIGHT
     for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
@@ -236,7 +236,7 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="so that the torque about the pivot is the same")
 @pytest.mark.parametrize("side", ["too light", "heavy enough"])
 def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     x = -round(rng.uniform(1.5, 3.0), 3)
@@ -262,7 +262,7 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     expect_close(length, 7.0, then="; its distance from the right end", unit="m", tolerance=0.01)
 
 
-@pytest.mark.exercise("8.1")
+@pytest.mark.exercise("8.1", asks="Give each of the pivot's two particles")
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     about(
         "platform.free_pivot(); the masses of all particles, of which the first two are the pivot",
@@ -317,7 +317,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
-@pytest.mark.exercise("8.1")
+@pytest.mark.exercise("8.1", asks="The pivot can then slide")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
     about.cause = "Your platform's center of mass moves along X or Z, although the ground has no "

@@ -29,7 +29,7 @@ def draw_body(rng: Random) -> Body:
     return components(rng), components(rng), components(rng), positive_number(rng)
 
 
-@pytest.mark.exercise("B8.1")
+@pytest.mark.exercise("B8.1", asks="The result is the sum of m v^2 / 2 - m a . p")
 def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
     about.read = ENERGY
     bodies = [draw_body(rng) for _ in range(3)]
@@ -80,7 +80,7 @@ def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
     expect_close(got, parts[0], unit="J", tolerance=1e-10)
 
 
-@pytest.mark.exercise("B8.1")
+@pytest.mark.exercise("B8.1", asks="and neither do immovable particles")
 def test_immovable_particles_have_no_energy(rng: Random) -> None:
     about.read = ENERGY
     p, v, a, m = draw_body(rng)
@@ -102,7 +102,7 @@ def test_immovable_particles_have_no_energy(rng: Random) -> None:
     expect_close(energy_of([]), 0.0, tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="the force accumulators of all particles")
 def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     about.read = f"{WORLD}start_frame"
     bodies = [draw_body(rng) for _ in range(3)]
@@ -130,7 +130,7 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
         expect_close(got[1], velocity, call=name, cause=only, unit="m/s", tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="in the order of the generators")
 def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     about.read = f"{WORLD}contacts"
     count = rng.randint(150, 300)
@@ -163,7 +163,7 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     expect_exactly(depths_of(count, []), [])
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="First let the integrator move the particles")
 @pytest.mark.parametrize("integrator", ["explicit_euler", "semi_implicit_euler"])
 def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> None:
     about.read = f"{WORLD}run_physics"
@@ -211,7 +211,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         expect_close(got[0], place, call=f"{name}.position", unit="m", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="Clear all forces, and move the world")
 def test_a_step_clears_earlier_forces(rng: Random) -> None:
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
@@ -247,7 +247,7 @@ def test_a_step_clears_earlier_forces(rng: Random) -> None:
     expect_close(got, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="Whenever it needs the forces")
 @pytest.mark.parametrize("integrator", ["semi_implicit_euler", "runge_kutta_4"])
 def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> None:
     about.read = f"{WORLD}run_physics"
@@ -270,7 +270,7 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     expect_exactly(asked, [h] * count, then="; the durations passed to update_force")
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="to find the contacts at the new positions")
 def test_contacts_are_found_after_the_motion(rng: Random) -> None:
     about.read = f"{WORLD}run_physics"
     h = 0.125
@@ -303,7 +303,7 @@ def test_contacts_are_found_after_the_motion(rng: Random) -> None:
     expect_close(got, (2.0, -speed, 0.0), call=name, unit="m/s", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="all contacts with one call to the resolver")
 def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.read = f"{WORLD}run_physics"
     h = 0.125
@@ -339,7 +339,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     expect_exactly(count, 0, then="; the number of calls to resolve_contacts", unit="calls")
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="no contact is left out")
 def test_no_contact_is_left_out(rng: Random) -> None:
     about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
@@ -352,7 +352,7 @@ def test_no_contact_is_left_out(rng: Random) -> None:
     expect_close(heights, (0.0,) * count, unit="m", tolerance=1e-9)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="to which you may add later")
 def test_a_world_may_get_more_later(rng: Random) -> None:
     about.read = "the docstring of ParticleWorld: its lists may be appended to"
     h = positive_number(rng, 0.05, 0.2)

@@ -156,6 +156,13 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
          "ball is already rising at half the speed at which it hit the ground."),
         (-0.7375 * v, "The masses are swapped. The upper ball takes the fraction lower_mass / "
                       "(lower_mass + upper_mass) of the change in the relative velocity."),
+        (0.0125 * v,
+         "You changed the separating velocity only by the closing speed times pair_restitution. "
+         "The balls stop approaching and then separate, so multiply it by 1 + pair_restitution."),
+        (1.3625 * math.sqrt(10.0),
+         "You used sqrt(g h) as the speed of the fall. It is sqrt(2 g h)."),
+        (0.96875 * v, "You squared ground_restitution. It is a ratio of speeds, so the lower ball "
+                      "rises at ground_restitution * v."),
         (2.3625 * v,
          "You returned the change in the upper ball's velocity. Before the collision "
          "the upper ball was falling at v = sqrt(2 g h), so subtract v."),

@@ -51,7 +51,12 @@ def test_separating_velocity_of_two_moving_particles(rng: Random) -> None:
         wanted = dot(v, n) - dot(w, n)
         line = tuple(x - y for x, y in zip(p, q, strict=True))
         over = sum((x - y) * z for x, y, z in zip(v, w, line, strict=True)) / math.hypot(*line)
+        whole = math.dist(v, w)
         mistakes = [
+            (whole, "You returned the whole relative speed. Only its part along the contact's "
+                    "normal n counts, so compute (va - vb) . n."),
+            (v[1] - w[1], "You used only the velocities along Y. The contact's normal n can point "
+                          "in any direction, so compute (va - vb) . n."),
             (-wanted, "The sign is wrong: your result is positive when the particles approach. "
                       "Compute (va - vb) . n, where n is the contact's normal."),
             (dot(v, n), "You used only a's velocity, but b is moving too. Subtract the velocity of "

@@ -15,6 +15,7 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch07_constraints.probes import (
     ground_of_a_list,
+    kind_of,
     looked,
     pairs_of_a_list,
     piled,
@@ -23,7 +24,7 @@ from ch07_constraints.probes import (
 )
 from draw import Components, components, direction, number, positive_number
 from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, scoped
-from impacts import expect_particles
+from impacts import expect_list, expect_particles
 
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
@@ -74,7 +75,9 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
             y = height + radius + above
             x, z = number(rng), number(rng)
             p = Particle(Vector3(x, y, z), Vector3(1.0, 50.0, 3.0), mass=3.0)
-            got = told(GroundPlane([p], height, radius, c).contacts(), [p])
+            found = GroundPlane([p], height, radius, c).contacts()
+            expect_list(kind_of(found))
+            got = told(found, [p])
             name = f"particle p at ({x:g}, {y:g}, {z:g}) with velocity (1, 50, 3); {about.call}"
             expect_exactly(len(got), len(depths), call=name, unit="contacts")
             for (a, b, normal, restitution, depth), wanted in zip(got, depths, strict=True):
@@ -87,6 +90,8 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                     (wanted - 2.0 * radius, "Your radius has the wrong sign, so you used the "
                                             "highest point of the particle. Use its lowest point, "
                                             "which is at y - radius."),
+                    (c, "You passed the restitution as the penetration. The order of the arguments "
+                        "is Contact(particle, other, normal, restitution, penetration)."),
                     (-wanted, "The penetration has the wrong sign. It must be positive when the "
                               "particle is inside the ground, so compute height + radius - y."),
                     (wanted - height,
@@ -125,6 +130,9 @@ def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None
     about.cause += "the list."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
+    if len(first) == 1 < len(wanted):
+        about.cause = "You returned only one contact. Collect the contacts of all particles, and "
+        about.cause += "return them after the loop."
     expect_exactly(first, wanted, then=INDICES)
     about.call += "; p.position.y = -1 for every p in particles; particles[1].mass = math.inf; "
     about.call += "particles.append(Particle(Vector3(0, -1, 0))); ground.contacts()"
@@ -184,7 +192,9 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         about.call = f"particle a at {p}; particle b at {q}; ParticlePairs([a, b], "
         about.call += f"radius={radius}, restitution={c}).contacts()"
         pair = [Particle(Vector3(*p)), Particle(Vector3(*q))]
-        got = told(ParticlePairs(pair, radius, c).contacts(), pair)
+        found = ParticlePairs(pair, radius, c).contacts()
+        expect_list(kind_of(found))
+        got = told(found, pair)
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "particle a at (-2, 0, 0); particle b at (-1, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=0.75).contacts()"

@@ -79,7 +79,15 @@ def test_two_balls_bounce(rng: Random) -> None:
              "You computed the impulse as if the separating velocity had been 0 before the "
              "bounce. With a restitution c, it changes from v_s to -c v_s, so the change is -c "
              "v_s - v_s."),
+            (0.5 * change,
+             "You gave each body half of the change in velocity, which is right only for equal "
+             "masses. The lighter body changes its velocity more: add n g / ma."),
+            ((1.0 - c) * closing * impulse / change,
+             "You added v_s to the separating velocity after the bounce. The change is the new "
+             "separating velocity minus v_s."),
             (impulse, f"{momentum} n g / ma instead."),
+            (impulse * ma, "You multiplied the impulse by the mass of a. Divide it by the mass of "
+                           "a, or multiply by the inverse mass."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
         # A few roundings of numbers up to 40.
@@ -93,6 +101,8 @@ def test_two_balls_bounce(rng: Random) -> None:
              "You pushed b in the same direction as a. The impulse on b is opposite to the impulse "
              "g on a, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum} -n g / mb instead."),
+            (-impulse * mb, "You multiplied the impulse by the mass of b. Divide it by the mass of "
+                            "b, or multiply by the inverse mass."),
         ]  # fmt: skip
         otherwise = "The velocity of a is right, but that of b is wrong. The impulse on b is "
         otherwise += "opposite to the impulse g on a, so add -n g / mb to the velocity of b."

@@ -12,10 +12,10 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod, TwoSidedRod
-from ch07_constraints.probes import swung, told
+from ch07_constraints.probes import kind_of, swung, told
 from draw import Components, components, positive_number
 from expect import about, cause_of, expect_close, expect_exactly, expect_unchanged, scoped, xyz
-from impacts import expect_particles
+from impacts import expect_list, expect_particles
 
 UP = (0.0, 1.0, 0.0)
 CABLE = "book 7.4.1, and the docstring of Cable.contacts"
@@ -59,7 +59,9 @@ def expect_contacts(
     the ends.
     """
     about.call = call
-    got = told(link.contacts(), particles)
+    found = link.contacts()
+    expect_list(kind_of(found))
+    got = told(found, particles)
     why = about.cause if got else f"You returned no contact. {about.cause}"
     why = cause_of(len(got), counts, why)
     expect_exactly(len(got), len(wanted), cause=why, unit="contacts")
@@ -71,10 +73,16 @@ def expect_contacts(
         expect_particles((a, b), right[:2], cause=why)
         back = tuple(-part for part in right[2])
         why = f"Your normal points the wrong way. {about.cause}"
+        if depth == -right[4] != 0.0 and len(wanted) == 1:
+            why = "You gave the contact a negative penetration. Reverse its normal instead, and "
+            why += f"keep the penetration positive. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. Pass "
-        why += f"{'self.restitution' if right[3] else 0} to Contact instead."
+        why = "You passed the penetration as the restitution. The order of the arguments is "
+        why += "Contact(particle, other, normal, restitution, penetration)."
+        if restitution != right[4]:
+            why = "The contact has the wrong restitution. Pass "
+            why += f"{'self.restitution' if right[3] else 0} to Contact instead."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         sign = "It must be positive, so that the resolver corrects the distance between the ends."
         if len(wanted) > 1:

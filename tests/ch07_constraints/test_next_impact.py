@@ -57,6 +57,8 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
                      "instead."),
         (times[0], "You returned the impact of the first sphere in the list. Compute the times for "
                    "all spheres, and return the earliest impact."),
+        (min(fall / math.hypot(5, v, 5) for fall, v in zip(falls, speeds, strict=True)),
+         "You used the whole speed. Only the velocity along Y closes the gap."),
         (whole, "You left out the radius, so you returned the time when the center reaches the "
                 "ground. Use the lowest point of the sphere, which is at y - radius."),
     ]  # fmt: skip

@@ -121,6 +121,9 @@ def frame(
 
     def told_step(those: Sequence[Particle], apply_forces: Any, time: float) -> None:
         diary.append(("integrator", time, len(those)))
+        if not callable(apply_forces):
+            diary.append(("no function", "None" if apply_forces is None else "no function"))
+            return
         step(those, apply_forces, time)
 
     world = ParticleWorld(particles, integrator=told_step)

@@ -71,8 +71,8 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     won, before = seen[rows + falls - 1], seen[rows + falls - 2]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
-    missing = "You leave out the bonus. Once the ball has visited all rows, add BONUS for each "
-    missing += "life that is left."
+    missing = "You add no bonus. Either you leave it out, or you test self.won before the last row "
+    missing += "is in visited. Add the row first, and then BONUS for each life that is left."
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = "You remove rows from visited after a fall, so the game is never won. Don't "
         missing += "change visited in fell."

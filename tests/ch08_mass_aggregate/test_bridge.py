@@ -47,6 +47,9 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
     about.call = "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row "
     about.call += "1, and so on; the ends are moved so far apart that every link is stretched"
+    about.cause = "Return a list of all links. The last row has no next row, so a loop over rows i "
+    about.cause += "and i + 1 must stop one row earlier, as itertools.pairwise(rows) does."
+    links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     about.cause = {
         "rod": "Join the two ends of each row with one Rod of length WIDTH.",
         "cable": "Join each end to the end of the next row on the same side, with a Cable of "
@@ -63,7 +66,6 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
             if (j < 0) == (which == "anchored cable") and (j < 0 or j - i == kinds.get(which))
         )
 
-    links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
     missing = [pair for pair in right if pair not in ends]
@@ -203,6 +205,10 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
+                ((height, row), "You return (height, row). The row comes first."),
+                ((row, y + (1.0 - share) * (v - y)), "You swapped the two rows in your "
+                                                     "interpolation. At the first row, the height "
+                                                     "is that of the first row."),
                 ((row, points[int(row)][1]),
                  "You return the height of the nearest row itself. Interpolate between the "
                  "midpoints on either side of the ball, because the deck slopes there."),
@@ -289,7 +295,10 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         about.cause = "Your deck extends too far. It ends half a SPACING, which is 1 m, beyond "
         about.cause += "its outermost rows, so return None here."
         about.call = f"{deck_of(points)}; a ball at ({at:.6g}, 1, 0) m"
+        outside, about.cause = about.cause, "There is no deck below the ball, so nearest() returns "
+        about.cause += "None. Return an empty list from contacts() in this case."
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
+        about.cause = outside
         nearest = got["nearest"]
         name = f"{about.call}; deck.nearest(), which returns (row, height)"
         expect_that(nearest is None, str(nearest), "None, because the deck ends there", call=name)
@@ -323,8 +332,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = (
-                "You return no contacts although the ball touches the deck, probably because you "
-                "left out the ball's radius. The ball's lowest point is at y - radius."
+                "You return no contacts although the ball touches the deck. The penetration is "
+                "height + radius - y: either the radius is missing, or the sign is wrong."
             )
             if not depth:
                 about.cause = (

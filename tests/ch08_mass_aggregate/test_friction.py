@@ -52,9 +52,12 @@ def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> N
         wanted = along(v, n)
         about.call = called(a, b if pair else None, n) + "contact.sliding_velocity()"
         about.cause = "Subtract the part along the normal: v - (v . n) n."
+        if not pair:
+            about.cause += " Here other is None, so v is the velocity of particle."
         got, after = sliding(a, b if pair else None, n)
         mistakes = [
             (v, "You return the whole relative velocity. Subtract its part along the normal."),
+            (plus(v, n, -1.0), "You subtract the normal itself. Multiply it by v . n first."),
             (plus(ZERO, n, dot(v, n)), "You return the part along the normal. Subtract it from v."),
             (plus(v, n, dot(v, n)), "You add the part along the normal instead of subtracting it."),
             (along(a[1], n), "You leave out the velocity of other."),
@@ -76,7 +79,8 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
         if kind == "immovable other":
             b = math.inf, b[1]
         other = None if kind == "ground" else b
-        v = along(plus(a[1], b[1], -1.0) if other else a[1], n)
+        whole = plus(a[1], b[1], -1.0) if other else a[1]
+        v, fast = along(whole, n), math.hypot(*whole)
         speed, inverse = math.hypot(*v), 1.0 / a[0] + (1.0 / b[0] if other else 0.0)
         stop, mu = speed / inverse, positive_number(rng, 0.2, 1.2)
         j = much * stop / mu
@@ -85,6 +89,8 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
         about.call = called(a, other, n) + f"{mu=}; contact.friction_impulse({j!r})"
         about.cause = "The impulse points against the sliding velocity. Its size is the smaller "
         about.cause += "one of mu j and the impulse that stops the sliding."
+        if not other:
+            about.cause += " Here other is None, so leave out 1/mb."
         got, after = impulse(a, other, n, mu, j)
         either = max(mu * j, stop)
         too_much = (
@@ -99,6 +105,17 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
                                        "which it slides. It must point against the sliding."),
             (plus(ZERO, v, -either / speed), too_much),
             (plus(ZERO, v, -min(j, stop) / speed), "You leave out the coefficient of friction."),
+            (plus(ZERO, v, -mu * min(j, stop) / speed),
+             "You multiply both impulses by mu. Only the normal impulse is multiplied by it."),
+            (plus(ZERO, whole, -min(mu * j, fast / inverse) / fast),
+             "You use the whole relative velocity. Friction acts only along the surface, so use "
+             "sliding_velocity()."),
+            (plus(ZERO, v, -min(mu * j, fast / inverse) / speed),
+             "You use the whole relative speed to stop the body. Use the sliding speed, the "
+             "magnitude of sliding_velocity()."),
+            (plus(ZERO, v, -min(mu * j, fast / inverse) / fast),
+             "You use the whole relative speed. Use the sliding speed, the magnitude of "
+             "sliding_velocity()."),
             (plus(ZERO, v, -mu * j), "You multiply by the sliding velocity. Multiply by its "
                                      "direction, a unit vector."),
             (plus(ZERO, v, -min(mu * j, speed) / speed),

@@ -66,8 +66,8 @@ def test_the_nearest_point_between_the_ends(rng: Random) -> None:
             (plus(wanted, a, -1.0), "You return the vector from a to the nearest point. Add a."),
             (plus(b, way, -share * length), "You measure the projection from b instead of a."),
             (plus(b, way, share * length), "You add the projection to b. It starts at a."),
-            (b, "You return b although the nearest point is between the ends. Divide the scalar "
-                "product by the squared length of b - a to get t."),
+            (b, "You return b although the nearest point is between the ends. Either you don't "
+                "divide by the squared length of b - a, or you swapped min and max."),
             (a if share < 0.5 else b, "You return the nearer end of the segment. The nearest point "
                                       "may also be between the ends."),
             (plus(a, way, min(1.0, share * length) * length),
@@ -148,9 +148,14 @@ def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
         normal = plus((0.0, 0.0, 0.0), offset, 1.0 / distance)
         about.call = f"a ball of radius {radius} m at {rounded(ball)}; a plank from {rounded(a)}, "
         about.call += f"particle 1, to {rounded(b)}, particle 2; Planks(...).contacts()"
+        about.cause = (
+            "The arguments of Contact are the ball, the nearer end, direction_of(offset), "
+        )
+        about.cause += "self.restitution and the penetration, in this order. The normal must be a "
+        about.cause += "unit vector. Put each contact into the list that you return."
+        got = touched_planks(ball, radius, [(a, b)], c)
         about.cause = "The ball overlaps the plank, so return one contact. Its particle is the "
         about.cause += "ball, and its other is the end of the plank that is nearer to the ball."
-        got = touched_planks(ball, radius, [(a, b)], c)
         ends = [(one, two) for one, two, *_ in got]
         if ends == [(0, 1), (0, 2)]:
             about.cause = "You return a contact for each end. Return one, with the nearer end."
@@ -181,6 +186,7 @@ def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
         mistakes = [
             (distance, "You return the distance itself. Subtract it from the radius."),
             (distance - radius, "You swapped the radius and the distance."),
+            (c, "You swapped the restitution and the penetration. The restitution comes first."),
         ]
         why = cause_of(penetration, mistakes, about.cause)
         name = "; the penetration"

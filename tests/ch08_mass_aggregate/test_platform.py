@@ -28,6 +28,7 @@ BALANCE = "the docstring of balancing_mass"
 WEIGHT = "the docstring of TiltingPlatform.put_weight"
 FREE = "mini-project 8.1, and the docstring of TiltingPlatform.free_pivot"
 PLACES = [(x, y, z) for x, y in ((0.0, 0.0), (-3.0, 2.0), (4.0, 2.0)) for z in (-1.0, 1.0)]
+G = 9.81  # m/s^2
 PIVOT = range(6)  # the numbers of its coordinates
 
 
@@ -105,6 +106,7 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
          "Your mass has the wrong sign. It should be -(sum of mass times position) / x."),
         (14.0 / 3.0, "You ignore the signs of the positions. Keep them, because positions to the "
                      "left of the pivot are negative."),
+        (2.0 / 3.0 * G, "You multiply by g, which is in all torques alike. Leave it out."),
         (2.0, "You return the sum of mass times position, which is not a mass yet. Divide it by "
               "-x."),
         (-2.0, "You return minus the sum of mass times position. Divide it by x to get a mass."),
@@ -201,6 +203,9 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
         got, _ = weighed([(mass, x)])
         left = mass - right
         near, far = (mass, 0.0) if x < 0.5 else (0.0, mass)
+        part = mass * x / (4.0 if x > 0.0 else -3.0)  # the distance from the pivot, as a fraction
+        others = ((mass - part, part), (0.0, part))  # the load of the other end
+        others = others if x > 0.0 else [pair[::-1] for pair in others]
         mistakes = [
             (_masses(1.0, right, left), "You swapped the loads of the two ends. The end nearer "
                                         "the weight carries more."),
@@ -209,9 +214,25 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
                                                     "of them half."),
             (_masses(0.0, left, right), "You leave out the particles' own mass. Add MASS to the "
                                         "load that each particle carries."),
-            (_masses(1.0, near, far), "You put the whole weight on the nearer end. Divide it "
-             "between both ends: the closer it is to an end, the more that end carries."),
+            (_masses(0.5, left, right), "You halve the particles' own mass too. Add MASS to "
+                                        "half of the load of the end."),
         ]  # fmt: skip
+        if -3.0 < x < 4.0:  # otherwise, all of these are right
+            mistakes.append(
+                (
+                    _masses(1.0, near, far),
+                    "You put the whole weight on the nearer end. Divide it "
+                    "between both ends: the closer it is to an end, the more that end carries.",
+                )
+            )
+            mistakes += [
+                (
+                    _masses(1.0, *pair),
+                    "You divide the weight by its distance from the "
+                    "pivot. Take its distances from the two ends.",
+                )
+                for pair in others
+            ]
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)
         about.call = f"platform.put_weight(mass={mass}, x={x}); the masses of the pivot's two "

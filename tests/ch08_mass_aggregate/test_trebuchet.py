@@ -199,6 +199,9 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         ],
         seen,
     )
+    if not flies:
+        seen = "Your throw never calls self.step, which releases the sling. Call self.step(STEP), "
+        seen += "not self.world.step(STEP), until self.flies is true."
     name = "; the total duration of all calls to self.step"
     expect_exactly(frames / 250.0, 0.004, then=name, unit="s", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G

@@ -69,6 +69,8 @@ def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
         )
         about.call = f"{name}: {bodies_in_words}; mechanical_energy of all of them"
         got = energy_of(some)
+        first = "Your loop returns after the first particle. Return the sum after the loop."
+        about.cause = cause_of(got, [(parts[0], first)], about.cause)
         # Rounding of terms of some hundreds of J.
         expect_close(got, wanted, unit="J", tolerance=1e-10)
     p, v, a, m = bodies[0]
@@ -110,7 +112,8 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     force = components(rng)
     about.call = "a world of four particles, of which particles[1] is immovable; "
     about.call += f"add_force(Vector3{force}) for each of them; world.start_frame()"
-    about.cause = "start_frame doesn't clear any forces. Call clear_forces() for every particle."
+    about.cause = "start_frame doesn't clear any forces. Call clear_forces() for every particle, "
+    about.cause += "with the parentheses, because without them Python doesn't call the method."
     done = started(bodies, force)
     kept = [i for i in range(4) if done["after"][i] != ZERO]
     if 0 < len(kept) < 4:
@@ -138,6 +141,8 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     about.call = f"{count} particles at a height of 1 m; floors at heights of 0, 1, {low:g} and "
     about.call += f"{high:g} m; world.contacts()"
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
+    about.cause = "Call contacts() of each generator, with the parentheses, and put all contacts "
+    about.cause += "into one list."
     got = depths_of(count, [0.0, 1.0, low, high])
     nested = "Your contacts() returns a separate list for each floor. Put the contacts of all "
     nested += "floors into one list."
@@ -177,6 +182,12 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     about.call += f"registry adds -{k} N/m * position to each; world.start_frame(); "
     about.call += f"add_force(Vector3{hand}) for both; world.run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
+    given = [row[1] for row in done["diary"] if row[0] == "no function"]
+    called = "You called update_forces, and passed on what it returned. Pass the function itself, "
+    called += "self.registry.update_forces, without parentheses."
+    called = called if given == ["None"] else f"The order of the arguments is wrong. {about.cause}"
+    seen, name = f"it is {(*given, '')[0]}", "; the second argument of the integrator"
+    expect_that(not given, seen, "it is a function", then=name, cause=called)
     for i, (p, v, a, m) in enumerate(bodies):
         push = [a[j] + (hand[j] - k * p[j]) / m for j in range(3)]
         velocity = [v[j] + push[j] * h for j in range(3)]

@@ -278,10 +278,8 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     rows = draw_rows(rng, 3)
     points = middles(rows)
     (first, low), (last, high) = points[0], points[-1]
-    about.cause = (
-        "Beyond its first and last rows the deck continues at the height of that row for half a "
-        "SPACING, which is 1 m."
-    )
+    about.cause = "Beyond its first and last rows the deck continues at the height of that row for "
+    about.cause += "half a SPACING, which is 1 m."
     for at, row, height in (
         (first - 0.99, 0, low),
         (first, 0, low),
@@ -337,34 +335,25 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
             if not depth:
                 about.cause = (
-                    "You return no contacts for a ball that just touches the deck. Return two "
-                    "contacts with a penetration of 0."
+                    "You return no contacts for a ball that just touches the deck. Return "
                 )
+                about.cause += "two contacts with a penetration of 0."
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
-                "You return a contact for only one end of the nearest row. Return one for each of "
-                "its two ends."
+                "You return a contact for only one end of the nearest row. Return one for "
             )
+            about.cause += "each of its two ends."
         elif ends == [(3, 0), (4, 0)]:
-            about.cause = (
-                "You swapped particle and other. The normal points toward the ball, so pass the "
-                "ball as particle and the end of the row as other."
-            )
+            about.cause = "You swapped particle and other. The normal points toward the ball, so "
+            about.cause += "pass the ball as particle and the end of the row as other."
         elif len(ends) > 2:
-            about.cause = (
-                "You return contacts for other rows too. Return only those for the two ends of the "
-                "nearest row, on which the ball rests."
-            )
+            about.cause = "You return contacts for other rows too. Return only those for the two "
+            about.cause += "ends of the nearest row, on which the ball rests."
         expect_exactly(ends, [(0, 3), (0, 4)], then="; (particle, other) of each contact")
         for _, _, normal, restitution, penetration in list(got):
-            about.cause = (
-                "The normal of a contact is wrong. The deck pushes the ball up, so the normal is "
-                "+Y."
-            )
+            about.cause = "The deck pushes the ball up, so the normal of each contact is +Y."
             expect_close(normal, UP, then="; the normal of a contact", tolerance=1e-15)
-            about.cause = (
-                "You leave out the restitution of the deck. Pass self.restitution to each Contact."
-            )
+            about.cause = "The restitution is wrong. Pass self.restitution to each Contact."
             expect_close(restitution, c, then="; the restitution of a contact", tolerance=1e-12)
             mistakes = [
                 (0.5 * depth, "You divide the penetration between the two contacts. Give each of "

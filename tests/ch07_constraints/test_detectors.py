@@ -256,7 +256,8 @@ def expect_pairs(
         about.cause = "You returned the right pairs in the wrong order. Sort them by the indices "
         about.cause += "of their particles, with the smaller index first in each pair."
     expect_exactly(len(got), len(wanted), unit="contacts")
-    expect_exactly(seen, pairs, then="; the indices of the particles in each contact")
+    for i, (one, right) in enumerate(zip(seen, pairs, strict=True)):
+        expect_exactly(one, right, then=f"; the indices of the particles in contact {i}")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
         about.cause = "The normal of a contact is wrong. Use the unit vector from the second "
         about.cause += "particle of the pair to the first."

@@ -74,7 +74,7 @@ def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> N
 @pytest.mark.parametrize("kind", ["ground", "pair", "immovable other"])
 def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
     about.read = IMPULSE
-    for much in (0.1, 0.7, 1.5, 4.0):  # the limit, as a fraction of the impulse that stops
+    for much in (0.1, 0.7, 99.0, 1.5):  # the limit, as a fraction of the impulse that stops
         n, a, b = direction(rng), draw_body(rng), draw_body(rng)
         if kind == "immovable other":
             b = math.inf, b[1]

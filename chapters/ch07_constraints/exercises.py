@@ -24,11 +24,6 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 
     >>> restitution_of_drop(1.0, 0.64)
     0.8
-
-    Raises:
-        ValueError: if the initial height is not positive, the bounce height is negative or greater
-            than the initial height, or one of them is not finite.
-        TypeError: if a height is not a number.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 
@@ -41,9 +36,7 @@ def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float |
     error of the mean). For n drops the standard error is s / sqrt(n), where s is the sample
     standard deviation (with n - 1) of the restitutions. A single drop has no standard deviation, so
     the standard error is then None. The rows are in the order in which the materials first appear.
-
-    Raises:
-        ValueError, TypeError: for the same reasons as ``restitution_of_drop``.
+    Without drops, the table is empty.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 
@@ -62,12 +55,7 @@ def top_ball_speed(
     it. The lower ball bounces off the ground first, and before it has risen noticeably, it hits the
     upper ball, which is still falling. The result is the upward velocity of the upper ball in m/s
     after this impact. It is negative if the ball still moves down. Gravity is in m/s^2 and masses
-    are in kg.
-
-    Raises:
-        ValueError: if height or gravity is negative, a mass is not positive, a restitution is not
-            from 0 to 1, or an argument is not finite.
-        TypeError: if an argument is not a number.
+    are in kg. Without height or gravity, the result is 0.
     """
     raise NotImplementedError("Exercise 7.3: Two balls dropped at once")
 
@@ -77,11 +65,6 @@ def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector
 
     ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s, but the engine
     applies every force for the whole frame. So return a smaller force in N, as a new vector, which
-    has the same direction and produces the same impulse in the longer time.
-
-    Raises:
-        ValueError: if the contact time is negative or longer than the frame, the frame is not
-            positive, or an argument is not finite.
-        TypeError: if an argument has the wrong type.
+    has the same direction and produces the same impulse in the longer time. Don't change ``force``.
     """
     raise NotImplementedError("Exercise 7.4: A push shorter than a frame")

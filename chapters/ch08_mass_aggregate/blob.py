@@ -78,10 +78,8 @@ def spread(particles: Sequence[Particle]) -> float:
     """Measure the size of a blob in m, for example while it falls and spreads.
 
     The result is the root mean square distance of the particles from their center of mass. Each
-    particle is weighted by its mass.
-
-    Raises:
-        ValueError: if there are no particles, or one of them is immovable.
+    particle is weighted by its mass. You may assume that there is at least one particle, and that
+    all of them can move. Don't change them.
     """
     raise NotImplementedError("Exercise B8.9: The spread of a blob")
 

@@ -33,10 +33,6 @@ def fewest_rods(count: int) -> int:
     - A single particle has only three motions, because it cannot rotate.
 
     Mini-project 8.2.
-
-    Raises:
-        ValueError: if ``count`` is less than 1.
-        TypeError: if ``count`` is not a whole number.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 

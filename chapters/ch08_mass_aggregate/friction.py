@@ -69,9 +69,6 @@ class FrictionContact(Contact):
         Example:
             A particle of 2 kg slides at (3, 0, 0) on the ground, with mu = 0.5. For a normal
             impulse of 4 N s the result is (-2, 0, 0). For 40 N s it is (-6, 0, 0), which stops it.
-
-        Raises:
-            ValueError: if the normal impulse is negative or not finite.
         """
         raise NotImplementedError("Exercise G8.3: Friction")
 

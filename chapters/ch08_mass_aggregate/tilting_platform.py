@@ -50,9 +50,11 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
     The torque of each mass is proportional to the mass times its position. The platform is balanced
     if all torques add up to zero.
 
+    If they already do, return 0 for any x, even for 0. Otherwise, a mass of 0 or more can balance
+    the platform only on the side that rises.
+
     Raises:
-        ValueError: if a number is not finite, a mass is negative, ``places`` and ``masses`` differ
-            in length, or no mass of 0 or more at x balances the platform.
+        ValueError: if no mass of 0 or more at x balances the platform.
     """
     raise NotImplementedError("Exercise B8.7: What tips a platform")
 
@@ -95,10 +97,6 @@ class TiltingPlatform:
         between the ends so that the torque about the pivot is the same as with the weight at ``x``.
         Each end consists of two particles. Each of these carries half of the mass at its end, in
         addition to its own ``MASS``.
-
-        Raises:
-            ValueError: if the mass is negative or not finite, or x is not between the ends. In that
-                case the old weight stays.
         """
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 

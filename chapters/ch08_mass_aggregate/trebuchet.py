@@ -140,10 +140,10 @@ class Trebuchet:
     def throw(self) -> Throw:
         """Simulate the throw, and return the result as a ``Throw``.
 
-        Take time steps of ``STEP`` seconds until the sling releases the projectile. From then on
-        the projectile flies without drag until it reaches the ground, which is at a height of 0.
-        The throw fails if the projectile reaches the ground while it is still in the sling, or if
-        it has not been released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call
-        this method only on a new trebuchet, because a trebuchet can throw only once. Project 8.2a.
+        Call ``step`` with ``STEP`` until the sling releases the projectile. From then on the
+        projectile flies without drag until it reaches the ground, which is at a height of 0. The
+        throw fails if the projectile reaches the ground while it is still in the sling, or if it
+        has not been released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call this
+        method only on a new trebuchet, because a trebuchet can throw only once. Project 8.2a.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

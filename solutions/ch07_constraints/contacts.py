@@ -11,7 +11,6 @@ Lengths are in m, velocities in m/s.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from typing import Protocol
 
@@ -73,6 +72,7 @@ class Contact:
 
         The result is (va - vb) . n, which is negative while the bodies approach. Here n is the
         normal, va is the velocity of ``particle``, and vb is that of ``other``, or 0 if it is None.
+        This method changes nothing.
         """
         velocity = self.particle.velocity
         if self.other is not None:
@@ -94,13 +94,9 @@ class Contact:
         a gravity generator would jitter (7.2.3, erratum E-26).
 
         Time division resolves each impact at the moment when it happens. No such velocity has built
-        up by then, so pass a duration of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, even if nothing would change.
+        up by then, so pass a duration of 0. This method changes nothing.
         """
-        if not (type(duration) is float and 0.0 <= duration < math.inf):
-            not_negative("duration", duration)
+        not_negative("duration", duration)
         closing = self.separating_velocity()
         if closing >= 0.0:
             return closing
@@ -118,10 +114,8 @@ class Contact:
         The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
         opposite direction. The new velocities are va' = va + n g / ma and vb' = vb - n g / mb. Here
         ma and mb are the masses. This conserves momentum. Nothing changes if the contact is not
-        closing, or if neither particle can move. Book: sections 7.1.4 and 7.2.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, even if nothing would change.
+        closing, or if neither particle can move. Apart from the two velocities, change nothing.
+        Book: sections 7.1.4 and 7.2.
         """
         wanted = self.velocity_after(duration)
         closing = self.separating_velocity()
@@ -227,7 +221,8 @@ class ContactResolver:
 
         Stop after ``limit`` resolutions, or when no contact closes faster than
         ``VELOCITY_TOLERANCE``. If several contacts are equally fast, take the first. This phase
-        ignores penetrations. The list may be empty. At least one particle of each contact can move.
+        ignores penetrations. Pass ``duration``, the time step in s, on to ``resolve_velocity``. Do
+        not change the list, which may be empty. At least one particle of each contact can move.
 
         Returns:
             The number of resolutions.
@@ -258,8 +253,8 @@ class ContactResolver:
         this update (erratum E-8).
 
         Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. If
-        several contacts are equally deep, take the first. You may assume that at least one particle
-        of every contact can move.
+        several contacts are equally deep, take the first. The list may be empty. You may assume
+        that at least one particle of every contact can move.
 
         Returns:
             The number of resolutions.

@@ -7,9 +7,9 @@ calls ``next_impact(duration)`` before it moves the particles, because it must s
 impact.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
-particles to the list later. Constructors raise ValueError for a number that is not finite, a radius
-that is too small, and a restitution outside 0 to 1. They raise TypeError for an argument of the
-wrong type.
+particles to the list later. You may also change the attributes of a detector between two calls.
+Constructors raise ValueError for a number that is not finite, a radius that is too small, and a
+restitution outside 0 to 1. They raise TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -47,7 +47,10 @@ class Detector(Protocol):
         """Find all contacts at the current positions and return them."""
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Find the first impact within ``duration`` s, as (time, contact), or return None."""
+        """Find the first impact within ``duration`` s, as (time, contact), or return None.
+
+        An impact exactly at the end of the duration counts.
+        """
 
 
 class GroundPlane:
@@ -97,9 +100,6 @@ class GroundPlane:
         Returns:
             The tuple (time, contact), or None if there is no impact. The contact has a penetration
             of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite.
         """
         not_negative("duration", duration)
         first: Impact | None = None
@@ -151,8 +151,9 @@ class ParticlePairs:
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration move in a straight line relative to each other, so
-        the time of their impact is easy to compute. Treat the velocity and the acceleration of an
-        immovable particle as zero.
+        the time of their impact is easy to compute. You may assume that the accelerations of all
+        particles are the same, or differ only by rounding errors. Treat the velocity and the
+        acceleration of an immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
@@ -163,11 +164,6 @@ class ParticlePairs:
         Returns:
             The tuple (time, contact), or None if there is no impact. The contact has the normal at
             the time of the impact, and a penetration of 0.
-
-        Raises:
-            ValueError: if the duration is negative or not finite, or if the accelerations of any
-                two particles differ by more than a rounding error, which is 1e-12 of their
-                magnitudes.
         """
         not_negative("duration", duration)
         first: Impact | None = None
@@ -201,9 +197,7 @@ class ParticlePairs:
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
         """Compute the time in s until two spheres touch, or return math.inf if they never do."""
         (v, pull), (w, other) = _flight(a), _flight(b)
-        if (pull - other).magnitude() > _SAME * (pull.magnitude() + other.magnitude()):
-            seen = f"{pull!r} and {other!r}"
-            raise ValueError(f"both particles must have the same last_acceleration, got {seen}")
+        same_acceleration(pull, other)
         offset, velocity = a.position - b.position, v - w
         closing = -offset.dot(velocity)  # the closing speed times the distance
         if closing <= VELOCITY_TOLERANCE * offset.magnitude():
@@ -260,8 +254,10 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
       the gap never becomes positive, the result is the time at which v reverses.
 
     A very small velocity may be only a rounding error. So if v is between -VELOCITY_TOLERANCE and
-    0, the gap closes only if a is negative. Return ``math.inf`` if the gap never closes, and also
-    if the velocity reverses exactly when the gap is 0. The arguments are not checked.
+    0, the gap closes only if a is negative. The result must have nine correct digits, even for a
+    fast body just above the ground, so do not subtract nearly equal numbers. Return ``math.inf`` if
+    the gap never closes, and also if the velocity reverses exactly when the gap is 0. The arguments
+    are not checked.
     """
     if acceleration >= 0.0 and velocity >= -VELOCITY_TOLERANCE:
         return math.inf
@@ -271,6 +267,16 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     if velocity > 0.0:  # up first; a root below 0 means that it never gets out of the ground
         return (velocity + math.sqrt(max(root, 0.0))) / -acceleration
     return 2.0 * gap / (math.sqrt(root) - velocity) if root > 0.0 else math.inf
+
+
+def same_acceleration(a: Vector3, b: Vector3) -> None:
+    """Check that two accelerations are the same, apart from a rounding error.
+
+    Raises:
+        ValueError: if they differ by more than 1e-12 of their magnitudes.
+    """
+    if (a - b).magnitude() > _SAME * (a.magnitude() + b.magnitude()):
+        raise ValueError(f"both particles must have the same acceleration, got {a!r} and {b!r}")
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:

@@ -2,7 +2,7 @@
 
 Cables and rods are links. A link is a contact generator. It generates no contact while its length
 is within its limits. When the length reaches or passes a limit, ``contacts()`` returns a contact.
-Resolving this contact brings the length back to the limit.
+Resolving this contact brings the length back to the limit. ``contacts()`` itself changes nothing.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite. They raise TypeError for an argument of the wrong
@@ -85,9 +85,9 @@ class Rod:
         pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
         normal points away from ``b``. The penetration is the difference between the distance and
         ``length`` as a positive number, and the restitution is 0. If both ends are at the same
-        position, use +Y as the direction from ``a`` to ``b``. This method follows the book's
-        listing. The book's text asks for two contacts in every step, as in ``TwoSidedRod`` (erratum
-        E-9).
+        position, use +Y as the direction from ``a`` to ``b``, as ``direction_of`` of contacts.py
+        does. This method follows the book's listing. The book's text asks for two contacts in every
+        step, as in ``TwoSidedRod`` (erratum E-9).
         """
         return _of_rod(self, self.a, self.b, self.b.position)
 

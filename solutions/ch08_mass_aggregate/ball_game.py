@@ -60,12 +60,7 @@ class Rules:
         The first landing on a row gives ``POINTS``. If this landing wins the game, the player also
         gets ``BONUS`` for each life that is left. Later landings on the same row change nothing,
         and neither does a landing after the game is over.
-
-        Raises:
-            ValueError: if the row does not exist. Rows are numbered from 0.
         """
-        if row not in range(self.rows):
-            raise ValueError(f"row must be from 0 to {self.rows - 1}, got {row!r}")
         if self.over or row in self.visited:
             return
         self.visited.add(row)
@@ -142,9 +137,6 @@ class BallGame:
           its vertical velocity to ``JUMP``. Its velocity along X stays the same.
         - Otherwise, if its lowest point is at most ``TOUCH`` above the ground, report the fall to
           the rules. Then put the ball back at its start, unless the player has no lives left.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         if self.rules.over:

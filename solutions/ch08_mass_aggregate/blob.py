@@ -85,17 +85,10 @@ def spread(particles: Sequence[Particle]) -> float:
     """Measure the size of a blob in m, for example while it falls and spreads.
 
     The result is the root mean square distance of the particles from their center of mass. Each
-    particle is weighted by its mass.
-
-    Raises:
-        ValueError: if there are no particles, or one of them is immovable.
+    particle is weighted by its mass. You may assume that there is at least one particle, and that
+    all of them can move. Don't change them.
     """
-    masses = [particle.mass for particle in particles]
-    if not masses or math.inf in masses:
-        raise ValueError(
-            f"particles must be one or more particles that can move, got masses {masses!r}"
-        )
-    total = math.fsum(masses)
+    total = math.fsum(positive("mass", particle.mass) for particle in particles)
     center = Vector3()
     for particle in particles:
         center.add_scaled(particle.position, particle.mass / total)

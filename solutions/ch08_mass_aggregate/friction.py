@@ -72,9 +72,6 @@ class FrictionContact(Contact):
         Example:
             A particle of 2 kg slides at (3, 0, 0) on the ground, with mu = 0.5. For a normal
             impulse of 4 N s the result is (-2, 0, 0). For 40 N s it is (-6, 0, 0), which stops it.
-
-        Raises:
-            ValueError: if the normal impulse is negative or not finite.
         """
         limit = self.friction * not_negative("normal_impulse", normal_impulse)
         sliding = self.sliding_velocity()

@@ -28,9 +28,6 @@ def nearest_on_segment(point: Vector3, a: Vector3, b: Vector3) -> Vector3:
         For the segment from (0, 0, 0) to (4, 0, 0), the point nearest to (3, 5, 0) is (3, 0, 0),
         and the point nearest to (9, 5, 0) is the end (4, 0, 0).
 
-    Raises:
-        ValueError: if a component of an argument is not finite.
-
     Book: section 8.2.1.
     """
     finite_vector("point", point)

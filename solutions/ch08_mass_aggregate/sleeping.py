@@ -190,9 +190,6 @@ class SleepingWorld(ParticleWorld):
         - Find the contacts. If a contact wakes a particle, find the contacts again. Repeat this
           until no more particles wake.
         - Resolve the contacts, and then call ``fall_asleep``.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         self._frame += 1

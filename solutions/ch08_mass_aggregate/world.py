@@ -82,9 +82,6 @@ class ParticleWorld:
         each generator once, to find the contacts at the new positions. Finally, resolve all
         contacts with one call to the resolver. If there are no contacts, do not call the resolver.
 
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
-
         Book: section 8.1.
         """
         positive("duration", duration)  # a user's integrator may not check it
@@ -96,11 +93,9 @@ class ParticleWorld:
     def step(self, duration: float) -> None:
         """Clear all forces, and move the world forward by one time step of ``duration`` s.
 
-        Forces that you added before the call therefore have no effect. If you want to add forces by
-        hand, call ``start_frame``, add them, and then call ``run_physics``.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
+        Call ``start_frame`` and then ``run_physics``, which a subclass may replace. Forces that you
+        added before the call therefore have no effect. If you want to add forces by hand, call
+        ``start_frame``, add them, and then call ``run_physics``.
         """
         positive("duration", duration)  # before the forces are cleared
         self.start_frame()

@@ -40,6 +40,13 @@ def told(contacts: Iterable[Any], particles: Sequence[Any]) -> list[Told]:
     return found
 
 
+def kind_of(contacts: Any) -> str:
+    """Return in words what a contact generator has returned, if it is no list or the like."""
+    if contacts is None:
+        return "nothing (None)"
+    return "" if hasattr(contacts, "__iter__") else "a single Contact"
+
+
 def number_of(particle: Any, particles: Sequence[Any]) -> int:
     if particle is None:
         return -1

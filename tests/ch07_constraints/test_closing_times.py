@@ -14,7 +14,7 @@ from expect import about, blame, expect_close, expect_exactly
 CLOSE = "the docstring of time_to_close"
 
 
-@pytest.mark.exercise("B7.10")
+@pytest.mark.exercise("B7.10", asks="the first time at which the gap is 0 or negative")
 def test_when_a_gap_closes(rng: Random) -> None:
     about.read = CLOSE
     t, pull = positive_number(rng), positive_number(rng)
@@ -74,7 +74,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
         expect_close(got, wanted, unit="s")
 
 
-@pytest.mark.exercise("B7.10")
+@pytest.mark.exercise("B7.10", asks="Return math.inf if the gap never closes")
 def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
@@ -124,7 +124,7 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         expect_exactly(float(got), wanted, unit="s")
 
 
-@pytest.mark.exercise("B7.10")
+@pytest.mark.exercise("B7.10", asks="The result must have nine correct digits")
 def test_the_time_keeps_its_digits() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):

@@ -15,6 +15,7 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch07_constraints.probes import (
     ground_of_a_list,
+    kind_of,
     looked,
     pairs_of_a_list,
     piled,
@@ -23,7 +24,7 @@ from ch07_constraints.probes import (
 )
 from draw import Components, components, direction, number, positive_number
 from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, scoped
-from impacts import expect_particles
+from impacts import expect_list, expect_particles
 
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
@@ -31,7 +32,7 @@ PAIRS = "the docstring of ParticlePairs.contacts"
 INDICES = "; the indices of the particles in the returned contacts"
 
 
-@pytest.mark.exercise("7.5")
+@pytest.mark.exercise("7.5", asks="touches the ground or is below it")
 def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
@@ -74,7 +75,9 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
             y = height + radius + above
             x, z = number(rng), number(rng)
             p = Particle(Vector3(x, y, z), Vector3(1.0, 50.0, 3.0), mass=3.0)
-            got = told(GroundPlane([p], height, radius, c).contacts(), [p])
+            found = GroundPlane([p], height, radius, c).contacts()
+            expect_list(kind_of(found))
+            got = told(found, [p])
             name = f"particle p at ({x:g}, {y:g}, {z:g}) with velocity (1, 50, 3); {about.call}"
             expect_exactly(len(got), len(depths), call=name, unit="contacts")
             for (a, b, normal, restitution, depth), wanted in zip(got, depths, strict=True):
@@ -87,6 +90,8 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                     (wanted - 2.0 * radius, "Your radius has the wrong sign, so you used the "
                                             "highest point of the particle. Use its lowest point, "
                                             "which is at y - radius."),
+                    (c, "You passed the restitution as the penetration. The order of the arguments "
+                        "is Contact(particle, other, normal, restitution, penetration)."),
                     (-wanted, "The penetration has the wrong sign. It must be positive when the "
                               "particle is inside the ground, so compute height + radius - y."),
                     (wanted - height,
@@ -115,7 +120,7 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                 expect_close(restitution, c, call=shown, cause=why, tolerance=1e-13)
 
 
-@pytest.mark.exercise("7.5")
+@pytest.mark.exercise("7.5", asks="Immovable particles have no contacts")
 def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     heights = [number(rng) for _ in range(6)]
@@ -125,6 +130,9 @@ def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None
     about.cause += "the list."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
+    if len(first) == 1 < len(wanted):
+        about.cause = "You returned only one contact. Collect the contacts of all particles, and "
+        about.cause += "return them after the loop."
     expect_exactly(first, wanted, then=INDICES)
     about.call += "; p.position.y = -1 for every p in particles; particles[1].mass = math.inf; "
     about.call += "particles.append(Particle(Vector3(0, -1, 0))); ground.contacts()"
@@ -140,7 +148,7 @@ def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None
     expect_exactly(third, [], then=INDICES)
 
 
-@pytest.mark.exercise("7.5")
+@pytest.mark.exercise("7.5", asks="even a very fast particle cannot pass")
 def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     about.read = GROUND
     speed = positive_number(rng, 500.0, 2000.0)
@@ -154,7 +162,7 @@ def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     expect_close(fallen, 1.0 - speed / 60.0, call=name, tolerance=1e-12, unit="m")
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="each pair of spheres that touch or overlap")
 def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
@@ -184,7 +192,9 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         about.call = f"particle a at {p}; particle b at {q}; ParticlePairs([a, b], "
         about.call += f"radius={radius}, restitution={c}).contacts()"
         pair = [Particle(Vector3(*p)), Particle(Vector3(*q))]
-        got = told(ParticlePairs(pair, radius, c).contacts(), pair)
+        found = ParticlePairs(pair, radius, c).contacts()
+        expect_list(kind_of(found))
+        got = told(found, pair)
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "particle a at (-2, 0, 0); particle b at (-1, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=0.75).contacts()"
@@ -246,7 +256,8 @@ def expect_pairs(
         about.cause = "You returned the right pairs in the wrong order. Sort them by the indices "
         about.cause += "of their particles, with the smaller index first in each pair."
     expect_exactly(len(got), len(wanted), unit="contacts")
-    expect_exactly(seen, pairs, then="; the indices of the particles in each contact")
+    for i, (one, right) in enumerate(zip(seen, pairs, strict=True)):
+        expect_exactly(one, right, then=f"; the indices of the particles in contact {i}")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
         about.cause = "The normal of a contact is wrong. Use the unit vector from the second "
         about.cause += "particle of the pair to the first."
@@ -278,7 +289,7 @@ def expect_pairs(
         expect_close(depth, right[4], then=name, tolerance=1e-13, unit="m")
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="The contacts are in the order of the list")
 def test_every_pair_is_found_once(rng: Random) -> None:
     about.read = PAIRS
     for count, size, radius in ((40, 1.0, 0.25), (60, 9.0, 0.8), (30, 0.5, 2.0)):
@@ -305,7 +316,7 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         expect_pairs(got, wanted, 2.0 * radius, walls)
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="Do not compare every pair")
 def test_not_every_pair_is_compared() -> None:
     about.read = PAIRS
     about.call = "400 particles in a cube with an edge of 40 m; ParticlePairs(particles, "
@@ -321,7 +332,7 @@ def test_not_every_pair_is_compared() -> None:
     expect_exactly(found, wanted, unit="contacts")
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="you may add particles to the list later")
 def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.5, 1.5)
@@ -342,7 +353,7 @@ def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4], then=INDICES)
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="same cell or in neighboring cells can touch")
 def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
@@ -361,7 +372,7 @@ def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
         expect_exactly(seen, wanted, then=INDICES)
 
 
-@pytest.mark.exercise("B7.9")
+@pytest.mark.exercise("B7.9", asks="each pair of spheres that touch or overlap")
 def test_a_pile_of_six_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
     about.call = "six spheres (1 kg, radius 0.5 m) stacked on the ground; 12 semi-implicit steps "

@@ -27,7 +27,7 @@ PAIRS = "the docstring of ParticlePairs.next_impact"
 TIME, NORMAL = "; the time of the impact", "; the normal of the contact"
 
 
-@pytest.mark.exercise("B7.11")
+@pytest.mark.exercise("B7.11", asks="Two spheres have an impact when they touch")
 def test_when_two_spheres_meet(rng: Random) -> None:
     about.read = PAIRS
     n, radius, t = direction(rng), positive_number(rng, 0.2, 0.9), positive_number(rng)
@@ -103,7 +103,7 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         expect_unchanged("b.velocity", xyz(other.velocity), w)
 
 
-@pytest.mark.exercise("B7.11")
+@pytest.mark.exercise("B7.11", asks="Ignore a slower approach")
 def test_spheres_that_touch_or_never_meet() -> None:
     about.read = PAIRS
     meet = "The centers are 5 m apart, and the particles touch when their distance is 2 m. At 3 "
@@ -173,7 +173,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
     expect_close(seen, (0.5, 0.5), then="; the time in s and the restitution of the impact")
 
 
-@pytest.mark.exercise("B7.11")
+@pytest.mark.exercise("B7.11", asks="take the first in the order of contacts()")
 def test_the_first_pair_of_many(rng: Random) -> None:
     about.read = PAIRS
     speed = positive_number(rng, 1.0, 3.0)
@@ -219,7 +219,7 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     expect_particles((a, b), (0, 1), names)
 
 
-@pytest.mark.exercise("B7.11")
+@pytest.mark.exercise("B7.11", asks="or differ only by rounding errors")
 def test_accelerations_may_differ_by_rounding(rng: Random) -> None:
     about.read = PAIRS
     for ma, mb in ((1.1, 1.3), (3.3, 4.9), (positive_number(rng), positive_number(rng))):

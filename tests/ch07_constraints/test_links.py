@@ -12,10 +12,10 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod, TwoSidedRod
-from ch07_constraints.probes import swung, told
+from ch07_constraints.probes import kind_of, swung, told
 from draw import Components, components, positive_number
 from expect import about, cause_of, expect_close, expect_exactly, expect_unchanged, scoped, xyz
-from impacts import expect_particles
+from impacts import expect_list, expect_particles
 
 UP = (0.0, 1.0, 0.0)
 CABLE = "book 7.4.1, and the docstring of Cable.contacts"
@@ -59,7 +59,9 @@ def expect_contacts(
     the ends.
     """
     about.call = call
-    got = told(link.contacts(), particles)
+    found = link.contacts()
+    expect_list(kind_of(found))
+    got = told(found, particles)
     why = about.cause if got else f"You returned no contact. {about.cause}"
     why = cause_of(len(got), counts, why)
     expect_exactly(len(got), len(wanted), cause=why, unit="contacts")
@@ -71,10 +73,16 @@ def expect_contacts(
         expect_particles((a, b), right[:2], cause=why)
         back = tuple(-part for part in right[2])
         why = f"Your normal points the wrong way. {about.cause}"
+        if depth == -right[4] != 0.0 and len(wanted) == 1:
+            why = "You gave the contact a negative penetration. Reverse its normal instead, and "
+            why += f"keep the penetration positive. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. Pass "
-        why += f"{'self.restitution' if right[3] else 0} to Contact instead."
+        why = "You passed the penetration as the restitution. The order of the arguments is "
+        why += "Contact(particle, other, normal, restitution, penetration)."
+        if restitution != right[4]:
+            why = "The contact has the wrong restitution. Pass "
+            why += f"{'self.restitution' if right[3] else 0} to Contact instead."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         sign = "It must be positive, so that the resolver corrects the distance between the ends."
         if len(wanted) > 1:
@@ -108,7 +116,7 @@ def expect_ends(pair: list[Any], before: Components) -> None:
     expect_unchanged(end, now[3:], before[3:])
 
 
-@pytest.mark.exercise("B7.7")
+@pytest.mark.exercise("B7.7", asks="one contact if the cable is taut")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     about.read = CABLE
@@ -124,8 +132,8 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     to_the_end += "by its length to get the normal."
     before = places(pair)
     for max_length, cause in (
-        (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
+        (0.75 * length, to_the_end),
         (
             length,
             "A cable at exactly its maximum length is taut. Return a contact with a penetration of "
@@ -140,7 +148,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         expect_ends(pair, before)
 
 
-@pytest.mark.exercise("B7.7")
+@pytest.mark.exercise("B7.7", asks="A slack cable has no contact")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     about.read = CABLE
@@ -189,7 +197,7 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     expect_unchanged("a.velocity", got, (1.0, 2.0, 3.0))
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="if the rod is too short or too long")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     about.read = ROD
@@ -225,7 +233,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         expect_contacts(about.call, link, pair, wanted)
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="use +Y as the direction from a to b")
 def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
@@ -244,7 +252,7 @@ def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     expect_contacts(about.call, rod, pair, [(0, -1, UP, 0.0, length)])
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it")
 def test_a_pendulum_swings_in_its_period() -> None:
     about.read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
@@ -271,7 +279,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
         expect_close(got, 1.0, then=name, tolerance=1e-12, unit="m")
 
 
-@pytest.mark.exercise("B7.8")
+@pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it")
 def test_a_string_bears_three_times_the_weight() -> None:
     about.read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
     mass = 2.0
@@ -289,7 +297,7 @@ def test_a_string_bears_three_times_the_weight() -> None:
     expect_close(got, 3.0 * mass * 10.0, tolerance=0.6, then=name, unit="N")
 
 
-@pytest.mark.exercise("7.6")
+@pytest.mark.exercise("7.6", asks="return a contact for each limit that is reached")
 def test_limits_act_at_their_ends(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
@@ -327,7 +335,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     expect_contacts(about.call, link, pair, wanted)
 
 
-@pytest.mark.exercise("7.6")
+@pytest.mark.exercise("7.6", asks="If both limits are reached, return both")
 def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
@@ -361,7 +369,7 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     expect_contacts(about.call, link, same, [])
 
 
-@pytest.mark.exercise("G7.1")
+@pytest.mark.exercise("G7.1", asks="always return two contacts")
 def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     about.read = TWO_SIDED
     pair, n, length, told_ends = ends(rng, anchored=False)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -29,7 +30,17 @@ UP = (0.0, 1.0, 0.0)
 MOVE = "book 7.2.2, E-8, and the docstring of Contact.resolve_penetration"
 
 
-@pytest.mark.exercise("B7.4")
+def expect_two(moves: Any) -> None:
+    """Expect a tuple of two moves."""
+    none = "You returned None. Always return two moves, and make both of them zero vectors if "
+    none += "nothing moves."
+    two, got = isinstance(moves, (tuple, list)) and len(moves) == 2, "moves is None"
+    if moves is not None:
+        none, got = none.removeprefix("You returned None. "), "moves is something else"
+    expect_that(two, got, "moves is a tuple of two vectors", cause=none)
+
+
+@pytest.mark.exercise("B7.4", asks="so the lighter one moves farther")
 def test_the_lighter_particle_moves_farther(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
@@ -41,7 +52,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
     simple, drawn = ((0.0, 2.0, 0.0), UP, 0.5), (p, n, depth)
     small = (p, n, 1e-10)  # only the resolver has a tolerance; a contact resolves any depth
     for (p, n, depth), first, second, share, cause in (
-        (simple, 1.0, 3.0, 0.75, share_of_a),
+        (simple, 2.0, 6.0, 0.75, share_of_a),
         (drawn, ma, mb, mb / (ma + mb), share_of_a),
         (drawn, ma, wall, 1.0, whole_a),
         (small, wall, mb, 0.0, "Particle a is immovable, so move b by the whole depth."),
@@ -56,6 +67,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
         b = None if second is None else Particle(Vector3(*q), mass=second)
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
+        expect_two(moves)
         got = xyz(contact.normal)
         whole = "You changed the contact's normal in place, as *= does. Use * to compute each "
         whole += "move, because it creates a new vector."
@@ -77,10 +89,13 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
             (0.0, "The position of a didn't change. Add the vector that you return as the first "
                   "move to the position of a."),
         ]  # fmt: skip
+        if both := first != wall and second not in (wall, None):
+            times = "You multiplied by the mass of a. Multiply by its inverse mass, so that the "
+            times += "lighter particle moves farther."
+            mistakes.append((depth * first / (1.0 / first + 1.0 / second), times))
         if xyz(a.velocity) != ZERO:
             why = "You added the move to the velocity of a. Add it to the position of a instead."
-            mistakes[-1] = (0.0, why)
-        both = first != wall and second not in (wall, None)
+            mistakes = [(0.0, why)]
         moved = [(tuple(x + s * y for x, y in zip(p, n, strict=True)), why) for s, why in mistakes]
         seen = cause_of(got, moved, about.cause) if both else about.cause
         # A few roundings of numbers up to 10.
@@ -110,7 +125,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
         expect_close(got, 0.0, then="; c.penetration", unit="m")
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="If the penetration is 0 or negative")
 def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
@@ -133,12 +148,7 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
         a, b = Particle(Vector3(*p), mass=mass), Particle(Vector3(*q), mass=mass)
         c = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = c.resolve_penetration()
-        none = "You returned None. Always return two moves, and make both of them zero vectors if "
-        none += "nothing moves."
-        two, got = isinstance(moves, (tuple, list)) and len(moves) == 2, "moves is None"
-        if moves is not None:
-            none, got = none.removeprefix("You returned None. "), "moves is something else"
-        expect_that(two, got, "moves is a tuple of two vectors", cause=none)
+        expect_two(moves)
         zero = "No particle moves here, so make both of the moves that you return zero vectors."
         for name, now, before in (
             ("a.position", xyz(a.position), p),
@@ -174,7 +184,7 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     expect_close(got, ZERO + ZERO, then="; moves[0] and moves[1] in one tuple", unit="m")
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="as two new vectors")
 def test_the_moves_are_new_vectors(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
@@ -218,7 +228,7 @@ def test_the_moves_are_new_vectors(rng: Random) -> None:
         expect_close(got, ZERO, call=shown, unit="m/s")
 
 
-@pytest.mark.exercise("B7.4")
+@pytest.mark.exercise("B7.4", asks="Move the two particles apart along the normal")
 def test_a_resting_body_stays_on_the_ground() -> None:
     about.read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
     for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):

@@ -17,6 +17,8 @@ LEFT = (-1.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
 DEEPEST = "book 7.3.1, E-8, and the docstring of ContactResolver.resolve_penetrations"
 Body = tuple[Components, Components, float]
+# The places of the three balls of the first check after one, two and three resolutions.
+AFTER = ((0.0, 0.625, 2.375), (-0.4375, 1.0625, 2.375), (-0.4375, 0.84375, 2.59375))
 
 
 def row(*speeds: float, mass: float = 1.0) -> list[Body]:
@@ -24,7 +26,7 @@ def row(*speeds: float, mass: float = 1.0) -> list[Body]:
     return [((float(i), 0.0, 0.0), (speed, 0.0, 0.0), mass) for i, speed in enumerate(speeds)]
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="the penetration of the deepest contact")
 def test_the_deepest_contact_is_resolved_first() -> None:
     about.read = DEEPEST
     bodies = row(1.0, 0.0, -1.0)
@@ -33,12 +35,12 @@ def test_the_deepest_contact_is_resolved_first() -> None:
     setup += "0.75 m; resolver.resolve_penetrations(contacts, "
     contacts = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.75)]
     for limit, wanted, depths, cause in (
-        (1, (0.0, 0.625, 2.375), (0.875, 0.0), "The right pair is deeper, so resolve it first. "
+        (1, AFTER[0], (0.875, 0.0), "The right pair is deeper, so resolve it first. "
                                                "Move each of its balls by half of the depth."),
-        (2, (-0.4375, 1.0625, 2.375), (0.0, 0.4375),
+        (2, AFTER[1], (0.0, 0.4375),
          "After the right pair, resolve the left pair. It is 0.875 m deep by then, because the "
          "first move pushed the middle ball farther into the left one."),
-        (3, (-0.4375, 0.84375, 2.59375), (0.21875, 0.0),
+        (3, AFTER[2], (0.21875, 0.0),
          "After two resolutions the right pair is deeper again, so resolve it once more."),
     ):  # fmt: skip
         about.call = f"{setup}{limit})"
@@ -52,6 +54,8 @@ def test_the_deepest_contact_is_resolved_first() -> None:
                 "deepest contact.",
             )
         ]
+        many = f"You resolved more contacts than the limit of {limit} allows. Stop when you reach "
+        mistakes += [(places, f"{many}the limit.") for places in AFTER[limit:]]
         if isinstance(used, int) and used > limit:
             about.cause = f"You resolved contacts {used} times, but the limit is {limit}. Stop "
             about.cause += "when you reach the limit."
@@ -104,7 +108,7 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         expect_close(got, (0.0, 0.75), then=name, unit="m")
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="or when no contact is deeper than")
 def test_one_contact_is_resolved_once(rng: Random) -> None:
     about.read = DEEPEST
     n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
@@ -142,7 +146,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
     expect_exactly(used, 0)
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="So update each of these contacts")
 def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     about.read = DEEPEST
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
@@ -183,7 +187,7 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="the number of resolutions in each phase")
 def test_both_phases_have_their_own_limit() -> None:
     about.read = "the docstring of ContactResolver"
     bodies = [*row(2.0, 0.0, -2.0), ((9.0, 0.0, 0.0), RIGHT, math.inf)]
@@ -218,7 +222,7 @@ def test_both_phases_have_their_own_limit() -> None:
     expect_close(got, (0.0, 1.0, 2.0), call=name, unit="m")
 
 
-@pytest.mark.exercise("B7.6")
+@pytest.mark.exercise("B7.6", asks="None means twice the number of contacts")
 def test_a_stack_of_three_settles() -> None:
     about.read = "book 7.3.1, and the docstring of ContactResolver"
     about.call = "three spheres (1 kg, radius 0.5 m) stacked on the ground; 300 semi-implicit "

@@ -32,7 +32,7 @@ DOWN = (0.0, -10.0, 0.0)
 FRAME = 1.0 / 60.0
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="Between impacts the motion is exact")
 def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     about.read = READ
     v, h = (positive_number(rng), positive_number(rng), -positive_number(rng)), 0.5
@@ -67,7 +67,7 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     expect_close(velocity, (1.0, 2.0, 3.0), then="p.velocity", unit="m/s")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="stop at each impact to resolve it")
 def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
     about.read = READ
     e = round(rng.uniform(0.55, 0.9), 3)  # at 0.5 the bounces end at 3 s
@@ -115,7 +115,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         expect_exactly(len(asked), frames + bounces, then="calls to next_impact", unit="calls")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="of its contact with a duration of 0")
 def test_a_restitution_of_1_loses_no_energy() -> None:
     about.read = READ
     about.call = "a ball falls 2 m to the ground with gravity of 10 m/s^2; it bounces with a "
@@ -132,7 +132,7 @@ def test_a_restitution_of_1_loses_no_energy() -> None:
     expect_exactly(len(found), 16, then="the number of impacts", unit="impacts")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="another impact after max_impacts impacts")
 def test_a_ball_at_rest_raises_too_many_impacts() -> None:
     about.read = "the docstring of TooManyImpacts"
     about.call = "a ball falls 2 m to the ground with gravity of 10 m/s^2; it bounces with a "
@@ -197,7 +197,7 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         expect_close(velocity[1], speed, then=name, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="its motion is passed on to the last ball")
 def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
     about.read = "book 7.3.2; simultaneous impacts are resolved one after the other"
     speed = positive_number(rng, 0.5, 3.0)  # slow enough that a late exchange shows
@@ -221,7 +221,7 @@ def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
         expect_exactly(len(found), right, then="the number of impacts", unit="impacts")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="finds in the rest of the step")
 def test_impacts_are_resolved_in_order(rng: Random) -> None:
     about.read = READ
     # Spheres of radius 1 along X. The light one in the middle is hit from both sides in turn.
@@ -269,7 +269,7 @@ def bounced(high: float, a: float, h: float) -> tuple[float, float]:
     return speed * rest + 0.5 * a * rest * rest, speed + a * rest
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="multiply each velocity once by d^h")
 def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     about.read = READ
     # With a in eighths the ball reaches the ground after exactly 1/8 s.
@@ -342,7 +342,7 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     expect_close(bouncing[4], wanted, then="p.position", tolerance=1e-13, unit="m")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="Do not resolve its penetration")
 def test_penetrations_are_not_resolved() -> None:
     about.read = READ
     below = "particle p at (0, -1, 0), below the ground, with velocity "
@@ -363,7 +363,7 @@ def test_penetrations_are_not_resolved() -> None:
     expect_close(velocity, (0.0, 1.5, 0.0), then="p.velocity", unit="m/s")
 
 
-@pytest.mark.exercise("B7.12")
+@pytest.mark.exercise("B7.12", asks="if the duration is not positive and finite")
 @pytest.mark.robust
 def test_a_step_rejects_invalid_arguments() -> None:
     about.read = READ

@@ -56,16 +56,6 @@ def impulse(
     return xyz(contact.friction_impulse(j)), [xyz(body.velocity) for body in bodies]
 
 
-def refused_impulse(j: float) -> str:
-    """Return the name of the error for this normal impulse."""
-    contact, _ = _contact((2.0, (3.0, 0.0, 0.0)), None, (0.0, 1.0, 0.0), 0.5)
-    try:
-        contact.friction_impulse(j)
-    except (ValueError, TypeError) as raised:
-        return type(raised).__name__
-    return "no error"
-
-
 def bounced(a: Body, b: Body | None, normal: Components, mu: float, c: float) -> list[Components]:
     """Resolve the velocity of a contact, as of an impact; return the velocities."""
     contact, bodies = _contact(a, b, normal, mu, c)

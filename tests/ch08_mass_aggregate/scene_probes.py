@@ -282,17 +282,6 @@ def ruled(rows: int, events: Sequence[int]) -> list[tuple[int, int, list[int], b
     return seen
 
 
-def refused_row(rows: int, row: int) -> tuple[str, int, list[int]]:
-    """Tell rules of a landing; return the error's name, the score, and the visited rows."""
-    rules = ball_game.Rules(rows)
-    error = "no error"
-    try:
-        rules.landed(row)
-    except ValueError as raised:
-        error = type(raised).__name__
-    return error, rules.score, sorted(rules.visited)
-
-
 def landing(height: float, velocity: float, x: float) -> tuple[int, Any, Any]:
     """Ask Landings for contacts with a ball over the bridge; and again with it far above.
 

@@ -333,16 +333,3 @@ def both_ways(frames: int) -> tuple[list[Components], list[Components], int]:
         ends.append([xyz(ball.position) for ball in balls])
         sleepers = sleepers or len(world.asleep)
     return ends[0], ends[1], sleepers
-
-
-def refused(duration: Any) -> tuple[str, Components]:
-    """Ask for a frame of a duration; return the error's name, and the accumulated force."""
-    particle = Particle()
-    world = SleepingWorld([particle])
-    particle.add_force(Vector3(1.0, 2.0, 3.0))
-    error = "no error"
-    try:
-        world.run_physics(duration)
-    except (ValueError, TypeError) as raised:
-        error = type(raised).__name__
-    return error, xyz(particle.force_accumulator)

@@ -39,7 +39,7 @@ def wanted_links(places: list[Components]) -> list[tuple[int, int, float]]:
     return wanted
 
 
-@pytest.mark.exercise("B8.4")
+@pytest.mark.exercise("B8.4", asks="joins each end to the end on the same side")
 @pytest.mark.parametrize("which", ["rod", "cable", "anchored cable"])
 def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     about.read = LINKS
@@ -47,6 +47,9 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
     about.call = "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row "
     about.call += "1, and so on; the ends are moved so far apart that every link is stretched"
+    about.cause = "Return a list of all links. The last row has no next row, so a loop over rows i "
+    about.cause += "and i + 1 must stop one row earlier, as itertools.pairwise(rows) does."
+    links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     about.cause = {
         "rod": "Join the two ends of each row with one Rod of length WIDTH.",
         "cable": "Join each end to the end of the next row on the same side, with a Cable of "
@@ -63,7 +66,6 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
             if (j < 0) == (which == "anchored cable") and (j < 0 or j - i == kinds.get(which))
         )
 
-    links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
     missing = [pair for pair in right if pair not in ends]
@@ -105,7 +107,7 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         expect_close(size, right, then=name, cause=seen, unit="m", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.4")
+@pytest.mark.exercise("B8.4", asks="All cables have a restitution of 0")
 def test_links_act_at_the_right_lengths() -> None:
     about.read = LINKS
     about.call = "links_of(make_rows()), with the planks where they start; the ends of all contacts"
@@ -142,7 +144,7 @@ def test_links_act_at_the_right_lengths() -> None:
     expect_close(got, (0.0,), then="restitutions of the contacts", tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.4")
+@pytest.mark.exercise("B8.4", asks="joins each end to its anchor")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about("the bridge, 1.5 s after it was released, at 60 steps per second", read=LINKS)
     about.cause = "The anchored cables have to carry the bridge. Give each end of each row an "
@@ -186,7 +188,7 @@ def nearest_of(points: list[tuple[float, float]], x: float) -> str:
     )
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="a line of straight segments that connect")
 def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     about.read = NEAREST
     rows = draw_rows(rng, 4)
@@ -203,6 +205,10 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
+                ((height, row), "You return (height, row). The row comes first."),
+                ((row, y + (1.0 - share) * (v - y)), "You swapped the two rows in your "
+                                                     "interpolation. At the first row, the height "
+                                                     "is that of the first row."),
                 ((row, points[int(row)][1]),
                  "You return the height of the nearest row itself. Interpolate between the "
                  "midpoints on either side of the ball, because the deck slopes there."),
@@ -220,7 +226,7 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="If two rows are equally near, return the first")
 def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     about.read = NEAREST
     heights = [positive_number(rng, 3.0, 5.0) for _ in range(3)]
@@ -266,16 +272,14 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="half a SPACING beyond the first or last row")
 def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     about.read = NEAREST
     rows = draw_rows(rng, 3)
     points = middles(rows)
     (first, low), (last, high) = points[0], points[-1]
-    about.cause = (
-        "Beyond its first and last rows the deck continues at the height of that row for half a "
-        "SPACING, which is 1 m."
-    )
+    about.cause = "Beyond its first and last rows the deck continues at the height of that row for "
+    about.cause += "half a SPACING, which is 1 m."
     for at, row, height in (
         (first - 0.99, 0, low),
         (first, 0, low),
@@ -289,7 +293,10 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         about.cause = "Your deck extends too far. It ends half a SPACING, which is 1 m, beyond "
         about.cause += "its outermost rows, so return None here."
         about.call = f"{deck_of(points)}; a ball at ({at:.6g}, 1, 0) m"
+        outside, about.cause = about.cause, "There is no deck below the ball, so nearest() returns "
+        about.cause += "None. Return an empty list from contacts() in this case."
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
+        about.cause = outside
         nearest = got["nearest"]
         name = f"{about.call}; deck.nearest(), which returns (row, height)"
         expect_that(nearest is None, str(nearest), "None, because the deck ends there", call=name)
@@ -299,7 +306,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         expect_exactly(count, 0, then="; the number of contacts", unit="contacts")
 
 
-@pytest.mark.exercise("B8.5")
+@pytest.mark.exercise("B8.5", asks="with both ends of the nearest row")
 def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     about.read = DECK
     rows = draw_rows(rng, 3)
@@ -323,39 +330,30 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = (
-                "You return no contacts although the ball touches the deck, probably because you "
-                "left out the ball's radius. The ball's lowest point is at y - radius."
+                "You return no contacts although the ball touches the deck. The penetration is "
+                "height + radius - y: either the radius is missing, or the sign is wrong."
             )
             if not depth:
                 about.cause = (
-                    "You return no contacts for a ball that just touches the deck. Return two "
-                    "contacts with a penetration of 0."
+                    "You return no contacts for a ball that just touches the deck. Return "
                 )
+                about.cause += "two contacts with a penetration of 0."
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
-                "You return a contact for only one end of the nearest row. Return one for each of "
-                "its two ends."
+                "You return a contact for only one end of the nearest row. Return one for "
             )
+            about.cause += "each of its two ends."
         elif ends == [(3, 0), (4, 0)]:
-            about.cause = (
-                "You swapped particle and other. The normal points toward the ball, so pass the "
-                "ball as particle and the end of the row as other."
-            )
+            about.cause = "You swapped particle and other. The normal points toward the ball, so "
+            about.cause += "pass the ball as particle and the end of the row as other."
         elif len(ends) > 2:
-            about.cause = (
-                "You return contacts for other rows too. Return only those for the two ends of the "
-                "nearest row, on which the ball rests."
-            )
+            about.cause = "You return contacts for other rows too. Return only those for the two "
+            about.cause += "ends of the nearest row, on which the ball rests."
         expect_exactly(ends, [(0, 3), (0, 4)], then="; (particle, other) of each contact")
         for _, _, normal, restitution, penetration in list(got):
-            about.cause = (
-                "The normal of a contact is wrong. The deck pushes the ball up, so the normal is "
-                "+Y."
-            )
+            about.cause = "The deck pushes the ball up, so the normal of each contact is +Y."
             expect_close(normal, UP, then="; the normal of a contact", tolerance=1e-15)
-            about.cause = (
-                "You leave out the restitution of the deck. Pass self.restitution to each Contact."
-            )
+            about.cause = "The restitution is wrong. Pass self.restitution to each Contact."
             expect_close(restitution, c, then="; the restitution of a contact", tolerance=1e-12)
             mistakes = [
                 (0.5 * depth, "You divide the penetration between the two contacts. Give each of "

@@ -7,9 +7,9 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.rough_probes import bounced, impulse, refused_impulse, slid, sliding
+from ch08_mass_aggregate.rough_probes import bounced, impulse, slid, sliding
 from draw import Components, components, direction, dot, number, positive_number, rounded
-from expect import about, blame, expect_between, expect_close, expect_that, expect_unchanged
+from expect import about, blame, expect_between, expect_close, expect_unchanged
 
 SLIDING = "the docstring of FrictionContact.sliding_velocity"
 IMPULSE = "the docstring of FrictionContact.friction_impulse"
@@ -42,7 +42,7 @@ def called(a: Body, b: Body | None, n: Components) -> str:
     return f"{first}{second}; the normal is {rounded(n)}; "
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="the part of the relative velocity")
 @pytest.mark.parametrize("pair", [False, True], ids=["ground", "pair"])
 def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> None:
     about.read = SLIDING
@@ -52,9 +52,12 @@ def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> N
         wanted = along(v, n)
         about.call = called(a, b if pair else None, n) + "contact.sliding_velocity()"
         about.cause = "Subtract the part along the normal: v - (v . n) n."
+        if not pair:
+            about.cause += " Here other is None, so v is the velocity of particle."
         got, after = sliding(a, b if pair else None, n)
         mistakes = [
             (v, "You return the whole relative velocity. Subtract its part along the normal."),
+            (plus(v, n, -1.0), "You subtract the normal itself. Multiply it by v . n first."),
             (plus(ZERO, n, dot(v, n)), "You return the part along the normal. Subtract it from v."),
             (plus(v, n, dot(v, n)), "You add the part along the normal instead of subtracting it."),
             (along(a[1], n), "You leave out the velocity of other."),
@@ -67,16 +70,17 @@ def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> N
             expect_unchanged(f"the velocity of {name}", now, before)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="Its size is the smaller one of")
 @pytest.mark.parametrize("kind", ["ground", "pair", "immovable other"])
 def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
     about.read = IMPULSE
-    for much in (0.1, 0.7, 1.5, 4.0):  # the limit, as a fraction of the impulse that stops
+    for much in (0.1, 0.7, 99.0, 1.5):  # the limit, as a fraction of the impulse that stops
         n, a, b = direction(rng), draw_body(rng), draw_body(rng)
         if kind == "immovable other":
             b = math.inf, b[1]
         other = None if kind == "ground" else b
-        v = along(plus(a[1], b[1], -1.0) if other else a[1], n)
+        whole = plus(a[1], b[1], -1.0) if other else a[1]
+        v, fast = along(whole, n), math.hypot(*whole)
         speed, inverse = math.hypot(*v), 1.0 / a[0] + (1.0 / b[0] if other else 0.0)
         stop, mu = speed / inverse, positive_number(rng, 0.2, 1.2)
         j = much * stop / mu
@@ -85,6 +89,8 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
         about.call = called(a, other, n) + f"{mu=}; contact.friction_impulse({j!r})"
         about.cause = "The impulse points against the sliding velocity. Its size is the smaller "
         about.cause += "one of mu j and the impulse that stops the sliding."
+        if not other:
+            about.cause += " Here other is None, so leave out 1/mb."
         got, after = impulse(a, other, n, mu, j)
         either = max(mu * j, stop)
         too_much = (
@@ -99,6 +105,17 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
                                        "which it slides. It must point against the sliding."),
             (plus(ZERO, v, -either / speed), too_much),
             (plus(ZERO, v, -min(j, stop) / speed), "You leave out the coefficient of friction."),
+            (plus(ZERO, v, -mu * min(j, stop) / speed),
+             "You multiply both impulses by mu. Only the normal impulse is multiplied by it."),
+            (plus(ZERO, whole, -min(mu * j, fast / inverse) / fast),
+             "You use the whole relative velocity. Friction acts only along the surface, so use "
+             "sliding_velocity()."),
+            (plus(ZERO, v, -min(mu * j, fast / inverse) / speed),
+             "You use the whole relative speed to stop the body. Use the sliding speed, the "
+             "magnitude of sliding_velocity()."),
+            (plus(ZERO, v, -min(mu * j, fast / inverse) / fast),
+             "You use the whole relative speed. Use the sliding speed, the magnitude of "
+             "sliding_velocity()."),
             (plus(ZERO, v, -mu * j), "You multiply by the sliding velocity. Multiply by its "
                                      "direction, a unit vector."),
             (plus(ZERO, v, -min(mu * j, speed) / speed),
@@ -117,7 +134,7 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
             expect_unchanged(f"the velocity of {name}", now, before)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="Return zero if the bodies do not slide")
 def test_when_there_is_no_friction(rng: Random) -> None:
     about.read = IMPULSE
     n, (mass, v), j = (0.0, 1.0, 0.0), draw_body(rng), positive_number(rng)
@@ -141,7 +158,7 @@ def test_when_there_is_no_friction(rng: Random) -> None:
     expect_close(got, ZERO, unit="N s", tolerance=0.0)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="A body at rest therefore sticks")
 @pytest.mark.parametrize("tilted", ["gravity", "plane"])
 def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> None:
     about.read = IMPULSE
@@ -174,7 +191,7 @@ def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> 
         expect_close(dot(where, down), far, then="; its displacement", unit="m", tolerance=NEAR)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="never does more than stop the sliding")
 def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
     about.read = IMPULSE
     mu, speed, h = positive_number(rng, 0.3, 0.8), positive_number(rng, 2.0, 5.0), 1.0 / 60.0
@@ -194,7 +211,7 @@ def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
         expect_close(dot(velocity, way), wanted, then=name, unit="m/s", tolerance=NEAR)
 
 
-@pytest.mark.exercise("G8.3")
+@pytest.mark.exercise("G8.3", asks="at most mu times the normal impulse")
 def test_an_impact_of_two_bodies_with_friction(rng: Random) -> None:
     about.read = IMPULSE
     for mu in (0.0, 0.1, 3.0):
@@ -227,19 +244,3 @@ def test_an_impact_of_two_bodies_with_friction(rng: Random) -> None:
         about.cause = "Friction must not add kinetic energy."
         gain = energies[1] - energies[0]
         expect_between(gain, -math.inf, NEAR, then="; the gain of kinetic energy", unit="J")
-
-
-@pytest.mark.exercise("G8.3")
-@pytest.mark.robust
-def test_rejects_an_invalid_normal_impulse() -> None:
-    about.read = IMPULSE
-    about.call = "a contact with mu=0.5; contact.friction_impulse(3.0)"
-    about.cause = "A normal impulse of 3 N s is valid, so don't raise an error."
-    name = refused_impulse(3.0)
-    expect_that(name == "no error", name, "no error")
-    for j, wanted in ((-1.0, "ValueError"), (math.nan, "ValueError"), (math.inf, "ValueError")):
-        about.call = f"a contact with mu=0.5; contact.friction_impulse({j})"
-        about.cause = "The normal impulse must be finite and not negative. Check it with "
-        about.cause += "not_negative from arguments.py."
-        name = refused_impulse(j)
-        expect_that(name == wanted, name, wanted)

@@ -28,10 +28,11 @@ BALANCE = "the docstring of balancing_mass"
 WEIGHT = "the docstring of TiltingPlatform.put_weight"
 FREE = "mini-project 8.1, and the docstring of TiltingPlatform.free_pivot"
 PLACES = [(x, y, z) for x, y in ((0.0, 0.0), (-3.0, 2.0), (4.0, 2.0)) for z in (-1.0, 1.0)]
+G = 9.81  # m/s^2
 PIVOT = range(6)  # the numbers of its coordinates
 
 
-@pytest.mark.exercise("B8.6")
+@pytest.mark.exercise("B8.6", asks="it can tilt but not move in any other way")
 def test_a_platform_can_only_tilt() -> None:
     about("rods_of(six particles at PLACES)", read=RODS)
     about.cause = "Each rod must join two different particles, both among the six that are passed "
@@ -59,7 +60,7 @@ def test_a_platform_can_only_tilt() -> None:
     expect_exactly(len(left), 1, then="; the platform's degrees of freedom, including the tilt")
 
 
-@pytest.mark.exercise("B8.6")
+@pytest.mark.exercise("B8.6", asks="is the current distance between its ends")
 def test_rods_have_the_right_length(rng: Random) -> None:
     about.read = RODS
     turn = positive_number(rng, 0.2, 1.2)
@@ -90,7 +91,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="Compute the mass in kg that you must place")
 def test_finds_the_balancing_mass(rng: Random) -> None:
     about(
         "four masses of 1 kg at -3, -3, 4 and 4 m; balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], "
@@ -105,6 +106,7 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
          "Your mass has the wrong sign. It should be -(sum of mass times position) / x."),
         (14.0 / 3.0, "You ignore the signs of the positions. Keep them, because positions to the "
                      "left of the pivot are negative."),
+        (2.0 / 3.0 * G, "You multiply by g, which is in all torques alike. Leave it out."),
         (2.0, "You return the sum of mass times position, which is not a mass yet. Divide it by "
               "-x."),
         (-2.0, "You return minus the sum of mass times position. Divide it by x to get a mass."),
@@ -153,7 +155,7 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
         expect_close(got, 0.0, unit="kg", tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="if no mass of 0 or more at x balances")
 @pytest.mark.robust
 def test_rejects_what_cannot_be_balanced() -> None:
     about.read = BALANCE
@@ -161,44 +163,22 @@ def test_rejects_what_cannot_be_balanced() -> None:
     def allowed() -> None:
         balancing_mass([1.0, 2.0], [-1.0, 2.0], -3.0)
 
-    for masses, places, x, error, cause in (
-        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "x is on the right side, which sinks, so only a "
+    for masses, places, x, cause in (
+        ([1.0, 2.0], [-1.0, 2.0], 3.0, "x is on the right side, which sinks, so only a "
          "negative mass could balance the platform. Raise ValueError."),
-        ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "x is on the left side, which sinks, so no "
+        ([1.0, 2.0], [1.0, -2.0], -3.0, "x is on the left side, which sinks, so no "
          "mass at x can balance the platform. Raise ValueError."),
-        ([1.0], [0.5], 0.25, ValueError, "x is on the right side, which sinks, so no mass at x can "
+        ([1.0], [0.5], 0.25, "x is on the right side, which sinks, so no mass at x can "
          "balance the platform. Raise ValueError."),
-        ([1.0], [-0.5], -0.25, ValueError, "x is on the left side, which sinks, so no mass at x "
+        ([1.0], [-0.5], -0.25, "x is on the left side, which sinks, so no mass at x "
          "can balance the platform. Raise ValueError."),
-        ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot exerts no torque, so it "
+        ([1.0, 2.0], [-1.0, 2.0], 0.0, "A mass at the pivot exerts no torque, so it "
                                                    "can't balance anything. Raise ValueError."),
-        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "The second mass is negative. Check every mass "
-         "with not_negative from arguments.py."),
-        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "The second mass is NaN. Check every mass "
-         "with not_negative from arguments.py."),
-        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "The second position is NaN. Check every "
-         "position with finite from arguments.py."),
-        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "The second position is infinite. Check "
-         "every position with finite from arguments.py."),
-        ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "The second mass is infinite. Check every "
-         "mass with not_negative from arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x is infinite. Check x with finite from "
-         "arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x is NaN. Check x with finite from "
-         "arguments.py."),
-        ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "x is infinite, which is invalid even if "
-         "the platform is already balanced. Check x before you return 0."),
-        ([1.0, 2.0], [1.0], -3.0, ValueError, "There are two masses but only one position. Every "
-         "mass needs a position, so raise ValueError."),
-        ([1.0], [-1.0, 2.0], 3.0, ValueError, "There are two positions but only one mass. Every "
-         "position needs a mass, so raise ValueError."),
-        ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "The second mass is a string. It must be a "
-         "number, so raise TypeError."),
     ):  # fmt: skip
         about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=cause)
         expect_error(
             lambda masses=masses, places=places, x=x: balancing_mass(masses, places, x),
-            error,
+            ValueError,
             allowed=allowed,
         )
 
@@ -208,7 +188,7 @@ def _masses(own: float, left: float, right: float) -> list[float]:
     return [own + 0.5 * share for share in (left, left, right, right)]
 
 
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="carries half of the mass at its end")
 def test_both_ends_carry_the_weight(rng: Random) -> None:
     about.read = WEIGHT
     for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
@@ -223,6 +203,9 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
         got, _ = weighed([(mass, x)])
         left = mass - right
         near, far = (mass, 0.0) if x < 0.5 else (0.0, mass)
+        part = mass * x / (4.0 if x > 0.0 else -3.0)  # the distance from the pivot, as a fraction
+        others = ((mass - part, part), (0.0, part))  # the load of the other end
+        others = others if x > 0.0 else [pair[::-1] for pair in others]
         mistakes = [
             (_masses(1.0, right, left), "You swapped the loads of the two ends. The end nearer "
                                         "the weight carries more."),
@@ -231,9 +214,25 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
                                                     "of them half."),
             (_masses(0.0, left, right), "You leave out the particles' own mass. Add MASS to the "
                                         "load that each particle carries."),
-            (_masses(1.0, near, far), "You put the whole weight on the nearer end. Divide it "
-             "between both ends: the closer it is to an end, the more that end carries."),
+            (_masses(0.5, left, right), "You halve the particles' own mass too. Add MASS to "
+                                        "half of the load of the end."),
         ]  # fmt: skip
+        if -3.0 < x < 4.0:  # otherwise, all of these are right
+            mistakes.append(
+                (
+                    _masses(1.0, near, far),
+                    "You put the whole weight on the nearer end. Divide it "
+                    "between both ends: the closer it is to an end, the more that end carries.",
+                )
+            )
+            mistakes += [
+                (
+                    _masses(1.0, *pair),
+                    "You divide the weight by its distance from the "
+                    "pivot. Take its distances from the two ends.",
+                )
+                for pair in others
+            ]
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)
         about.call = f"platform.put_weight(mass={mass}, x={x}); the masses of the pivot's two "
@@ -258,38 +257,7 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise("B8.7")
-@pytest.mark.robust
-def test_rejects_an_invalid_weight() -> None:
-    about.read = WEIGHT
-    about(
-        "platform.put_weight(mass=3, x=1)",
-        cause="A weight of 3 kg between the ends is valid, so don't raise an error.",
-    )
-    before, error = weighed([(3.0, 1.0)])
-    expect_that(error == "no error", error, "no error")
-    for mass, x, error in (
-        (-1.0, 1.0, "ValueError"),
-        (math.nan, 1.0, "ValueError"),
-        (math.inf, 1.0, "ValueError"),
-        (1.0, -3.0001, "ValueError"),
-        (1.0, 4.0001, "ValueError"),
-        (1.0, math.nan, "ValueError"),
-        ("1", 1.0, "TypeError"),
-    ):
-        about.call = f"platform.put_weight(mass=3, x=1); platform.put_weight({mass=}, {x=})"
-        about.cause = f"The mass is {mass!r}. It must be finite and not negative, so "
-        if mass == 1.0:
-            about.cause = f"x is {x!r}. It must be between LEFT (-3 m) and RIGHT (4 m), so "
-        about.cause += f"raise {error}."
-        got, name = weighed([(3.0, 1.0), (mass, x)])
-        expect_that(name == error, name, error)
-        about.cause = "You change a mass before you raise the error. Check both arguments first, "
-        about.cause += "so that the old weight stays."
-        expect_exactly(got, before, then="; the masses of all six particles", unit="kg")
-
-
-@pytest.mark.exercise("B8.7")
+@pytest.mark.exercise("B8.7", asks="so that the torque about the pivot is the same")
 @pytest.mark.parametrize("side", ["too light", "heavy enough"])
 def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     x = -round(rng.uniform(1.5, 3.0), 3)
@@ -315,7 +283,7 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     expect_close(length, 7.0, then="; its distance from the right end", unit="m", tolerance=0.01)
 
 
-@pytest.mark.exercise("8.1")
+@pytest.mark.exercise("8.1", asks="Give each of the pivot's two particles")
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     about(
         "platform.free_pivot(); the masses of all particles, of which the first two are the pivot",
@@ -370,7 +338,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
-@pytest.mark.exercise("8.1")
+@pytest.mark.exercise("8.1", asks="The pivot can then slide")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
     about.cause = "Your platform's center of mass moves along X or Z, although the ground has no "

@@ -17,7 +17,7 @@ FALL = "the docstrings of SleepingWorld and fall_asleep"
 WAKE = "the docstring of SleepingWorld."
 
 
-@pytest.mark.exercise("G8.1")
+@pytest.mark.exercise("G8.1", asks="A particle is tired if its last")
 def test_slow_particles_fall_asleep(rng: Random) -> None:
     about.read = FALL
     frames = rng.randint(3, 8)
@@ -55,7 +55,7 @@ def test_slow_particles_fall_asleep(rng: Random) -> None:
     expect_sleepers(seen[-1], [0, 1, 2])
 
 
-@pytest.mark.exercise("G8.1")
+@pytest.mark.exercise("G8.1", asks="slow steps in a row the particle is tired")
 def test_slow_steps_count_only_in_a_row(rng: Random) -> None:
     slow = rng.randint(1, 4)
     about.call = f"particle 0 is at rest for {slow} steps, fast for one step, and then at rest "
@@ -77,7 +77,7 @@ def test_slow_steps_count_only_in_a_row(rng: Random) -> None:
     expect_sleepers_of_steps(seen, wanted)
 
 
-@pytest.mark.exercise("G8.1")
+@pytest.mark.exercise("G8.1", asks="if they were in contact in one of the last")
 def test_old_contacts_are_forgotten(rng: Random) -> None:
     about.read = FALL
     about.cause = "Two particles belong together if they touched in one of the last sleep_frames "
@@ -136,7 +136,7 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
     expect_sleepers(seen[-1], [0])
 
 
-@pytest.mark.exercise("G8.1")
+@pytest.mark.exercise("G8.1", asks="only when all of its particles are tired")
 def test_a_fast_particle_keeps_its_group_awake() -> None:
     about.read = FALL
     for what, speeds, pairs, masses, wanted, cause in (
@@ -171,7 +171,7 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
         expect_sleepers_of_steps(seen, [[]] * 4 + [wanted] * 4)
 
 
-@pytest.mark.exercise("G8.1")
+@pytest.mark.exercise("G8.1", asks="Each of them gets its mass back")
 def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     about.read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)

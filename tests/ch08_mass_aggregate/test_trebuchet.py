@@ -47,7 +47,7 @@ def called(design: Sequence[float]) -> str:
     return f"design = {named_design(design)}; Trebuchet(design)"
 
 
-@pytest.mark.exercise("P8.2a")
+@pytest.mark.exercise("P8.2a", asks="any set of rods that makes the beam rigid")
 def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
     about(f"{called(design)}.beam()", read=BEAM)
@@ -82,7 +82,7 @@ def test_a_beam_is_rigid(rng: Random) -> None:
         expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
-@pytest.mark.exercise("P8.2a")
+@pytest.mark.exercise("P8.2a", asks="must be above the pivot and moving forward")
 def test_when_the_sling_lets_go(rng: Random) -> None:
     design = draw_design(rng)
     angle = design[4]
@@ -170,7 +170,7 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     expect_that(got is True, words[got] if type(got) is bool else repr(got), words[True])
 
 
-@pytest.mark.exercise("P8.2a")
+@pytest.mark.exercise("P8.2a", asks="flies without drag until it reaches")
 def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     about.read = THROW
     weight = positive_number(rng, 100.0, 300.0)
@@ -199,6 +199,9 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         ],
         seen,
     )
+    if not flies:
+        seen = "Your throw never calls self.step, which releases the sling. Call self.step(STEP), "
+        seen += "not self.world.step(STEP), until self.flies is true."
     name = "; the total duration of all calls to self.step"
     expect_exactly(frames / 250.0, 0.004, then=name, unit="s", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
@@ -250,7 +253,7 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     expect_exactly(flies, True)
 
 
-@pytest.mark.exercise("P8.2a")
+@pytest.mark.exercise("P8.2a", asks="until the sling releases the projectile")
 def test_a_throw_agrees_with_lagrange(
     rng: Random, on_chart: Callable[[float, float], None]
 ) -> None:
@@ -277,7 +280,7 @@ def test_a_throw_agrees_with_lagrange(
     )
 
 
-@pytest.mark.exercise("P8.2a")
+@pytest.mark.exercise("P8.2a", asks="In that case return Throw(0.0, 0.0)")
 def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     about.read = THROW
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
@@ -344,7 +347,7 @@ def better(design: Sequence[float], distance: float) -> str:
     return advice
 
 
-@pytest.mark.exercise("P8.2b")
+@pytest.mark.exercise("P8.2b", asks="A range of 60 m and a fraction of 40 % are good")
 @pytest.mark.parametrize(
     ("meters", "percent"), [(60, 40), (80, 50)], ids=["a good one", "a better one"]
 )

@@ -14,7 +14,6 @@ from ch08_mass_aggregate.probes import (
     energy_of,
     frame,
     rained,
-    refused,
     started,
     told_frame,
 )
@@ -24,14 +23,13 @@ from expect import about, blame, cause_of, expect_close, expect_exactly, expect_
 ZERO = (0.0, 0.0, 0.0)
 ENERGY = "the docstring of mechanical_energy"
 WORLD = "book 8.1, and the docstring of ParticleWorld."
-VALID = "These arguments are valid, so don't raise an error."
 
 
 def draw_body(rng: Random) -> Body:
     return components(rng), components(rng), components(rng), positive_number(rng)
 
 
-@pytest.mark.exercise("B8.1")
+@pytest.mark.exercise("B8.1", asks="The result is the sum of m v^2 / 2 - m a . p")
 def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
     about.read = ENERGY
     bodies = [draw_body(rng) for _ in range(3)]
@@ -71,6 +69,8 @@ def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
         )
         about.call = f"{name}: {bodies_in_words}; mechanical_energy of all of them"
         got = energy_of(some)
+        first = "Your loop returns after the first particle. Return the sum after the loop."
+        about.cause = cause_of(got, [(parts[0], first)], about.cause)
         # Rounding of terms of some hundreds of J.
         expect_close(got, wanted, unit="J", tolerance=1e-10)
     p, v, a, m = bodies[0]
@@ -82,7 +82,7 @@ def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
     expect_close(got, parts[0], unit="J", tolerance=1e-10)
 
 
-@pytest.mark.exercise("B8.1")
+@pytest.mark.exercise("B8.1", asks="and neither do immovable particles")
 def test_immovable_particles_have_no_energy(rng: Random) -> None:
     about.read = ENERGY
     p, v, a, m = draw_body(rng)
@@ -104,7 +104,7 @@ def test_immovable_particles_have_no_energy(rng: Random) -> None:
     expect_close(energy_of([]), 0.0, tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="the force accumulators of all particles")
 def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     about.read = f"{WORLD}start_frame"
     bodies = [draw_body(rng) for _ in range(3)]
@@ -112,7 +112,8 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     force = components(rng)
     about.call = "a world of four particles, of which particles[1] is immovable; "
     about.call += f"add_force(Vector3{force}) for each of them; world.start_frame()"
-    about.cause = "start_frame doesn't clear any forces. Call clear_forces() for every particle."
+    about.cause = "start_frame doesn't clear any forces. Call clear_forces() for every particle, "
+    about.cause += "with the parentheses, because without them Python doesn't call the method."
     done = started(bodies, force)
     kept = [i for i in range(4) if done["after"][i] != ZERO]
     if 0 < len(kept) < 4:
@@ -132,7 +133,7 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
         expect_close(got[1], velocity, call=name, cause=only, unit="m/s", tolerance=0.0)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="in the order of the generators")
 def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     about.read = f"{WORLD}contacts"
     count = rng.randint(150, 300)
@@ -140,6 +141,8 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     about.call = f"{count} particles at a height of 1 m; floors at heights of 0, 1, {low:g} and "
     about.call += f"{high:g} m; world.contacts()"
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
+    about.cause = "Call contacts() of each generator, with the parentheses, and put all contacts "
+    about.cause += "into one list."
     got = depths_of(count, [0.0, 1.0, low, high])
     nested = "Your contacts() returns a separate list for each floor. Put the contacts of all "
     nested += "floors into one list."
@@ -165,7 +168,7 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     expect_exactly(depths_of(count, []), [])
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="First let the integrator move the particles")
 @pytest.mark.parametrize("integrator", ["explicit_euler", "semi_implicit_euler"])
 def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> None:
     about.read = f"{WORLD}run_physics"
@@ -179,6 +182,12 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     about.call += f"registry adds -{k} N/m * position to each; world.start_frame(); "
     about.call += f"add_force(Vector3{hand}) for both; world.run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
+    given = [row[1] for row in done["diary"] if row[0] == "no function"]
+    called = "You called update_forces, and passed on what it returned. Pass the function itself, "
+    called += "self.registry.update_forces, without parentheses."
+    called = called if given == ["None"] else f"The order of the arguments is wrong. {about.cause}"
+    seen, name = f"it is {(*given, '')[0]}", "; the second argument of the integrator"
+    expect_that(not given, seen, "it is a function", then=name, cause=called)
     for i, (p, v, a, m) in enumerate(bodies):
         push = [a[j] + (hand[j] - k * p[j]) / m for j in range(3)]
         velocity = [v[j] + push[j] * h for j in range(3)]
@@ -213,7 +222,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         expect_close(got[0], place, call=f"{name}.position", unit="m", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="Clear all forces, and move the world")
 def test_a_step_clears_earlier_forces(rng: Random) -> None:
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
@@ -249,7 +258,7 @@ def test_a_step_clears_earlier_forces(rng: Random) -> None:
     expect_close(got, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="Whenever it needs the forces")
 @pytest.mark.parametrize("integrator", ["semi_implicit_euler", "runge_kutta_4"])
 def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> None:
     about.read = f"{WORLD}run_physics"
@@ -272,7 +281,7 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     expect_exactly(asked, [h] * count, then="; the durations passed to update_force")
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="to find the contacts at the new positions")
 def test_contacts_are_found_after_the_motion(rng: Random) -> None:
     about.read = f"{WORLD}run_physics"
     h = 0.125
@@ -305,7 +314,7 @@ def test_contacts_are_found_after_the_motion(rng: Random) -> None:
     expect_close(got, (2.0, -speed, 0.0), call=name, unit="m/s", tolerance=1e-12)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="all contacts with one call to the resolver")
 def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.read = f"{WORLD}run_physics"
     h = 0.125
@@ -341,20 +350,20 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     expect_exactly(count, 0, then="; the number of calls to resolve_contacts", unit="calls")
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="no contact is left out")
 def test_no_contact_is_left_out(rng: Random) -> None:
     about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
     about.call = f"{count} particles that fall on the ground at the same time; 20 steps of 0.05 s; "
-    about.call += "the heights of the particles"
+    about.call += "the lowest and the largest height of the particles"
     about.cause = "Some particles fell through the ground, because your world doesn't resolve "
     about.cause += "every contact. The book's world stops at a maximum number of contacts, but "
     about.cause += "yours should resolve them all."
     heights = rained(count, 0.05, 20)
-    expect_close(heights, (0.0,) * count, unit="m", tolerance=1e-9)
+    expect_close((min(heights), max(heights)), (0.0, 0.0), unit="m", tolerance=1e-9)
 
 
-@pytest.mark.exercise("B8.2")
+@pytest.mark.exercise("B8.2", asks="to which you may add later")
 def test_a_world_may_get_more_later(rng: Random) -> None:
     about.read = "the docstring of ParticleWorld: its lists may be appended to"
     h = positive_number(rng, 0.05, 0.2)
@@ -368,33 +377,3 @@ def test_a_world_may_get_more_later(rng: Random) -> None:
     got = [velocity[1] for _, velocity in appended(h)]
     wanted = (-20.0 * h, -10.0 * h, 0.0)
     expect_close(got, wanted, tolerance=1e-12)
-
-
-@pytest.mark.exercise("B8.2")
-@pytest.mark.robust
-@pytest.mark.parametrize("method", ["run_physics", "step"])
-def test_rejects_an_invalid_duration(method: str) -> None:
-    about.read = f"{WORLD}{method}"
-    for duration, error in (
-        (0.0, "ValueError"),
-        (-0.1, "ValueError"),
-        (math.nan, "ValueError"),
-        (math.inf, "ValueError"),
-        ("0.1", "TypeError"),
-    ):
-        about(
-            "a world with one particle, on which the force (7, 8, 9) acts; "
-            f"world.{method}({duration!r})",
-            cause=f"The duration is {duration!r}. It must be a positive, finite number, so raise "
-            f"{error}.",
-        )
-        done = refused(method, duration)
-        expect_that(done["error"] == error, done["error"], error)
-        for i, name in enumerate(("position", "velocity", "force_accumulator")):
-            about.cause = f"The duration {duration!r} is invalid, but {method} changes the "
-            about.cause += f"particle's {name} before it raises {error}. Check the duration first."
-            wanted = (3.0 * i + 1.0, 3.0 * i + 2.0, 3.0 * i + 3.0)
-            expect_close(done["left"][i], wanted, then=f"; the particle's {name}", tolerance=0.0)
-    done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)
-    about(f"world.{method}(0.5)", cause=VALID)
-    expect_close(done["states"][0][1], (0.5, 0.0, 0.0), then="; velocity")

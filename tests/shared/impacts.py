@@ -15,6 +15,16 @@ def of_mass(mass: float) -> str:
     return "immovable" if math.isinf(mass) else f"{mass:g} kg"
 
 
+def expect_list(kind: str) -> None:
+    """Expect that ``contacts()`` returned a list; ``kind`` says what it was instead."""
+    __tracebackhide__ = True
+    why = "You returned the Contact itself. Return a list, even if it has only one contact: put it "
+    why += "in brackets, as in [contact]."
+    if "None" in kind:
+        why = f"contacts() returned None. Always return a list. {about.cause}"
+    expect_that(not kind, kind, "a list of contacts", cause=why)
+
+
 @scoped
 def expect_impact(impact: Any) -> Any:
     """Expect an impact, as time and contact, and return it."""
@@ -27,6 +37,9 @@ def expect_impact(impact: Any) -> Any:
     if impact is None:
         got, why = "None, as if there were no impact within the duration", about.cause
         wanted += ", because there is an impact"
+    elif pair and not isinstance(impact[0], float | int):
+        pair, got = False, "a tuple whose first value is not a time"
+        why = "The time comes first: return the tuple (time, contact)."
     expect_that(pair, got, wanted, cause=why)
     return impact
 

@@ -16,23 +16,31 @@ from ch07_constraints.angle_pendulum import DoublePendulum
 from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.detectors import GroundPlane, ParticlePairs, same_acceleration
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
+from ch07_constraints.exercises import (
+    force_for_frame,
+    restitution_of_drop,
+    table_of_drops,
+    top_ball_speed,
+)
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
 from ch07_constraints.reaction import ReactionForce
 from ch07_constraints.rod_tensions import RodTensions
 from ch07_constraints.sequential_impulses import SequentialImpulses
 from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.smooth_net import SmoothNet
-from ch08_mass_aggregate.ball_game import Rules
-from ch08_mass_aggregate.blob import Blob
+from ch08_mass_aggregate.ball_game import BallGame, Rules
+from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.bridge import Bridge, Deck
 from ch08_mass_aggregate.bridge_plan import make_rows
-from ch08_mass_aggregate.cube import Cube
+from ch08_mass_aggregate.cube import Cube, fewest_rods
 from ch08_mass_aggregate.fixed_step import FixedStep
-from ch08_mass_aggregate.tilting_platform import balancing_mass
+from ch08_mass_aggregate.friction import FrictionContact
+from ch08_mass_aggregate.planks import nearest_on_segment
+from ch08_mass_aggregate.sleeping import SleepingWorld
+from ch08_mass_aggregate.tilting_platform import TiltingPlatform, balancing_mass
 from ch08_mass_aggregate.trebuchet import PIVOT_HEIGHT, START, Design
 from ch08_mass_aggregate.wheel import Wheel
 from ch08_mass_aggregate.world import ParticleWorld
@@ -62,8 +70,23 @@ def chain(*values: float) -> list[Particle]:
 
 VALUES: dict[str, list[Refused]] = {
     "ch07_constraints": [
+        *(("duration", x, lambda x: Contact(A, None, UP).velocity_after(x)) for x in (-1.0, INF)),
+        *(("duration", x, lambda x: Contact(A, None, UP).resolve_velocity(x)) for x in (-1.0, NAN)),
+        *(("duration", x, lambda x: GroundPlane([]).next_impact(x)) for x in (-1.0, NAN)),
+        *(("duration", x, lambda x: ParticlePairs([], 1.0).next_impact(x)) for x in (-1.0, INF)),
+        ("same acceleration", UP, lambda x: same_acceleration(x, Vector3())),
+        ("initial_height", 0.0, lambda x: restitution_of_drop(x, 0.0)),
         ("bounce_height", -0.1, lambda x: restitution_of_drop(1.0, x)),
+        ("bounce_height", NAN, lambda x: table_of_drops([("oak", 1.0, x)])),
         ("height", -1.0, lambda x: top_ball_speed(x, 1.0, 1.0, 0.5, 0.5)),
+        ("lower_mass", 0.0, lambda x: top_ball_speed(1.0, x, 1.0, 0.5, 0.5)),
+        ("upper_mass", INF, lambda x: top_ball_speed(1.0, 1.0, x, 0.5, 0.5)),
+        ("ground_restitution", 1.5, lambda x: top_ball_speed(1.0, 1.0, 1.0, x, 0.5)),
+        ("pair_restitution", -0.5, lambda x: top_ball_speed(1.0, 1.0, 1.0, 0.5, x)),
+        ("gravity", -1.0, lambda x: top_ball_speed(1.0, 1.0, 1.0, 0.5, 0.5, x)),
+        ("contact_time", -0.5, lambda x: force_for_frame(UP, x, 1.0)),
+        ("frame", 0.0, lambda x: force_for_frame(UP, 0.0, x)),
+        ("force", NOWHERE, lambda x: force_for_frame(x, 0.0, 1.0)),
         ("height", NAN, lambda x: GroundPlane([], x)),
         ("radius", -0.1, lambda x: GroundPlane([], 0.0, x)),
         ("radius", 0.0, lambda x: ParticlePairs([], x)),
@@ -136,6 +159,25 @@ VALUES: dict[str, list[Refused]] = {
         *(("driven", x, lambda x: Wheel(driven=x)) for x in (-1, 9, 2.0)),
         ("force", INF, lambda x: Wheel(x)),
         ("rows", 0, lambda x: Rules(x)),
+        ("count", 0, fewest_rods),
+        ("masses[0]", -1.0, lambda x: balancing_mass([x], [1.0], -1.0)),
+        ("places[0]", NAN, lambda x: balancing_mass([1.0], [x], -1.0)),
+        ("x must", INF, lambda x: balancing_mass([], [], x)),
+        *(("mass", x, lambda x: TiltingPlatform().put_weight(x, 1.0)) for x in (-1.0, INF)),
+        ("x must", NAN, lambda x: TiltingPlatform().put_weight(1.0, x)),
+        ("mass", INF, lambda x: spread(chain(1.0, x))),
+        *(("duration", x, lambda x: ParticleWorld([A]).run_physics(x)) for x in (0.0, INF)),
+        *(("duration", x, lambda x: ParticleWorld([A]).step(x)) for x in (-1.0, NAN)),
+        *(("duration", x, lambda x: SleepingWorld([A]).run_physics(x)) for x in (0.0, NAN)),
+        ("duration", 0.0, lambda x: BallGame().step(x)),
+        ("elapsed", -0.1, lambda x: FixedStep(print, 0.25).advance(x)),
+        ("point", NOWHERE, lambda x: nearest_on_segment(x, UP, ONES)),
+        ("a must", NOWHERE, lambda x: nearest_on_segment(UP, x, ONES)),
+        ("b must", NOWHERE, lambda x: nearest_on_segment(UP, ONES, x)),
+        *(
+            ("normal_impulse", x, lambda x: FrictionContact(A, None, UP).friction_impulse(x))
+            for x in (-1.0, INF)
+        ),
         ("balancing mass", INF, lambda _: balancing_mass([1e308], [-1e10], 1.0)),
         ("sling", LOWEST, lambda x: Design(400.0, 1.0, 4.0, x, 40.0)),
         ("particles", "twice", lambda _: ParticleWorld([A, A])),
@@ -186,6 +228,8 @@ TYPES: dict[str, list[Refused]] = {
         ("integrator", None, lambda x: ParticleWorld([A], integrator=x)),
         ("step", None, lambda x: FixedStep(x, 0.25)),
         ("max_steps", 2.0, lambda x: FixedStep(print, 0.25, x)),
+        *(("count", x, fewest_rods) for x in (2.5, True)),
+        ("point", 3.0, lambda x: nearest_on_segment(x, UP, ONES)),
     ],
     "ch09_rotations": [
         *(("nine numbers", n, lambda n: Matrix3(*range(n))) for n in (8, 12)),

@@ -193,8 +193,9 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         [
             (
                 4,
-                "Your throw takes steps of 1/60 s, which are too long for a trebuchet. Call "
-                "self.step(STEP), where STEP is 1/250 s.",
+                "Either your throw takes a step of 1/60 s, which is too long for a trebuchet: call "
+                "self.step(STEP), where STEP is 1/250 s. Or it takes four steps, although the "
+                "sling has let go after the first.",
             )
         ],
         seen,

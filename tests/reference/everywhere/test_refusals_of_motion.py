@@ -60,7 +60,7 @@ HUGE = 10**400  # no float is as large
 UP, ONES, NOWHERE = Vector3(0.0, 1.0), Vector3(1.0, 1.0, 1.0), Vector3(NAN)
 LIMITED = {"k1": 0.3, "k2": 0.05, "mass": 2.0, "speed": 5.0}
 COASTING = LIMITED | {"time": 1.5}
-A, B = Particle(), Particle(Vector3(2.0))
+A = Particle()
 STEPS = (explicit_euler, semi_implicit_euler, leapfrog, velocity_verlet, runge_kutta_4)
 
 

@@ -18,7 +18,6 @@ from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 from ch02_vectors.arguments import finite, instance_of, not_negative, positive
-from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, a_restitution
 
@@ -177,15 +176,6 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
-
-
-def same_acceleration(a: Vector3, b: Vector3) -> None:
-    """Check that two accelerations are the same, apart from a rounding error.
-
-    Raises:
-        ValueError: if they differ by more than 1e-12 of their magnitudes.
-    """
-    raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:

@@ -82,8 +82,8 @@ class Vector3:
         """Return the length of the vector, |v|, which is never negative.
 
         The length must also be correct for components as large as 1e200 or as small as 1e-200,
-        although the squares of such numbers overflow or underflow. If a component is NaN, the
-        length and the squared length are NaN. Book 2.1.2.
+        although the squares of such numbers overflow or underflow. If a component is NaN, and
+        none is infinite, the length and the squared length are NaN. Book 2.1.2.
         """
         return math.hypot(self.x, self.y, self.z)
 

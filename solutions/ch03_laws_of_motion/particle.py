@@ -166,7 +166,7 @@ class Particle:
         With h = ``duration`` and the damping d, the new velocity is v' = (v + a h) d^h. As in the
         book's listing, the acceleration is applied first, and the damping then acts on the result.
         The book's Eq. 3.6 damps only the old velocity: v d^h + a h (erratum E-16). As in ``drift``,
-        the duration may be 0 or negative.
+        the duration may be 0, or negative if the damping is not 0.
 
         A kick changes only the velocity, and nothing at all if the particle is immovable. Use the
         acceleration and the damping that the particle has now, because a game may change them

@@ -75,7 +75,8 @@ def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float,
     this force for the whole duration h: v' = v + (f / m) h. Return two limits in s for a step in
     which only drag acts. In a step longer than the first limit, the drag reverses the motion
     instead of only slowing it down. In a step longer than the second limit, the particle moves
-    backward even faster than it moved forward. Without drag, both limits are ``math.inf``.
+    backward even faster than it moved forward. Without drag, both limits are ``math.inf``. If only
+    the speed is 0, return the limits for a very low speed, which are finite if ``k1`` is not 0.
     """
     rate = (not_negative("k1", k1) + not_negative("k2", k2) * not_negative("speed", speed)) / (
         positive("mass", mass)

@@ -31,7 +31,6 @@ from ch07_constraints.contacts import (
 
 Impact = tuple[float, Contact]
 
-_SAME = 1e-12  # relative difference of two accelerations that differ only by rounding
 
 # The 13 neighbors of a cell that come after it. With all 26, each pair would be found twice.
 _AFTER = [cell for cell in product((-1, 0, 1), repeat=3) if cell > (0, 0, 0)]
@@ -171,7 +170,7 @@ class ParticlePairs:
             time = self._time_to_touch(a, b)
             if time <= duration and (first is None or time < first[0]):
                 offset = a.position - b.position
-                offset.add_scaled(_flight(a)[0] - _flight(b)[0], time)
+                offset.add_scaled(_velocity(a) - _velocity(b), time)
                 first = time, Contact(a, b, offset.normalized(), self.restitution)
         return first
 
@@ -196,9 +195,7 @@ class ParticlePairs:
 
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
         """Compute the time in s until two spheres touch, or return math.inf if they never do."""
-        (v, pull), (w, other) = _flight(a), _flight(b)
-        same_acceleration(pull, other)
-        offset, velocity = a.position - b.position, v - w
+        offset, velocity = a.position - b.position, _velocity(a) - _velocity(b)
         closing = -offset.dot(velocity)  # the closing speed times the distance
         if closing <= VELOCITY_TOLERANCE * offset.magnitude():
             return math.inf
@@ -209,11 +206,9 @@ class ParticlePairs:
         return gap / (closing + math.sqrt(root)) if root > 0.0 else math.inf
 
 
-def _flight(particle: Particle) -> tuple[Vector3, Vector3]:
-    """Return the velocity and acceleration of a particle. Both are zero if it is immovable."""
-    if not particle.inverse_mass:
-        return Vector3(), Vector3()
-    return particle.velocity, particle.last_acceleration
+def _velocity(particle: Particle) -> Vector3:
+    """Return the velocity of a particle, or zero if it is immovable."""
+    return particle.velocity if particle.inverse_mass else Vector3()
 
 
 class Detectors:
@@ -267,16 +262,6 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     if velocity > 0.0:  # up first; a root below 0 means that it never gets out of the ground
         return (velocity + math.sqrt(max(root, 0.0))) / -acceleration
     return 2.0 * gap / (math.sqrt(root) - velocity) if root > 0.0 else math.inf
-
-
-def same_acceleration(a: Vector3, b: Vector3) -> None:
-    """Check that two accelerations are the same, apart from a rounding error.
-
-    Raises:
-        ValueError: if they differ by more than 1e-12 of their magnitudes.
-    """
-    if (a - b).magnitude() > _SAME * (a.magnitude() + b.magnitude()):
-        raise ValueError(f"both particles must have the same acceleration, got {a!r} and {b!r}")
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:

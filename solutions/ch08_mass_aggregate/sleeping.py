@@ -183,6 +183,7 @@ class SleepingWorld(ParticleWorld):
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step of ``duration`` s.
 
+        - Count the step in ``_frame``.
         - Wake the particles that code outside the world has changed. Every ``LOOK_EVERY`` steps,
           also wake the particles whose acceleration has changed since they fell asleep.
         - If all particles are asleep, the step is finished.

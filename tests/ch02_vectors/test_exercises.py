@@ -332,6 +332,7 @@ def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
         ValueError,
         call="remove_projection(Vector3(1, 0, 0), Vector3(0.9999999999999, 5e-07, 0))",
         allowed=lambda: exercises.remove_projection(x, enough),
+        valid="remove_projection(Vector3(1, 0, 0), Vector3(0.9999999999989, 1.5e-06, 0))",
     )
 
 

@@ -149,10 +149,14 @@ def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None
     about.read = FACTORS
     of_gone, of_fallen = (
         f"Your formula for {name} loses digits if the damping d is near 1, because {difference} "
-        f"subtracts nearly equal numbers. Use {instead} instead."
+        f"subtracts nearly equal numbers. Use {instead}."
         for name, difference, instead in (
-            ("gone", "1 - d^t", "math.expm1"),
-            ("fallen", "t - gone", "the first terms of its power series"),
+            ("gone", "1 - d^t", "math.expm1 instead"),
+            (
+                "fallen",
+                "t - gone",
+                "the first terms of its power series instead, wherever k t is below about 0.001",
+            ),
         )
     )
     undamped = (

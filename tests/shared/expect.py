@@ -158,9 +158,10 @@ def expect_error(
     error: type[Exception],
     *,
     allowed: Callable[[], Any],
+    valid: str = "",
     **words: Unpack[Words],
 ) -> None:
-    """Expect attempt() to raise this error, and allowed() to raise none.
+    """Expect attempt() to raise this error, and allowed(), which ``valid`` shows, to raise none.
 
     The second condition catches code that refuses every argument. If the call contains a NaN, the
     message explains how NaN gets past comparisons, unless the cause already mentions NaN.
@@ -168,7 +169,7 @@ def expect_error(
     __tracebackhide__ = True
     call, cause, read = about.but(words)
     about(
-        f"like {call}, but with valid arguments",
+        valid or f"like {call}, but with valid arguments",
         cause="These arguments are valid, so the call must not raise an error.",
         read=read,
     )

@@ -16,7 +16,7 @@ from ch07_constraints.angle_pendulum import DoublePendulum
 from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import GroundPlane, ParticlePairs, same_acceleration
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.exercises import (
@@ -74,7 +74,6 @@ VALUES: dict[str, list[Refused]] = {
         *(("duration", x, lambda x: Contact(A, None, UP).resolve_velocity(x)) for x in (-1.0, NAN)),
         *(("duration", x, lambda x: GroundPlane([]).next_impact(x)) for x in (-1.0, NAN)),
         *(("duration", x, lambda x: ParticlePairs([], 1.0).next_impact(x)) for x in (-1.0, INF)),
-        ("same acceleration", UP, lambda x: same_acceleration(x, Vector3())),
         ("initial_height", 0.0, lambda x: restitution_of_drop(x, 0.0)),
         ("bounce_height", -0.1, lambda x: restitution_of_drop(1.0, x)),
         ("bounce_height", NAN, lambda x: table_of_drops([("oak", 1.0, x)])),

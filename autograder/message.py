@@ -54,6 +54,7 @@ class Message:
         got: What the student's code returned or raised.
         wanted: The value that ``got`` must match, to within ``tolerance``. If the tolerance is 0,
             the two must be equal.
+        note: What the numbers show, such as that only one component is wrong.
         where: A line of the student's code, in the chapter that is checked.
         inside: The line of an earlier chapter's function, called by that line, that raised the
             error.
@@ -70,6 +71,7 @@ class Message:
     got: str = ""
     wanted: str = ""
     tolerance: float | None = None
+    note: str = ""
     where: Place | None = None
     inside: Place | None = None
     likely: str = ""
@@ -111,6 +113,7 @@ class Message:
         rows += [
             ("got", self.got),
             ("wanted", self.wanted + self._how_close),
+            ("note", self.note),
             ("where", str(self.where or "")),
             ("inside", str(self.inside or "")),
         ]

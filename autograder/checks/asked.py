@@ -41,6 +41,7 @@ class About:
 
     def __init__(self) -> None:
         self.call = self.cause = self.read = ""
+        self.recognized = ""  # the last cause that was found by the result it leads to
 
     def __call__(
         self, call: str | None = None, *, cause: str | None = None, read: str | None = None
@@ -60,6 +61,7 @@ class About:
     def forget(self) -> None:
         """Clear all parts of the failure message before the next check stores its own."""
         self("", cause="", read="")
+        self.recognized = ""
 
 
 about = About()

@@ -13,7 +13,7 @@ from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_
 from autograder.diagnosis.missing import file_of
 from autograder.diagnosis.nearest import explain_unknown
 from autograder.diagnosis.nothing import explain_none
-from autograder.diagnosis.slips import PERHAPS, POWER, slip_of, wrong_call
+from autograder.diagnosis.slips import PERHAPS, POWER, fact_of, slip_of
 from autograder.message import ExpectationError, Kind, Message, Place
 
 ESCAPED = re.compile(
@@ -148,7 +148,7 @@ def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> 
         return cause, ""
     if text.startswith("TypeError") and "^" in line:
         return POWER, ""
-    if fact := explain_none(fault.none) if fault.none else wrong_call(text):
+    if fact := explain_none(fault.none) if fault.none else fact_of(text):
         return fact, cause
     perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
     return (cause, perhaps) if cause else (perhaps, "")

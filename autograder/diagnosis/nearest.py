@@ -124,6 +124,8 @@ def _attribute(error: AttributeError) -> Unknown | None:
         return Unknown(name, value.__name__, nearest(name, vars(value)))
     of = value.__name__ if isinstance(value, type) else type(value).__name__
     of = of[:LONGEST]
+    if frame and value is frame.f_locals.get("self") and name in frame.f_code.co_varnames:
+        return Unknown(name, of, f"{name} without self.")
     if frame and _assigns(error.__traceback__) and (slots := _slots(type(value))):
         return Unknown(name, of, nearest(name, slots, 0.5), slots)
     ours = type(value).__module__ == "builtins"  # such as a list, where a method is rarely meant

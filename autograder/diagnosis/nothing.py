@@ -7,8 +7,10 @@ failed says which expression it was.
 from __future__ import annotations
 
 import ast
+import inspect
 import linecache
 import re
+import textwrap
 from itertools import islice
 from types import TracebackType
 
@@ -26,6 +28,8 @@ def none_in(error: BaseException, says: str) -> str:
             return ""
         failed = _failed_code(error.__traceback__)
         found = _none_part(ast.parse(failed).body[0], says)
+        if isinstance(found, ast.Name):
+            found = _assigned_call(found.id, error.__traceback__) or found
         source = ast.unparse(found) if found else ""
     except Exception:  # the source may be missing or have changed
         return ""
@@ -58,6 +62,26 @@ def _failed_code(traceback: TracebackType | None) -> str:
         return ""
     text = linecache.getline(code.co_filename, line).encode()
     return text[start:end].decode()
+
+
+def _assigned_call(name: str, traceback: TracebackType | None) -> ast.Call | None:
+    """Return the call whose result a variable got last, if it got the result of a call."""
+    while traceback and traceback.tb_next:
+        traceback = traceback.tb_next
+    if traceback is None:
+        return None
+    frame, last = traceback.tb_frame, traceback.tb_lineno
+    tree = ast.parse(textwrap.dedent(inspect.getsource(frame.f_code)))
+    ast.increment_lineno(tree, frame.f_code.co_firstlineno - 1)
+    values = [
+        (node.lineno, node.value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign)
+        and node.lineno < last
+        and any(isinstance(target, ast.Name) and target.id == name for target in node.targets)
+    ]
+    _, value = max(values, key=lambda found: found[0], default=(0, None))
+    return value if isinstance(value, ast.Call) else None
 
 
 def _none_part(node: ast.stmt | ast.expr, says: str) -> ast.expr | None:

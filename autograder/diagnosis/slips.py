@@ -29,6 +29,13 @@ NO_DEBUGGER = (
     "A check does not stop at breakpoint(). To stop there, debug the exercise instead of checking "
     "it, as in make debug EX=B2.3 (without make: python -m autograder debug B2.3)."
 )
+UNPACKED = (
+    "The function returned more or fewer values than there are names on the left of the =. Check "
+    "in its docstring what it returns."
+)
+WRONG_ARGUMENT = (
+    "The error names an argument that has the wrong type. Look at what your line passes for it."
+)
 METHOD = (
     "Your code uses a method as if it were the method's result. Add parentheses after the name to "
     "call it."
@@ -105,9 +112,14 @@ SLIPS = (
     ("method'", METHOD),  # such as "'method' object is not iterable"
     ("method object", METHOD),  # such as "cannot unpack non-iterable method object"
 )
-# These errors may come from a mistake in Python, or they may follow from one in the physics. So we
-# also show the mistake that the check suggests.
-PERHAPS = (
+# What these errors say is certain, but what led to it may be a mistake in the physics. So we show
+# the mistake that the check suggests, too, after our explanation.
+FACTS = (
+    (
+        "real number, not '",
+        "A number is needed here. Vector3 takes three numbers, so write Vector3(*numbers) for a "
+        "list or a tuple of them.",
+    ),
     (
         "'tuple'",
         "A value on this line is a tuple, because a function with several results returns them "
@@ -118,26 +130,8 @@ PERHAPS = (
         "A value on this line is None. Either nothing was assigned to it yet, or it comes from a "
         "function that has no return statement.",
     ),
-    (
-        "values to unpack",
-        "The function returned more or fewer values than there are names on the left of the =. "
-        "Check in its docstring what it returns.",
-    ),
-    (
-        "cannot unpack",
-        "The function returned more or fewer values than there are names on the left of the =. "
-        "Check in its docstring what it returns.",
-    ),
-    (
-        "has no attribute",
-        "Perhaps you misspelled the name of the attribute, or the object has a different type than "
-        "you expect.",
-    ),
-    ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
-    ("TabError", "The indentation mixes tabs and spaces. Use four spaces for each level."),
-    ("unindent does not match", "Indent this line to match the block that it belongs to."),
-    ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
-    ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
+    ("values to unpack", UNPACKED),
+    ("cannot unpack", UNPACKED),
     ("'Vector3' object is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
     (
         "object is not iterable",
@@ -149,6 +143,38 @@ PERHAPS = (
         "The index is past the end. The last of n elements has the index n - 1, so a loop that "
         "reads the elements i and i + 1 must stop one earlier.",
     ),
+    ("for //", "The operator // divides into whole numbers. Write / to divide."),
+    (
+        "math domain error",
+        "A function of math got a number for which it has no result, such as sqrt of a negative "
+        "number. Check the signs on this line.",
+    ),
+    ("non-integer arg", "random.randint draws whole numbers. Use random.uniform for others."),
+    (
+        "'float' object has no attribute",
+        "A number is used here as if it were a vector. Perhaps the line that calls passes a "
+        "number, or a term of its sum lacks its vector.",
+    ),
+    (" must be a number, got", WRONG_ARGUMENT),
+    (" must be a Vector3, got", WRONG_ARGUMENT),
+    (
+        "is not callable",
+        "Your code calls a value that isn't a function. Perhaps this value is a property, which "
+        "needs no parentheses, or you used the same name for two things.",
+    ),
+)
+# These explanations are only guesses, so the mistake that the check suggests comes first.
+PERHAPS = (
+    (
+        "has no attribute",
+        "Perhaps you misspelled the name of the attribute, or the object has a different type than "
+        "you expect.",
+    ),
+    ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
+    ("TabError", "The indentation mixes tabs and spaces. Use four spaces for each level."),
+    ("unindent does not match", "Indent this line to match the block that it belongs to."),
+    ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
+    ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
     (
         "TypeError",
         "A value on this line has the wrong type. Check the type of each value on the line.",
@@ -158,19 +184,15 @@ LACKING = re.compile(r"missing (\d+) required (positional|keyword-only) argument
 TOO_MANY = re.compile(r"takes (?:from \d+ to )?(\d+) positional arguments? but (\d+) w")
 
 
-NOT_CALLABLE = (
-    "Your code calls a value that isn't a function. Perhaps this value is a property, which needs "
-    "no parentheses, or you used the same name for two things."
-)
+def fact_of(text: str) -> str:
+    """Explain what an exception's text proves, or return an empty string."""
+    if words := _wrong_arguments(text):
+        return words
+    return next((fact for sign, fact in FACTS if sign in text), "")
 
 
-def wrong_call(text: str) -> str:
-    """Explain a call of what is no function, or with arguments that do not fit the def line.
-
-    For any other error, return an empty string.
-    """
-    if "is not callable" in text:
-        return NOT_CALLABLE
+def _wrong_arguments(text: str) -> str:
+    """Explain a call whose arguments do not fit the def line, or return an empty string."""
     if lacking := LACKING.search(text):
         names = lacking[3].replace("'", "")
         what = f"The call passes no value for {names}."

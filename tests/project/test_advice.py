@@ -169,7 +169,7 @@ def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_pa
     lines = {
         f"from {Path(path).parent.name}.{Path(path).stem} import {name}" for path, name in advised
     }
-    assert "from ch02_vectors.arguments import finite" in lines
+    assert "from ch02_vectors.arguments import positive" in lines
     future, modules = "from __future__ import annotations\n", []
     for chapter in CHAPTERS:
         (tmp_path / chapter.name).mkdir()

@@ -20,6 +20,7 @@ from typing import Any, Unpack
 from autograder.checks.asked import Words, about, scoped, short_numbers
 from autograder.diagnosis.slips import NOT_IMPLEMENTED
 from autograder.message import ExpectationError, Message
+from compared import difference
 
 # Correct answers that were computed in another order differ by a few rounding errors, each about
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
@@ -96,7 +97,10 @@ def expect_close(
     if not _are_numbers(got_numbers, len(wanted_numbers)) or not all(
         abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
     ):
-        _complain(*_compared(got, wanted, tolerance), words, tolerance)
+        note = ""
+        if _are_numbers(got_numbers, len(wanted_numbers)) and len(wanted_numbers) <= LONGEST_LIST:
+            note = difference(got_numbers, wanted_numbers, tolerance)
+        _complain(*_compared(got, wanted, tolerance), words, tolerance, note)
 
 
 def expect_between(
@@ -273,6 +277,7 @@ def cause_of(
         if _are_numbers(seen, len(numbers)) and all(
             abs(one - other) <= near for one, other in zip(seen, numbers, strict=True)
         ):
+            about.recognized = cause
             return cause
     return otherwise
 
@@ -353,7 +358,11 @@ def _is_not_implemented(value: Any) -> bool:
 
 
 def _complain(
-    got: str, wanted: str, words: Words | None = None, tolerance: float | None = None
+    got: str,
+    wanted: str,
+    words: Words | None = None,
+    tolerance: float | None = None,
+    note: str = "",
 ) -> None:
     __tracebackhide__ = True
     words = words or {}
@@ -376,6 +385,7 @@ def _complain(
             got=_with_unit(got, unit),
             wanted=_with_unit(wanted, unit),
             tolerance=tolerance,
+            note="" if cause == about.recognized else note,
             likely=cause,
             other=other,
             read=read,

@@ -8,7 +8,15 @@ import pytest
 
 from autograder.checks.asked import about, short_numbers
 from autograder.message import ExpectationError, Message
-from expect import expect_between, expect_close, expect_exactly, expect_that, expect_unchanged
+from compared import difference, relation
+from expect import (
+    blame,
+    expect_between,
+    expect_close,
+    expect_exactly,
+    expect_that,
+    expect_unchanged,
+)
 
 
 def said(expectation: Callable[[], None]) -> Message:
@@ -63,3 +71,51 @@ def test_of_long_lists_only_the_first_difference_is_shown() -> None:
     assert message.got == "20 elements, where [5] is (5, 'down')"
     message = said(lambda: expect_close(None, right))
     assert message.got == "None"
+
+
+def test_a_note_says_how_the_numbers_differ_unless_the_mistake_is_recognized() -> None:
+    message = said(lambda: expect_close((1.0, 2.0, -3.0), (1.0, 2.0, 3.0)))
+    assert message.note == "Only z is wrong. It has the opposite sign."
+    assert ("note", message.note) in message.rows()
+
+    def recognized() -> None:
+        blame(6.0, [(6.0, "You forget to halve it.")])
+        expect_close(6.0, 3.0)
+
+    assert said(recognized).note == ""
+
+
+@pytest.mark.parametrize(
+    ("got", "wanted", "words"),
+    [
+        ([1.0, 5.0, 6.0], [1.0, 2.5, 3.0], "Only y and z are wrong. Each is 2 times the wanted"),
+        ([2.6, 5.0, 6.0], [1.3, 2.5, 3.0], "Each is 2 times the wanted value."),
+        ([1.0, 7.1], [1.0, 2.5], "Only element [1] is wrong."),
+        ([8.0, 7.1, 5.2], [1.0, 2.5, 3.3], ""),
+    ],
+)
+def test_which_of_several_numbers_are_wrong(
+    got: list[float], wanted: list[float], words: str
+) -> None:
+    assert difference(got, wanted, 1e-9).startswith(words)
+    assert bool(difference(got, wanted, 1e-9)) == bool(words)
+
+
+@pytest.mark.parametrize(
+    ("got", "wanted", "words"),
+    [
+        (-7.3, 7.3, "It has the opposite sign."),
+        (180.0, 3.141592653589793, "It is 180 / pi times the wanted value."),
+        (-3.65, 7.3, "It is half of the wanted value, with the opposite sign."),
+        (53.29, 7.3, "It is the square of the wanted value."),
+        (1.0 / 7.3, 7.3, "It is 1 divided by the wanted value."),
+        (4.0, 2.0, ""),  # 2 times 2, or the square of 2
+        (7.4, 7.3, ""),
+        (0.0, 7.3, ""),
+        (float("nan"), 7.3, ""),
+    ],
+)
+def test_a_relation_is_told_only_if_it_is_the_only_one(
+    got: float, wanted: float, words: str
+) -> None:
+    assert relation(got, wanted) == words

@@ -25,6 +25,10 @@ const does = {
     }
   },
 
+  async try({asked}) {
+    return engines.tryLine(asked);
+  },
+
   scene({link, message}) {
     return new Promise((resolve) => {
       const got = [];

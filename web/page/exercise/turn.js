@@ -8,6 +8,7 @@ import {warmUp} from "../python/python.js";
 import {reset} from "./reset.js";
 import {isStale, results} from "./results.js";
 import {workspace} from "../files/workspace.js";
+import {tryBox} from "./trying.js";
 import {writtenPart} from "./written.js";
 
 export const panels = new Map(); // exercise -> Turn
@@ -67,6 +68,7 @@ class Turn {
       this.status,
       this.list,
       this.result,
+      tryBox(this),
     );
     await this.editor.show(this.paths[0]);
     const [name] = namesIn(this.exercise, this.paths[0]);

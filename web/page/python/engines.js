@@ -6,11 +6,13 @@
 //   engines.start();        start Python; the first call of check or lab does so as well
 //   await engines.ready;    Python is ready
 //   await engines.check({files, chapter, exercise, given, seed, onProgress, onTrouble});
+//   await engines.tryLine({files, chapter, given, lines, line});
 //   engines.lab(onAnswer);  returns a link: send(message), close() and busy
 
 import {runChecks} from "./checker.js";
 import {Interpreter} from "./interpreter.js";
 import {Scenes} from "./scenes.js";
+import {tryLine} from "./trying.js";
 
 const QUIET = 5000; // ms
 
@@ -40,6 +42,13 @@ export class Engines {
     const report = this.turn.then(() => runChecks(asked, next, {...hear, onLong}));
     this.turn = report.catch(() => undefined).then(() => this.warmUpIn(QUIET));
     return report;
+  }
+
+  // Run a line of Python after the checks that are running now. Return a promise of what it shows.
+  tryLine(asked) {
+    const shown = this.turn.then(() => tryLine(asked, () => this.forChecks()));
+    this.turn = shown.catch(() => undefined);
+    return shown;
   }
 
   lab(onAnswer) {

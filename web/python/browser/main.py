@@ -15,6 +15,7 @@ from web.python.browser.folder import Folder
 from web.python.browser.page import post
 from web.python.browser.process import compile_once, install_limits
 from web.python.browser.scenes import Link
+from web.python.browser.trying import try_line
 from web.python.browser.watchdog import watchdog
 
 folder = Folder()
@@ -56,6 +57,8 @@ def _answer(message: dict[str, Any]) -> None:
     match message:
         case {"kind": "check"}:
             post("report", report=check(message, folder))
+        case {"kind": "try"}:
+            post("tried", **try_line(message, folder))
         case {"kind": "scene", "link": int(number), "message": dict(asked)}:
             link = links.setdefault(number, Link(folder))
             post("answers", answers=link.receive(asked))

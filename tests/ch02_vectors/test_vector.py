@@ -311,8 +311,17 @@ def test_the_zero_vector_stays_zero() -> None:
         "that the result is the zero vector."
     )
     about.read = "book 2.1.2"
-    expect_close(xyz(v.normalized()), ZERO)
+    u = v.normalized()
+    expect_close(xyz(u), ZERO)
+    u.x = 9.0
+    about.call = "v = Vector3(0, 0, 0); u = v.normalized(); u.x = 9; v"
+    itself = (
+        "You return the zero vector itself, so a change of the result also changes v. Return a new "
+        "zero vector, Vector3()."
+    )
+    expect_close(xyz(v), ZERO, cause=itself)
     about.call = "v = Vector3(0, 0, 0); v.normalize()"
+    v = Vector3(0.0, 0.0, 0.0)
     v.normalize()
     expect_close(xyz(v), ZERO, then="; v")
 

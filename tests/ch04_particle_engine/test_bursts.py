@@ -53,6 +53,11 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
             "You multiply the speed by kept, the first factor. Multiply it by gone, the second.",
         ),
         (
+            [start + speed + a * t for speed in speeds],
+            "You use kept and gone as gone and fallen. drag_factors returns the three factors "
+            "kept, gone and fallen, in this order.",
+        ),
+        (
             wanted[:1],
             "You return only the position of the first spark, perhaps because the return statement "
             "is inside the loop. Return a list of all positions.",

@@ -79,9 +79,12 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
                 "is (t - gone) / k, where t is the time and k = -ln(damping).",
             ),
             ((1.0, time, time * time / 2.0), undamped),
-            (
-                (wanted[0], (1.0 - wanted[0]) / ten, (time - (1.0 - wanted[0]) / ten) / ten),
-                "You use math.log10. Use math.log, which is the natural logarithm.",
+            *(
+                (
+                    (kept, (1.0 - kept) / ten, (time - (1.0 - kept) / ten) / ten),
+                    "You use math.log10. Use math.log, which is the natural logarithm.",
+                )
+                for kept in (wanted[0], math.exp(-ten * time))
             ),
             (
                 (wanted[0], wanted[1], (time - wanted[0]) / k),

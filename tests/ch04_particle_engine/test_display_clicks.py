@@ -127,8 +127,8 @@ def test_a_late_click_scores_more() -> None:
         display.click(a_game, 0.0, 20.0)
         if fuse == 0.39 and a_game.score == 4:
             about.cause = (
-                "You give 4 points, as if both cases applied. A late hit scores 3 points in all, so "
-                "add 1 point only in an else branch."
+                "You give 4 points, as if both cases applied. A late hit scores 3 points in all, "
+                "so add 1 point only in an else branch."
             )
         if fuse == 1.5 and a_game.score == 3:
             about.cause = (

@@ -148,7 +148,7 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         about.cause = (
             "You keep the oldest fireworks when all slots are taken. With drop_oldest, put out the "
             "oldest firework to make room for a new one (E-20). If you do this, check the spelling "
-            "of the name: self.when_full == \"drop_oldest\"."
+            'of the name: self.when_full == "drop_oldest".'
         )
     expect_exactly(burning(a_show), [3, 4, 1], then="; the types of show.fireworks")
     about.cause = (

@@ -87,7 +87,10 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         "fallen that drag_factors returns."
     )
     blame(got, [(wanted, undamped)])
-    wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
+    fallen = (t - gone) / k
+    wanted = [start + speed * gone + a * fallen for speed in speeds]
+    by_time = "You multiply the speed by the time. Multiply it by gone, which is less with drag."
+    blame(got, [([start + speed * t + a * fallen for speed in speeds], by_time)])
     expect_close(got, wanted, unit="m", tolerance=1e-11)
 
 

@@ -45,7 +45,14 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")
-    a_show.launch(type)
+    try:
+        a_show.launch(type)
+    except (TypeError, ValueError) as error:
+        if "unpack" in str(error):
+            about.cause = (
+                "light takes a list of tuples. Put your tuple into a list: [(type, 1, None)]."
+            )
+        raise
     if len(burning(a_show)) > 1:
         about.cause = about.cause.replace("does not light exactly", "lights more than")
     expect_exactly(burning(a_show), [type])

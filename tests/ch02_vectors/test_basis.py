@@ -66,6 +66,11 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                     f"Vector {i + 1} of your basis does not have length 1, so its scalar product "
                     "with itself is not 1. Normalize it."
                 )
+            if i == j == 1 and abs(dot(basis[1], basis[1]) - dot(basis[2], basis[2])) < 1e-9:
+                about.cause = (
+                    "Vectors 2 and 3 of your basis are equally long, but their length is not 1. "
+                    "Normalize the one that you compute first before you compute the other from it."
+                )
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
                 (

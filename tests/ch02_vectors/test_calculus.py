@@ -70,7 +70,7 @@ def pair_of_lists(result: Any, lengths: tuple[int, int], names: tuple[str, str])
         if len(part) == length + 1 and "quotients" in names:
             about.cause += " Between n times there are only n - 1 intervals."
         if len(part) == length - 1:
-            about.cause += " You leave out the first or the last one."
+            about.cause += " Either you return in the loop, or you leave out the first or last one."
         expect_exactly(len(part), length, then=f"; the number of {name}")
     return result[0], result[1]
 
@@ -304,6 +304,7 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
             "Take v from the start of the interval.",
         ),
         ([*p, *moved(1.5)], "You use the new velocity. Take v from the start of the interval."),
+        ([*p, *moved(0.25)], "Your last term is a h^2 / 4. Square only h, and then halve it."),
         ([*p, *moved(-0.5)], "You subtract the last term. Add a h^2 / 2."),
         ([*moved(0.5), *p], "Your list begins with the last position. Begin with the first."),
         (

@@ -182,6 +182,10 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
          "v.z * w.z to it."),
         (dot(a, a), "You multiply the components of v by themselves. Multiply them by those of w."),
         (dot(b, b), "You multiply the components of w by themselves. Multiply them by those of v."),
+        (a[0] * b[0] + a[1] * b[1] * a[2] * b[2], "You multiply the second product by the third "
+         "one. Add all three products."),
+        (math.hypot(*(p * q for p, q in zip(a, b, strict=True))), "You return the length of the "
+         "component product. Add up its components instead."),
         (sum(a) * sum(b), "You multiply the sums of the components. Multiply the matching "
          "components first, and then add up the three products."),
         (math.hypot(*a) * math.hypot(*b), "The result is |v| |w|, the product of the lengths. "

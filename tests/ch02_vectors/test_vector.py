@@ -141,6 +141,13 @@ def test_magnitude_is_the_length(rng: Random) -> None:
             "You add up the components without their signs. Add up their squares, and take the "
             "square root of the sum.",
         ),
+        *(
+            (
+                math.sqrt(abs(length**2 - n * n + 2.0 * n)),
+                f"You double the {axis} component instead of squaring it. Write {axis}**2.",
+            )
+            for axis, n in zip("xyz", a, strict=True)
+        ),
         (1.0, "Your exponent is 1 // 2, which is 0. The square root is the power 0.5."),
         (length**2 / 2.0, "You halve the sum. The square root is the power 0.5, as in x**0.5."),
         (
@@ -311,8 +318,17 @@ def test_the_zero_vector_stays_zero() -> None:
         "that the result is the zero vector."
     )
     about.read = "book 2.1.2"
-    expect_close(xyz(v.normalized()), ZERO)
+    u = v.normalized()
+    expect_close(xyz(u), ZERO)
+    u.x = 9.0
+    about.call = "v = Vector3(0, 0, 0); u = v.normalized(); u.x = 9; v"
+    itself = (
+        "You return the zero vector itself, so a change of the result also changes v. Return a new "
+        "zero vector, Vector3()."
+    )
+    expect_close(xyz(v), ZERO, cause=itself)
     about.call = "v = Vector3(0, 0, 0); v.normalize()"
+    v = Vector3(0.0, 0.0, 0.0)
     v.normalize()
     expect_close(xyz(v), ZERO, then="; v")
 

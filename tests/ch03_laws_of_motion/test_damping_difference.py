@@ -53,6 +53,10 @@ RATE = (
     "by the number of steps to get the mean duration."
 )
 SUM = "You return the sum over all runs. Divide it by the number of runs to get the mean."
+OPPOSITE = (
+    "In your mean, the differences of the two runs partly cancel. Subtract the two velocities of a "
+    "run, and take the length of the result, instead of subtracting their lengths."
+)
 CARRIED = (
     "Your second run starts where the first one ended. Start every run from the given velocity v."
 )
@@ -140,6 +144,7 @@ def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Rand
         return speed * math.fsum(abs(factor**n - damping**t) for n, t in both) / 2.0
 
     kept = damping**mean
+    signed = [kept**n - damping**t for n, t in zip(steps, times, strict=True)]
     carried = abs(kept**8 - damping ** times[0]) + abs(kept**11 - damping ** math.fsum(times))
     of_means = (times[0] / 8.0 + times[1] / 3.0) / 2.0
     equal = SAME_VECTOR
@@ -150,6 +155,8 @@ def test_without_acceleration_the_number_of_steps_makes_the_difference(rng: Rand
     mistakes = [
         (difference(damping), PER_FRAME),
         (0.0, equal),
+        (speed * sum(signed) / 2.0, OPPOSITE),
+        (-speed * sum(signed) / 2.0, OPPOSITE),
         (math.floor(difference(kept)), FLOOR),
         (difference(damping**of_means), MEAN_OF_MEANS),
         (2.0 * difference(kept), SUM),

@@ -20,20 +20,26 @@ def draw_mass(rng: Random) -> float:
 
 @pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2")
 def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
-    mass, v = draw_mass(rng), components(rng)
-    about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
+    mass, x, v = draw_mass(rng), components(rng), components(rng)
+    about.call = (
+        f"p = Particle(Vector3{x}, Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
+    )
     about.cause = (
         "The kinetic energy is m |v|^2 / 2, where m is the mass and |v| the speed. Check each "
         "factor of your formula against it."
     )
     about.read = "book 3, exercise 3.3"
-    p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
+    p = Particle(Vector3(*x), Vector3(*v), mass=mass, damping=0.5)
     got, squared = p.kinetic_energy(), dot(v, v)
     mistakes = [
         (0.0, "Your result is 0. In Python 1 // 2 is 0, so write 0.5 * m or m / 2 instead."),
         (
             mass * squared // 2.0,
             "You divide with //, which rounds down to a whole number. Use / instead.",
+        ),
+        (
+            0.5 * mass * dot(x, x),
+            "You use the position instead of the velocity. The kinetic energy is m |v|^2 / 2.",
         ),
         (0.5 * squared, "You leave out the mass. The kinetic energy is m |v|^2 / 2."),
         (

@@ -41,6 +41,11 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
         (2.0, faster),
         (0.0, "You divide with //, which rounds down to a whole number. Use / instead."),
         (0.25, "You return only 1 / m1. Divide it by 1 / m2, which gives m2 / m1."),
+        (
+            math.sqrt(0.5),
+            "You take a square root, as for equal energies. Here the force and the time are equal, "
+            "so the ratio of the speeds is m2 / m1.",
+        ),
         (-2.0, "You subtract the masses. Divide the speeds, which gives m2 / m1."),
     ]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
@@ -230,6 +235,14 @@ def test_one_step_and_five_steps_of_a_second() -> None:
                 (3.0, 4.0, 1.0) if steps > 1 else (math.nan,) * 3,  # right for a single step
                 "Either you return after the first step, inside the loop, or each step starts from "
                 "the given position. Continue from where the last step ended.",
+            ),
+            (
+                tuple(
+                    p + 25.0 * u + 250.0 * b
+                    for p, u, b in zip(START, VELOCITY, ACCELERATION, strict=True)
+                ),
+                "Each of your 5 steps lasts 5 s. You multiply the duration by the number of steps, "
+                "but it is the duration of one step.",
             ),
             (
                 (2.2, 4.4, 1.2),

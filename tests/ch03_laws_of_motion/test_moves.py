@@ -168,6 +168,11 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
         expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
+        about.cause = (
+            "Your kick changes the damping of the particle, so the next kick damps by another "
+            "factor. Compute d^h in a new variable."
+        )
+        expect_close(p.damping, damping, then="; p.damping", tolerance=0.0)
         for name, before in (("position", x), ("acceleration", a)):
             about.cause = (
                 f"Your kick changes the {name}, but it must change only the velocity. Leave "

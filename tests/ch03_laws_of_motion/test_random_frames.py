@@ -30,13 +30,24 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
     frames: Any = exercises.random_frames(mean, jitter, total, seed)
     plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
     expect_exactly(plain, True, call=f"{about.call}; is the result a list of floats?")
+    short = "Your list is too short. Add durations until they fill the total."
+    if not frames:
+        short = (
+            "Your list is empty. Add each duration to it with frames.append(frame), because frames "
+            "+ [frame] makes a new list and leaves frames unchanged."
+        )
+    elif len(frames) == 1 and abs(frames[0] - total) < 1e-9 * total:
+        short = (
+            "Your only frame takes the whole total. A frame lasts as long as you draw, or as long "
+            "as is left if that is less, so take the smaller of the two with min."
+        )
     least = 1 if total <= mean * (1.0 + jitter) else 2
     expect_that(
         len(frames) >= least,
         f"a list of {len(frames)}",
         f"a list of at least {least}",
         call=f"{about.call}; the number of durations",
-        cause="Your list is too short. Add durations until they fill the total.",
+        cause=short,
     )
     return list(frames)
 

@@ -53,6 +53,11 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
             "You multiply the speed by kept, the first factor. Multiply it by gone, the second.",
         ),
         (
+            [start + speed + a * t for speed in speeds],
+            "You use kept and gone as gone and fallen. drag_factors returns the three factors "
+            "kept, gone and fallen, in this order.",
+        ),
+        (
             wanted[:1],
             "You return only the position of the first spark, perhaps because the return statement "
             "is inside the loop. Return a list of all positions.",
@@ -82,7 +87,10 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         "fallen that drag_factors returns."
     )
     blame(got, [(wanted, undamped)])
-    wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
+    fallen = (t - gone) / k
+    wanted = [start + speed * gone + a * fallen for speed in speeds]
+    by_time = "You multiply the speed by the time. Multiply it by gone, which is less with drag."
+    blame(got, [([start + speed * t + a * fallen for speed in speeds], by_time)])
     expect_close(got, wanted, unit="m", tolerance=1e-11)
 
 

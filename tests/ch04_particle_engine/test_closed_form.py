@@ -60,6 +60,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
                 "for k t = 0.3, add terms to it, or use it only for a smaller k t."
             )
             blame(got, [(wanted, few)], tolerance=0.01)
+        ten = k / math.log(10.0)  # a drag rate from log10
         rising = (wanted[0], -gone, (time + gone) / -k)
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -78,6 +79,17 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
                 "is (t - gone) / k, where t is the time and k = -ln(damping).",
             ),
             ((1.0, time, time * time / 2.0), undamped),
+            *(
+                (
+                    (kept, (1.0 - kept) / ten, (time - (1.0 - kept) / ten) / ten),
+                    "You use math.log10. Use math.log, which is the natural logarithm.",
+                )
+                for kept in (wanted[0], math.exp(-ten * time))
+            ),
+            (
+                (wanted[0], wanted[1], (time - wanted[0]) / k),
+                "Your fallen is (t - kept) / k. It must be (t - gone) / k.",
+            ),
             (
                 rising,
                 "Your drag rate has the wrong sign. The logarithm of a damping below 1 is "

@@ -43,6 +43,11 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
     expect_that(found is not None, "no rocket (None)", "the rocket of type 3")
     what = None if found is None else found.type
+    if found is not None and found.particle.position.y == y + 1.5:
+        nearest = (
+            "You return the last rocket within reach. When you find a nearer one, also remember "
+            "its distance, and compare the next rocket with it."
+        )
     expect_exactly(what, 3, then="; the type of the rocket that it returns", cause=nearest)
     for away, reached in ((2.4, True), (2.6, False)):
         about.cause = (

@@ -27,7 +27,18 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     about.cause = (
         "There is a rocket exactly where the player clicks, so the click is a hit. Return True."
     )
-    hit = display.click(a_game, 9.0, 20.0)
+    rockets = a_game.show.fireworks
+    try:
+        hit = display.click(a_game, 9.0, 20.0)
+    except (TypeError, KeyError, ValueError) as error:
+        if "Firework" in str(error):
+            about.cause = "You pass the rocket itself to launch. Pass its type, rocket.type."
+        raise
+    if hit is False and a_game.score == 0 and a_game.misses == 0 and len(rockets) == 2:
+        about.cause = (
+            "Your click does nothing, as if the game were over. Perhaps you wrote is_over without "
+            "(display), and a function itself counts as true."
+        )
     if hit is False and display.is_over(game((1, 0.0, 20.0))) is True:
         about.cause = (
             "Your is_over returns True although a rocket burns and no click has missed, so the "
@@ -114,6 +125,11 @@ def test_a_late_click_scores_more() -> None:
         a_game = game((1, 0.0, 20.0))
         a_game.show.fireworks[0].age = fuse
         display.click(a_game, 0.0, 20.0)
+        if fuse == 0.39 and a_game.score == 4:
+            about.cause = (
+                "You give 4 points, as if both cases applied. A late hit scores 3 points in all, "
+                "so add 1 point only in an else branch."
+            )
         if fuse == 1.5 and a_game.score == 3:
             about.cause = (
                 "You count this hit as late, although 1.5 s of fuse are left. Compare the age of "

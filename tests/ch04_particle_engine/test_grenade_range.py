@@ -134,6 +134,8 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
         )
     if "grenade" in types and "fragment" in types:
         about.cause = "The grenade is still there. In update, replace the grenade by its fragments."
+    if len(types) == 12 and "grenade" not in types and len({*types}) == 1:
+        about.cause = f"Your 12 shots have the type {types[0]!r}. The type must be 'fragment'."
     kinds = " and ".join(sorted({str(type) for type in types}))
     shown = f"{len(types)} shot{'s' * (len(types) != 1)}{' of type ' * bool(types)}{kinds}"
     holds = types == ("fragment",) * 12

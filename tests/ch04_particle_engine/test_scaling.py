@@ -29,6 +29,10 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
             "You don't square the speed. The kinetic energy is m v^2 / 2.",
         ),
         (
+            3.125,
+            "You square the mass as well. Square only the speed: m v^2 / 2.",
+        ),
+        (
             312.5,
             "You divide the speed by 2 before you square it, so the energy is half as large as it "
             "should be. The kinetic energy is m v^2 / 2.",

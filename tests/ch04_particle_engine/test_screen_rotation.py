@@ -209,5 +209,14 @@ def test_the_corners_of_a_square(rng: Random) -> None:
                 n for way in ways for n in (x + away * math.cos(way), y + away * math.sin(way))
             ]
             mistakes.append((turned_back, back))
+            for name, s in (("x", math.sin(turned)), ("y", -math.sin(turned))):
+                c, flipped = math.cos(turned), []
+                for a, b in ((half, half), (-half, half), (-half, -half), (half, -half)):
+                    flipped += [x + a * c + b * s, y + a * s + b * c]
+                sign = (
+                    f"The sine in your {name} has the wrong sign. A corner at (a, b) moves to (a "
+                    "cos t - b sin t, a sin t + b cos t) about the center."
+                )
+                mistakes.append((flipped, sign))
         blame(got, mistakes)
         expect_close(got, wanted, tolerance=ROUNDED)

@@ -45,7 +45,14 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")
-    a_show.launch(type)
+    try:
+        a_show.launch(type)
+    except (TypeError, ValueError) as error:
+        if "unpack" in str(error):
+            about.cause = (
+                "light takes a list of tuples. Put your tuple into a list: [(type, 1, None)]."
+            )
+        raise
     if len(burning(a_show)) > 1:
         about.cause = about.cause.replace("does not light exactly", "lights more than")
     expect_exactly(burning(a_show), [type])
@@ -147,7 +154,8 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
     if burning(a_show)[:3] == [1, 2, 3]:
         about.cause = (
             "You keep the oldest fireworks when all slots are taken. With drop_oldest, put out the "
-            "oldest firework to make room for a new one (E-20)."
+            "oldest firework to make room for a new one (E-20). If you do this, check the spelling "
+            'of the name: self.when_full == "drop_oldest".'
         )
     expect_exactly(burning(a_show), [3, 4, 1], then="; the types of show.fireworks")
     about.cause = (
@@ -190,6 +198,11 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
         about.cause = (
             "You light only one firework for each item of births. Light as many of them as its "
             "count says."
+        )
+    elif when_full == "drop_oldest" and lit == [2, 2, 3, 3]:
+        about.cause = (
+            "You light the first four of the new fireworks. With drop_oldest, only the last four "
+            "may burn, so skip the first three of them."
         )
     elif when_full == "keep_old" and lit == [3, 3, 3, 4]:
         about.cause = (

@@ -56,6 +56,10 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
             "momentum by the shot's own mass. Divide it by the mass of the block.",
         ),
         (
+            (before[0] + ratio * v[0] / block_mass, 1.5, before[2] + ratio * v[2] / block_mass),
+            "You divide by the mass of the block twice. Divide the momentum by it once.",
+        ),
+        (
             (before[0] + mass * v[0], 1.5, before[2] + mass * v[2]),
             "You add the momentum of the shot to the velocity of the block. Divide it by the mass "
             "of the block first.",
@@ -321,6 +325,11 @@ def test_on_the_range_each_shot_hits_the_first_block_on_its_path() -> None:
     at.fire("laser")
     at.update(0.1)
     hits = tuple(block.hits for block in blocks)
+    if hits == (0, 0, 1):
+        about.cause = (
+            "Only one of the two lasers hits. Perhaps your loop ends at the first shot that hits. "
+            "Go on with the next shot, with continue instead of break or return."
+        )
     expect_exactly(hits, (0, 0, 2), then="; the hits of each block")
     flying = [shot.type for shot in at.shots]
     expect_exactly(flying, ["fireball"], then="; the types of the shots in flight")

@@ -202,7 +202,14 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
     p.add_force(Vector3(*first))
     before = xyz(p.force_accumulator)
     p.clear_forces()
-    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N")
+    try:
+        cleared = p.force_accumulator
+    except TypeError as error:
+        if "NoneType" in str(error):
+            about.cause = "You set the whole list self._forces to None. Set only its first entry, "
+            about.cause += "self._forces[0], to None."
+        raise
+    expect_close(xyz(cleared), ZERO, then="; p.force_accumulator", unit="N")
     expect_unmoved(p, "clear_forces has changed p.{}. It must change only the sum of the forces.")
     p.clear_forces()
     p.add_force(Vector3(*second))

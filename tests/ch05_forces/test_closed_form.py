@@ -27,7 +27,13 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
     about.cause = "Your result does not solve the equation k1 v + k2 v^2 = weight. Return its "
     about.cause += "positive solution v."
     about.call = "terminal_speed(weight=19.62, k1=0.3, k2=0.05)"
-    got = terminal_speed(2 * 9.81, 0.3, 0.05)
+    try:
+        got = terminal_speed(2 * 9.81, 0.3, 0.05)
+    except ValueError as error:
+        if "math domain" in str(error):
+            about.cause = "The number under your square root is negative. It must be k1^2 + 4 k2 "
+            about.cause += "W, where W is the weight."
+        raise
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
         "Your result is the negative solution of the equation k1 v + k2 v^2 = weight. Return the "
@@ -92,7 +98,12 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.cause = "You divide by k2, which is 0 here. Use the form 2 W / (k1 + sqrt(k1^2 + 4 k2 "
     about.cause += "W)), where W is the weight."
     about.call = f"terminal_speed(weight={weight}, k1={k}, k2=0.0)"
-    got = terminal_speed(weight, k, 0.0)
+    try:
+        got = terminal_speed(weight, k, 0.0)
+    except ValueError:
+        about.cause = "You refuse k2 = 0, but one kind of drag is enough. Raise ValueError only if "
+        about.cause += "both k1 and k2 are 0."
+        raise
     about.cause = "The result is wrong for k2 = 0. In this case, it must be weight / k1."
     expect_close(got, weight / k, tolerance=ROUNDED * weight / k, unit="m/s")
     about(
@@ -149,6 +160,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
     v, x = wanted
     u, light = math.sqrt(2.0 * 9.81 / 0.05), math.sqrt(9.81 / 0.05)
+    massive = math.sqrt(2.0 / 0.05)
     angle, linear = 9.81 * 3.0 / light, 2.0 * 9.81 / 0.05
     slips = {
         "You return the two results in the wrong order. Return the speed first and the "
@@ -156,6 +168,11 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         "You return only the speed. Return a tuple of the speed and the distance.": v,
         "Your speed is negative. Return a positive speed, because the body falls.": (-v, x),
         "Your distance is u^2 ln cosh x. Divide it by g.": (v, 9.81 * x),
+        "You multiply u^2 ln cosh x by g. Divide it by g.": (v, 9.81 * 9.81 * x),
+        "You pass the mass to terminal_speed. It takes the weight, m g.": (
+            massive * math.tanh(9.81 * 3.0 / massive),
+            massive * massive / 9.81 * math.log(math.cosh(9.81 * 3.0 / massive)),
+        ),
         "Your distance is (u / g) ln cosh x. It must be (u^2 / g) ln cosh x.": (v, x / u),
         "Your x is t / u. Multiply it by g, which gives x = g t / u.": (
             u * math.tanh(3.0 / u),

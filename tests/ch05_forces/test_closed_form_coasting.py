@@ -35,6 +35,10 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         slips = {
             "You use e^s instead of e^-s, where s = k1 t / m. Drag slows the body down, so the "
             "exponent is negative.": v * math.exp(s) / (1.0 - ratio * v * math.expm1(s)),
+            "You use e^s instead of e^-s in the numerator, where s = k1 t / m. Drag slows the body "
+            "down, so the exponent is negative.": v
+            * math.exp(s)
+            / (1.0 - ratio * v * math.expm1(-s)),
             "You divide only by the 1. Put the whole denominator 1 + k2 v (1 - e^-s) / k1 in "
             "parentheses.": v * math.exp(-s) - ratio * v * math.expm1(-s),
             "The initial speed v is missing from the denominator. It must be 1 + k2 v (1 - e^-s) / "

@@ -76,6 +76,11 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             rate**-2,
         )
         why = named(got, about.cause, slips)
+        if isinstance(got, (tuple, list)) and math.inf in got:
+            why = (
+                "You return an infinite limit although there is drag. The first limit is m / (k1 + "
+            )
+            why += "k2 |v|), and the second one is twice as long."
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
     about.cause = "You treat a very small drag as 0. It is not 0, so compute the two limits as "
     about.cause += "usual."

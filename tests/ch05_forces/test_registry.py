@@ -142,9 +142,8 @@ def test_every_pair_is_called_once_per_step(rng: Random) -> None:
             one for one in wanted if one[:2] != (0, 1)
         ],
         "Your registry leaves out the pair (p0, g2), because you compare generators with ==. Two "
-        "different generators can be equal, so use `is`.": [
-            one for one in wanted if one[:2] != (0, 2)
-        ],
+        "different generators can be equal. Don't leave out any pair, because even the same pair "
+        "may be added twice.": [one for one in wanted if one[:2] != (0, 2)],
         "You always pass a duration of 1/60 s to the generators. Pass them the duration that "
         "update_forces receives.": [(p, generator, 1.0 / 60.0) for p, generator, _ in wanted],
         "You call the generator of only one pair in each update, the first one. Perhaps a return "
@@ -283,7 +282,8 @@ def test_immovable_particles_are_skipped() -> None:
         "Your loop ends when it reaches a pair with an immovable particle. Skip only this pair, "
         "and continue with the next one.": wanted[:1],
         "You call g0 and g1 for p1, although no force can move an immovable particle. Skip the "
-        "pairs of p1, but keep them in the registry.": [
+        "pairs of p1, but keep them in the registry. Test inverse_mass, which is 0 here, because "
+        "a mass of infinity counts as true.": [
             (0, 0, 0.5),
             (1, 0, 0.5),
             (1, 1, 0.5),

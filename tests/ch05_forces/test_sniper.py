@@ -56,11 +56,12 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
         about.call = f"range = SniperRange(1), without drag; range.shoot(azimuth={azimuth:.6g}, "
         about.call += f"elevation={elevation:.6g}); range.update(1/60) until range.bullet is None"
-        about.cause = "The bullet flies through a target, but you find no hit. Copy the position "
+        about.cause = "The bullet flies through a target, but you find no hit. Perhaps start and "
         about.cause += (
-            "before you call integrate, which changes it in place, and pass this copy to "
+            "end are the same point. Copy the position before you call integrate, which changes it "
+            "in place. Call hit_on_the_way after that, with this copy "
         )
-        about.cause += "hit_on_the_way as start, and the new position as end."
+        about.cause += "as start, and the new position as end."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         if holes:

@@ -53,7 +53,14 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     got = xyz(p.velocity)
     unused = "kick clears the sum of the forces before using it. First move the sum to "
     unused += "self._forces[1], where last_acceleration reads it."
-    if xyz(p.force_accumulator) != ZERO:
+    q = Particle(acceleration=Vector3(1, 2, 3))
+    q.add_force(Vector3(0, 0, 0))
+    q.integrate(h)
+    if xyz(q.velocity) == ZERO:
+        unused = "Your kick never changes the velocity, not even by the constant acceleration. "
+        unused += "Either it does not compute a new velocity, or it returns before that: `if not "
+        unused += "inverse_mass` is true for an immovable particle, `if inverse_mass` for the rest."
+    elif xyz(p.force_accumulator) != ZERO:
         unused = "Your kick ignores the force, so the velocity does not change. Use the "
         unused += "acceleration a + f / m, where f is the sum of the forces."
     slips = {
@@ -110,6 +117,9 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
         ],
         "Your new velocity is v + a h, without the forces. Use a + f / m instead of a, where f "
         "is the sum of the forces.": [v[i] + a[i] * h for i in range(3)],
+        "You add a without multiplying it by h. Put the sum in parentheses: (a + f / m) h.": [
+            v[i] + a[i] + sums[i] * h for i in range(3)
+        ],
         "You divide the constant acceleration a by the mass, too. Divide only the forces, because "
         "the acceleration must be a + f / m.": [
             v[i] + (a[i] / mass + sums[i]) * h for i in range(3)
@@ -169,7 +179,7 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     about(
         cause=(
             "The force is still there after the step. A force acts for one step only, so kick "
-            "must set the sum of the forces to zero."
+            "must put the sum into self._forces[1], and set self._forces[0] to None."
         ),
         read="book 5.1",
     )

@@ -80,6 +80,14 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                 "the offset first.": [part * (rest + extension) for part in wanted],
             }
             blame(got, slips)
+            if tuple(got) == ZERO:  # while it is short, does it pull if the damping is strong?
+                short, (x, y, z) = tuple(0.5 * rest * part for part in d), d
+                apart = (9.0 * k * x, 9.0 * k * y, 9.0 * k * z)
+                _, slack, q = rope(kind, base, short, apart, (k, rest, rest))
+                slack.update_force(q, 0.5)
+                if any(xyz(q.force_accumulator)):
+                    about.cause = "Your rope acts while it is shorter than its rest length, but "
+                    about.cause += "not while it is longer. Reverse your condition for its length."
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
             expect_close(got, wanted, tolerance=1e-12)
             expect_unchanged("p.position", xyz(p.position), before[0], cause=UNCHANGED)

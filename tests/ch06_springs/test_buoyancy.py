@@ -73,6 +73,8 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
             0.75 * full,
             2.25 * full,
         ),
+        "You use the mass of the particle in place of the mass of the water. Multiply by "
+        "self.liquid_density * self.volume instead.": (0.75 * g, 2.25 * g),
         "You used g = 9.81, but this Buoyancy was created with another gravity. Use "
         "self.gravity.": (
             0.25 * unit * 9.81,
@@ -115,6 +117,11 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
     }
     lifts = [got[1] if isinstance(got, tuple) else got for _, got in came.values()][:2]
     blame(lifts, pairs)
+    if s < 10.0 and all(abs(got[1] - full) <= 1e-9 * full for _, got in came.values()):
+        # Even if multiplied by s^2, the share 0.01 is less than 1.
+        about.cause = "Your lift is the full one, even if only 1% of the body is under water. Use "
+        about.cause += "the submerged fraction. Check that you limit it in the right order: "
+        about.cause += "min(max(fraction, 0.0), 1.0)."
     for share, (call, got) in came.items():
         about.call = call
         # The depth is the difference of numbers up to 28: some 1e-14 of it is rounding.

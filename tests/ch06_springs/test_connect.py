@@ -80,7 +80,8 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
                 "You swapped the forces on a and b. Always compute the force on a from a's "
                 "position minus b's, no matter which end is passed to update_force."
             ): [-part for part in wanted],
-            "You added no force to a. Both ends need a force in every call.": ZERO,
+            f"You added no force to a when {end} is passed to update_force. Take both ends from "
+            "self.a and self.b, and add a force to each of them in every call.": ZERO,
         }
         blame(on_a, slips)
         # A few roundings of numbers up to 500.
@@ -177,8 +178,7 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     got = xyz(a.force_accumulator)
     expect_close(got, (0.0, 200.0, 0.0), tolerance=1e-6)
     about.call += "; c.stiffness, c.rest_length, c.damping = 5, 3, 2; a.clear_forces(); "
-    about.call += "a.position.y = 2; "
-    about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
+    about.call += "a.position.y = 2; a.velocity.y = 1; c.update_force(a, 0.5)"
     about.cause = (
         "The check changes the attributes of c before this call, so the force must be 5 (3 - 2) "
         "- 2 * 1. Read the attributes in every call instead of storing a result."

@@ -11,14 +11,7 @@ import pytest
 from ch06_springs.closed_form import damped_spring_state
 from draw import number as draw_number
 from draw import positive_number
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_exactly,
-    named,
-    scoped,
-)
+from expect import about, blame, expect_close, expect_exactly, named, scoped
 
 READ = "book 6.3.2 and the docstring of damped_spring_state"
 REGIMES = (
@@ -170,6 +163,11 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
         slips = {
             "You didn't divide the damping by the mass. The amplitude decays at the rate c / (2 "
             "m).": by_roots(x0, v0, k, c * m, m, t),
+            "You divide the damping by 2 and then multiply by the mass. Divide by (2 * mass).": (
+                by_roots(x0, v0, k, c * m * m, m, t)
+            ),
+            "Your velocity leaves out -s x, where s = c / (2 m). The derivative of e^(-s t) "
+            "contributes this term (product rule).": (x, v + half * x),
             "You didn't divide the stiffness by the mass. The square of the undamped frequency is "
             "k / m.": by_roots(x0, v0, k * m, c, m, t),
             "Your position leaves out the initial velocity v0. Add the term that contains v0.": (
@@ -197,6 +195,11 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
         }
+        if name == "under-damped":
+            swing = math.sqrt(abs(half * half - k / m))
+            wrong = "In your velocity, the derivative of cos(g t) has the wrong sign. It is -g "
+            wrong += "sin(g t)."
+            slips[wrong] = x, v + 2.0 * fade * x0 * swing * math.sin(swing * t)
         about.cause = f"The spring is {name}. Divide the damping by 2 m and the stiffness by m, "
         about.cause += "and let both x0 and v0 contribute."
         if isinstance(got, tuple) and got and type(got[0]) is float and abs(got[0] - x) < 1e-10:

@@ -92,6 +92,9 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
                 "The stiffness is missing from your denominator. The force at x' = x + (v + v') "
                 "h / 2 depends on v', so add h^2 k / (4 m) to the denominator.": (rest - w * x)
                 / (1.0 + 0.5 * y),
+                "Your denominator contains h k / (2 m). The term must be h^2 k / (4 m), because "
+                "x' = x + (v + v') h / 2 contributes another factor h / 2.": (rest - w * x)
+                / (1.0 + 0.5 * y + 0.5 * w),
                 "Your denominator contains h c / m. The term must be h c / (2 m), because the "
                 "mean (a + a') / 2 contains only half of a'.": (rest - w * x)
                 / (1.0 + y + 0.25 * w * h),

@@ -58,8 +58,8 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         near = share * distance
         pushes = {
             "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
-            "There is no push. Either your loop ends when it reaches p itself in the list, or you "
-            "compare wrong numbers, such as the squared distance. Skip only p.": 0.0,
+            "There is no push, although q is closer than self.distance. Compare the distance of q "
+            "from p, not its square, with self.distance.": 0.0,
             "Your push is half of what it should be. Either you divide it by the number of "
             "particles, or you multiply it by the duration.": 0.5 * push,
             "Your push grows with the distance l of q. Multiply the stiffness by (self.distance - "
@@ -77,6 +77,11 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
                 for slip, size in pushes.items()
             }
             blame(got, slips)
+            first = Particle(Vector3(*here))
+            Overcrowding([q, first], distance, k).update_force(first, 0.5)
+            if tuple(got) == f and any(xyz(first.force_accumulator)):
+                about.cause = "q pushes p only if it comes before p in the list, so your loop ends "
+                about.cause += "too early. Skip only p, with continue instead of break or return."
         expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
         about.cause = (
             "You added a force to q as well. Push only p, the particle that is passed to "

@@ -135,6 +135,10 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
         for which, place in enumerate(true):
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
             got = places[frame - 1][which]
+            if not math.dist(got, place) < 5.0:
+                about.cause = "Your particle is more than 5 m from its true position, where even "
+                about.cause += "explicit Euler comes closer. Multiply every change of a position "
+                about.cause += "or velocity by its part of the duration."
             blame(got, mistakes(which, period * frame / FRAMES, place), tolerance=1e-3)
             expect_close(
                 got,

@@ -190,6 +190,9 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     )
     about.cause += "both positions, so move all particles before you evaluate the forces again."
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
+    if tuple(ends["positions"][1]) == two and tuple(ends["velocities"][1]) == w:
+        about.cause = "Your step leaves the second particle as it was. Move all particles. If you "
+        about.cause += "use return, put it after the loop, because it ends the loop."
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
         for i in range(3)

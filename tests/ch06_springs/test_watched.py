@@ -48,8 +48,8 @@ def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"no particle is faster than {0.999 * limit:.6g} m/s; {CALL.format(limit)}, "
     about.call += f"{frames} times"
-    about.cause = "In each step, call the original integrator exactly once, with particles, "
-    about.cause += "apply_forces and duration unchanged."
+    about.cause = "Return the function itself: return step, without parentheses. In each step, "
+    about.cause += "call the original integrator exactly once, with the three arguments unchanged."
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     often = "Your step calls the original integrator more than once, perhaps once for each "
@@ -98,6 +98,13 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
         slips = {
             "Your step number is one too small. The first step is number 1, so increase the "
             "counter before you check the speeds.": (fast, number - 1, size, limit),
+            "Your step number is always 1, because you set the counter to 0 in every step. Set it "
+            "to 0 in watched, outside of step, and declare it nonlocal in step.": (
+                fast,
+                1 if number > 2 else 0,
+                size,
+                limit,
+            ),
             "Your particle number is one too large. Particles are numbered from 0, like the "
             "items of a list.": (fast + 1, number, size, limit),
             "Your error reports the last particle that is too fast. Go through the list from "

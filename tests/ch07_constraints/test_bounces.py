@@ -70,7 +70,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     drops = [(name, h, h * c * c) for (name, c), h in zip(order, heights, strict=True)]
     about.call = f"drops = {drops[:4]}; drops += {drops[4:]}; table_of_drops(drops)"
     about.cause = "The rows are wrong. Return one row per material, in the order in which the "
-    about.cause += "materials first appear in the list of drops."
+    about.cause += "materials first appear in the list of drops. A single drop has no standard "
+    about.cause += "deviation, so the standard error of its row is None."
     got = table_of_drops(drops)
     names = [row[0] for row in got]
     if names == ["Clay", "oak"]:
@@ -166,6 +167,12 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
         (2.3625 * v,
          "You returned the change in the upper ball's velocity. Before the collision "
          "the upper ball was falling at v = sqrt(2 g h), so subtract v."),
+        (3.3625 * v, "You added v at the end. The upper ball is still falling when the balls "
+                     "collide, so its velocity is -v before the collision: subtract v."),
+        (-1.7875 * v, "You subtracted the two speeds. The balls approach each other, so they "
+                      "close at the sum of their speeds, v + 0.5 v."),
+        (-0.2125 * v, "You subtracted the two speeds. The balls approach each other, so they "
+                      "close at the sum of their speeds, v + 0.5 v."),
         (2.625 * v - v,
          "You gave the upper ball the whole change in the relative velocity. Multiply this "
          "change by lower_mass / (lower_mass + upper_mass), which is 0.9 here."),

@@ -63,6 +63,9 @@ def test_when_a_gap_closes(rng: Random) -> None:
             mistakes.append((other, why))
         if not v:
             half = wanted / math.sqrt(2.0)
+            root = "Your time is sqrt(2) times too large, perhaps because you left out a factor 2. "
+            root += "The number under the square root is v^2 - 2 a g, where g is the gap."
+            mistakes.append((2.0 * half, root))
             mistakes.append(
                 (
                     half,

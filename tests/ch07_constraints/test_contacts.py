@@ -221,6 +221,9 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
             (c * (closing + G * h),
              "You added the velocity that this time step has built up to the closing speed. "
              "Subtract it instead."),
+            (c * (closing - G * h * h),
+             "You multiplied the acceleration by the duration twice. The velocity that it adds in "
+             "this time step is the acceleration times the duration."),
             (c * (closing - size * h),
              "You used the magnitude of the acceleration. Use only its component along the "
              "normal, which is the scalar product of the acceleration and the normal."),
@@ -287,8 +290,8 @@ def test_accelerations_by_forces_count_too(rng: Random) -> None:
     about.call = f"particle a at rest; particle b of {mass} kg; b.add_force(Vector3(0, 7 * {mass}, "
     about.call += f"0)); b.integrate({h}); b.velocity.y = 1; Contact(a, b, normal=Vector3(0, 1, "
     about.call += f"0), restitution={c}).velocity_after({h})"
-    about.cause = "You ignored the force that accelerates b. Subtract b's last_acceleration, which "
-    about.cause += "includes forces, from a's last_acceleration."
+    about.cause = "Either you ignored the force that accelerates b, or you added b's acceleration "
+    about.cause += "to a's. Subtract b's last_acceleration, which includes forces, from a's."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)

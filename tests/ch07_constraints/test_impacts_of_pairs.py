@@ -63,6 +63,8 @@ def test_when_two_spheres_meet(rng: Random) -> None:
                 (3.6 - math.sqrt(4.29) / 3.0,
                  "You used only one radius. The particles touch when their centers are two radii "
                  "apart, because each particle has this radius."),
+                (3.6 - math.sqrt(10.54) / 3.0,
+                 "You used 2 r^2 as the square of two radii. It is (2 r)^2 = 4 r^2."),
                 (3.6, "You returned the time when the centers are closest to each other. The "
                       "particles touch earlier, when their centers are two radii apart."),
                 (3.0, "You used only the velocity of a, but b is moving too. Use the relative "

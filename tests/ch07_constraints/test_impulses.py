@@ -71,6 +71,9 @@ def test_two_balls_bounce(rng: Random) -> None:
         mistakes = [
             (change / ma, "You used the change in the separating velocity as the impulse. Divide "
                           "that change by 1 / ma + 1 / mb to get the impulse."),
+            (change * (1.0 / ma + 1.0 / mb) / ma,
+             "You multiplied the change in the separating velocity by 1 / ma + 1 / mb. Divide it "
+             "by this sum to get the impulse."),
             (impulse / mb, "The masses are swapped: you divided the impulse on a by the mass of b. "
                            "Divide it by the mass of a."),
             (-impulse / ma, "Your impulse has the wrong sign: it pushes a toward b. Push a away "

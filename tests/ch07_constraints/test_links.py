@@ -134,17 +134,16 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     for max_length, cause in (
         (1023.0 / 1024.0 * length, to_the_end),
         (0.75 * length, to_the_end),
-        (
-            length,
-            "A cable at exactly its maximum length is taut. Return a contact with a penetration of "
-            "0.",
-        ),
+        (length, "A cable at its maximum length is taut. Return a contact with penetration 0."),
     ):
         about.cause = cause
         about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, "
         about.call += f"max_length={max_length}, restitution={c}).contacts()"
         wanted = [(0, other, n, c, length - max_length)]
-        expect_contacts(about.call, make(*pair, max_length, c), pair, wanted, far=length)
+        none = [(0, "You returned no contact, but the cable is longer than max_length, so it is "
+                    "taut. Return no contact only if it is shorter.")]  # fmt: skip
+        none = none if max_length < length else []
+        expect_contacts(about.call, make(*pair, max_length, c), pair, wanted, none, far=length)
         expect_ends(pair, before)
 
 
@@ -383,6 +382,7 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
         rod = TwoSidedRod(*pair, share * length)
         one = [(1, "You returned only one contact. Return two contacts in every case: one that "
                    "pulls and one that pushes.")]  # fmt: skip
+        one += [(0, "You returned no contact. Return both, even if the rod's length is right.")]
         expect_contacts(about.call, rod, pair, wanted, one)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
         about.cause = "The rod's length has changed since the first call. Read it again on every "

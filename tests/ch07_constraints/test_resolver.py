@@ -74,7 +74,8 @@ def test_the_fastest_contact_is_resolved_first() -> None:
             ((-1.4375, 0.1875, -0.75),
              f"You resolved two contacts, {too_many}" if limit == 1 else
              "You stopped after two resolutions, although the right pair is closing again by "
-             "then. Search all contacts again after each resolution."),
+             "then. Search all contacts again after each resolution, and reset the lowest velocity "
+             "before each search."),
             ((1.0, -2.25, -0.75), "You stopped after one resolution, although the left pair still "
                                   "closes. Go on until you reach the limit."),
         ]  # fmt: skip
@@ -83,6 +84,9 @@ def test_the_fastest_contact_is_resolved_first() -> None:
         expect_close(got, wanted, then=name, unit="m/s")
         about.cause = "You returned the wrong number. Count how many times you resolve a contact, "
         about.cause += "and return that count."
+        if used == limit == 9:
+            about.cause = "You returned 9, the limit, although no contact closes any more after "
+            about.cause += "three resolutions. Stop there, and return the number of resolutions."
         nothing = "The method returned nothing after the last resolution. Return the number of "
         nothing += "resolutions, even if the limit was reached."
         name = "; the return value"

@@ -65,9 +65,9 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         about.cause += " When the middle ball moves, update the depth of its other contact (E-8)."
         mistakes = [
             ((0.5, 0.0),
-             "When the middle ball moved, you didn't update the depth of the left contact. "
-             "Update the other contacts after each move, although the book's listing doesn't "
-             "(E-8)."),
+             "When the middle ball moved, you didn't update the depth of the left contact. The "
+             "ball is other of the resolved contact, and particle of the left one. Update the "
+             "other contacts after each move, although the book's listing doesn't (E-8)."),
             ((0.125, 0.0),
              "You made the left contact shallower, but it should get deeper, because the middle "
              "ball moved toward the left ball. Reverse the sign of the change in its depth."),
@@ -182,6 +182,15 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             elif got == -5.0:
                 about.cause = "You didn't update this contact, although a particle of it has "
                 about.cause += "moved. Check both contact.particle and contact.other."
+            own, others_own = (moves.get(end_of, 0.0) * dot(n, m) for end_of in (p, q))
+            slips = [
+                (-5.0 + own + others_own, "You added the move of contact.particle along this "
+                                          "contact's normal. Subtract it."),
+                (-5.0 - own - others_own, "You subtracted the move of contact.other along this "
+                                          "contact's normal. Add it."),
+            ]  # fmt: skip
+            if got != -5.0:
+                blame(got, slips)
             name = "; the penetration of one of the ten contacts, which is between "
             name += f"{names[p]} and {names[q]}"
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")

@@ -81,7 +81,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
             times.append(t)
             t += 2.0 * e ** len(times)
         about.cause = "You missed an impact of this step. After each impact, call next_impact "
-        about.cause += "again for the rest of the step."
+        about.cause += "again for what is left of the step: subtract the time of the impact."
         ball = [((0.0, 5.0, 0.0), ZERO, 2.0)]
         seen, found, asked, _ = flown(ball, DOWN, 0.0, (e, None), h, frames)
         if len(found) > len(times):

@@ -113,8 +113,8 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         read=BOND,
     )
     causes = {
-        "breaks": "Your bond doesn't break although it is longer than break_length. Set holds to "
-        "False in this case.",
+        "breaks": "Your bond doesn't break although it is longer than break_length. Set self.holds "
+        "to False in this case. Without self, holds is only a local variable.",
         "broken": "Your bond heals too early, while it is still longer than rest_length. Keep it "
         "broken until its length is rest_length or less.",
         "heals": "Your broken bond doesn't heal although it is shorter than rest_length. Set holds "

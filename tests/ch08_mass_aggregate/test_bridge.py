@@ -196,7 +196,7 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     about.cause = "Between two rows, the deck is a straight line from one midpoint to the next, so "
     about.cause += "interpolate its height at the ball's x. The nearest row is the one whose "
     about.cause += "midpoint is closer to the ball along X."
-    for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
+    for i, ((x, y), (u, v)) in reversed([*enumerate(pairwise(points))]):
         for share in (0.25, 0.4, 0.75):
             at = x + share * (u - x)
             about.call = nearest_of(points, at)
@@ -212,12 +212,13 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
                 ((row, points[int(row)][1]),
                  "You return the height of the nearest row itself. Interpolate between the "
                  "midpoints on either side of the ball, because the deck slopes there."),
-                ((float(i), height),
-                 "The height is right, but you return the row before the ball. Return the row "
-                 "whose midpoint is closer to the ball along X."),
-                ((float(i + 1), height),
-                 "The height is right, but you return the row after the ball. Return the row whose "
-                 "midpoint is closer to the ball along X."),
+                ((row, 0.5 * (y + v)), "You return the mean height of two rows. Interpolate by x."),
+                ((0.0, height), "The height is right, but you return row 0, perhaps because you "
+                                "compare distances with their signs. Use their absolute values."),
+                ((float(i), height), "The height is right, but you return the row before the ball. "
+                                     "Return the row whose midpoint is closer along X."),
+                ((float(i + 1), height), "The height is right, but you return the row after the "
+                                         "ball. Return the row whose midpoint is closer along X."),
                 ((row, near), "You use the height of only one end of each row. Interpolate between "
                               "the midpoints, because the two ends can differ in height."),
             ]  # fmt: skip

@@ -246,6 +246,9 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         (rate * inertia,
          "You return the angular momentum of the rim. Divide it by the moment of inertia, the sum "
          "of m (x^2 + y^2), to get the spin."),
+        (rate * inertia / math.fsum(m * (x + y) for m, (x, y) in parts),
+         "Your moment of inertia is the sum of m (x + y). Square the coordinates: it is the sum of "
+         "m (x^2 + y^2)."),
         (rate + drifting / inertia, "You count the hub's velocity as part of the rotation. "
                                     "Subtract it from the velocity of each particle."),
         (rate * math.fsum(m * (x * p[0] + y * p[1]) for p, (m, (x, y)) in placed)

@@ -33,7 +33,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         before, (steps, left) = left, divmod(left + quarter, 4)
         one = (
             "You take only one step, although enough time has passed for more. Keep taking steps "
-            "as long as self.left is enough for another one."
+            "as long as self.left is enough for another one. A return in the loop ends it."
         )
         if any(type(time) is float and time > STEP for time in done["made"]):
             one = (

@@ -36,7 +36,7 @@ PIVOT = range(6)  # the numbers of its coordinates
 def test_a_platform_can_only_tilt() -> None:
     about("rods_of(six particles at PLACES)", read=RODS)
     about.cause = "Each rod must join two different particles, both among the six that are passed "
-    about.cause += "in."
+    about.cause += "in. Its length is a number."
     joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
     expect_exactly(len(strangers), 0, then="; the rods that join other particles", unit="rods")
@@ -51,6 +51,9 @@ def test_a_platform_can_only_tilt() -> None:
             i, j = changed(PLACES, rest)
             about.cause = f"The distance between particles {i} and {j} can still change, so the "
             about.cause += "platform can bend. Join these two particles with a rod."
+            if joined and min(map(min, joined)) > 1:
+                about.cause = "No rod joins the platform to its pivot. Leave out a rod only if "
+                about.cause += "both of its ends are immovable, not if one of them is."
             pairs = ", ".join(f"{i}-{j}" for i, j in sorted(joined))
             about.call = f"rods_of(six particles at PLACES), which joins the pairs {pairs}; the "
             about.call += "platform's degrees of freedom, not counting the tilt"
@@ -324,8 +327,10 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
         about.cause = f"Some rods are missing from {where}. Keep all of the old rods, and "
         about.cause += "append the new one."
-        if (0, 1) not in joined:
-            about.cause = f"{where} has no rod between the pivot's two particles. Add it there too."
+        axle = f"{where} has no rod between the pivot's two particles. Add it there too."
+        seen, wanted_rod = "no rod joins particles 0 and 1", "a rod joins particles 0 and 1"
+        call = f"platform.free_pivot(); the rods in {where}"
+        expect_that((0, 1) in joined, seen, wanted_rod, call=call, cause=axle)
         expect_exactly(len(left), 0, unit="ways")
     for i, j, length in done["rods"]:
         about.cause = "Your rod has the wrong length. Make it as long as the distance between its "

@@ -212,6 +212,9 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                            "forces in run_physics."),
             )
         ]  # fmt: skip
+        twice = "You move the particles twice, with the integrator and with integrate(). Call only "
+        twice += "the integrator."
+        mistakes.append(([v[j] + (push[j] + a[j]) * h for j in range(3)], twice))
         blame(got[1], mistakes)
         # A few roundings of numbers of some hundreds.
         expect_close(got[1], velocity, call=f"{name}.velocity", unit="m/s", tolerance=1e-11)

@@ -263,7 +263,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         orientation = Quaternion(*q)
         call = f"turned_by_steps(Quaternion{short(q)}, rate={rate:.6g}, duration={duration}"
         about.call = f"{call}, steps={steps})"
-        about.cause = "Call add_scaled with duration / steps in each step, on a copy."
+        about.cause = "Call add_scaled with duration / steps in each step, on a copy. Normalize "
+        about.cause += "the copy after the last step, before you use it to compute the error."
         if steps == 1:
             about.call = f"{call})"
             result, error = turned_by_steps(orientation, rate, duration)

@@ -218,6 +218,10 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
         "You don't divide the sum of m y. Divide both sums by the total mass.": (3.0, 16.0),
         "You don't divide the sum of m x. Divide both sums by the total mass.": (24.0, 2.0),
         "You swap x and y. Return (x, y).": (2.0, 3.0),
+        "Your y is computed from the x of the positions. Use p[1] for it.": (3.0, 3.0),
+        "Your x is computed from the y of the positions. Use p[0] for it.": (2.0, 2.0),
+        "Your result is 0, as if each mass divided by the total mass were rounded down. Divide "
+        "with /, not with //.": (0.0, 0.0),
     }
     expect_close(got, (3.0, 2.0), cause=named(got, about.cause, slips))
 

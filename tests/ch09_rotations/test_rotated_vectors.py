@@ -43,6 +43,10 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
             0.0,
             *turned(q, v)[:2],
         ),
+        "In v + 2 r (u x v) + 2 u x (u x v), your third term has the wrong sign. Compute "
+        "u x (u x v), not (u x v) x u.": tuple(
+            a + 2.0 * q[0] * b - 2.0 * c for a, b, c in zip(v, across, twice, strict=True)
+        ),
         f"{formula} second term. Multiply this term by 2.": tuple(
             a + q[0] * b + 2.0 * c for a, b, c in zip(v, across, twice, strict=True)
         ),

@@ -59,6 +59,12 @@ def test_accepts_rotations(rng: Random) -> None:
         "You reject a rotation, probably because of rounding errors. Don't compare the scalar "
         "products of the rows with ==. Accept errors of up to ROTATION_TOLERANCE."
     )
+    quarter = (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    if not Matrix3(*quarter).is_rotation():
+        about.cause = (
+            "You reject a rotation, and not because of rounding errors: you reject one by exactly "
+            "90 degrees, too. Compare the scalar products of the rows with 1 and 0."
+        )
     for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
         expect_rotation(m, True)
     about.cause = (
@@ -118,6 +124,8 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
         about.cause += f"is {1.0 + 2.0 * scale:.6f}. {limit.format(1)}"
         if wanted:
             about.cause += " The determinant only has to be positive."
+        elif scale < 0.0:
+            about.cause += " Here the difference from 1 is negative, so take its absolute value."
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -180,7 +188,7 @@ def test_ninety_degrees_about_each_axis(rng: Random) -> None:
     drawn = draw_quad(rng)
     about.call = f"q = Quaternion{short(drawn)}; Matrix3.from_quaternion(q), row by row"
     got = entries(Matrix3.from_quaternion(Quaternion(*drawn)))
-    why = named(got, about.cause, from_slips(drawn), matrix_of(drawn))
+    why = named(got, about.cause, from_slips(drawn), matrix_of(drawn)) + entry_of(got, drawn)
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
@@ -208,6 +216,18 @@ def test_the_matrix_of_any_quaternion(rng: Random) -> None:
         why = named(got, about.cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
         expect_close(got, matrix_of(q), cause=why, tolerance=near)
         expect_kept("q", rijk(quaternion), q)
+
+
+def entry_of(got: Sequence[float], q: Quad) -> str:
+    """Return the formula of the only number of the matrix of q that is wrong, or an empty text."""
+    formulas = (
+        *("1 - 2 (j^2 + k^2)", "2 (i j - k r)", "2 (i k + j r)"),
+        *("2 (i j + k r)", "1 - 2 (i^2 + k^2)", "2 (j k - i r)"),
+        *("2 (i k - j r)", "2 (j k + i r)", "1 - 2 (i^2 + j^2)"),
+    )
+    pairs = zip(got, matrix_of(q), strict=True) if len(got) == 9 else ()
+    wrong = [place for place, (one, other) in enumerate(pairs) if not abs(one - other) < 1e-9]
+    return f" The number there is {formulas[wrong[0]]}." if len(wrong) == 1 else ""
 
 
 def half_turn(axis: Sequence[float]) -> Quad:
@@ -243,6 +263,12 @@ def expect_back(q: Quad) -> None:
         "twice the quaternion": [2.0 * component for component in q],
         "half of the quaternion": [0.5 * component for component in q],
     }
+    products = (r, i * r * r, j * r * r, k * r * r)
+    length = math.hypot(*products) or 1.0
+    multiplied = "You multiply by r, as in (m[2, 1] - m[1, 2]) / 4 * r, which is "
+    multiplied += "((m[2, 1] - m[1, 2]) / 4) * r. Write (m[2, 1] - m[1, 2]) / (4 * r)."
+    slips[multiplied] = products
+    slips[f"{multiplied} Do the same for j and k."] = [one / length for one in products]
     for place, name in enumerate("ijk", start=1):
         other = [-c if p == place else c for p, c in enumerate(q)]
         slips[f"Only the sign of {name} is wrong. The correct equation is {equal[name]}."] = other

@@ -63,6 +63,20 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
         "sine.": (cosine, *(c * sine for c in axis)),
         "You treat the angle as degrees. It is in radians.": quad(axis, math.radians(angle)),
         "You swap sine and cosine.": (sine, *(c / length * cosine for c in axis)),
+        "You swap sine and cosine in r and i. r is cos(angle / 2), and i, j and k contain "
+        "sin(angle / 2).": (
+            sine,
+            axis[0] / length * cosine,
+            *(c / length * sine for c in axis[1:]),
+        ),
+        "Your r is sin(angle / 2). It should be cos(angle / 2).": (
+            sine,
+            *(c / length * sine for c in axis),
+        ),
+        "You use cos(angle / 2) for the vector part. Use sin(angle / 2).": (
+            cosine,
+            *(c / length * cosine for c in axis),
+        ),
         "You don't multiply the axis by the sine.": (cosine, *(c / length for c in axis)),
         "Your rotation goes in the opposite direction.": quad(axis, -angle),
     }

@@ -114,6 +114,7 @@ def wrong_steps(
         new = (v + force(middle, v) * h) * keep
         early = (v + first * h) * keep
         halved = (v + 0.5 * h * force(middle, v)) * half_keep
+        twice = (v + (first + force(middle, v) - acceleration) * h) * keep
         kicked = (v + 0.5 * h * first) * half_keep
         ahead = x + h * kicked
         return {
@@ -128,6 +129,13 @@ def wrong_steps(
             "it, so drift only for the other half.": (middle + h * new, new),
             "You call integrate, which moves the particle as well. Call kick, which changes only "
             "the velocity.": (middle + h * v + 0.5 * h * new, new),
+            "You drift for both halves of the step with the old velocity. Kick before the second "
+            "half drift.": (x + h * v, new),
+            "You call apply_forces twice, at the start of the step and after the first half drift, "
+            "so both forces act. Call it only after the first half drift.": (
+                middle + 0.5 * h * twice,
+                twice,
+            ),
             "You move p for the whole step before you call apply_forces. Call it after the first "
             "half drift.": (x + h * v, (v + force(x + h * v, v) * h) * keep),
             "The second half drift is missing. After the kick, move the position by the new "

@@ -34,12 +34,13 @@ def interact(chapters: list[Chapter], folders: list[Path]) -> None:
         print(f"  chapter {chapter}: {listed(found)}")
         names |= found
     print("After you save a file: reload(). A picture: show(v, w) or show(particle). End: exit()")
-    with suppress(ImportError):  # there is none on Windows
-        import readline
-        import rlcompleter
+    if sys.platform != "win32":  # where there is no readline
+        with suppress(ImportError):  # some Pythons are built without it
+            import readline
+            import rlcompleter
 
-        readline.set_completer(rlcompleter.Completer(names).complete)
-        readline.parse_and_bind("tab: complete")
+            readline.set_completer(rlcompleter.Completer(names).complete)
+            readline.parse_and_bind("tab: complete")
     code.interact(banner="", local=names, exitmsg="")
 
 

@@ -142,7 +142,7 @@ def test_ctrl_c_ends_it_quietly(terminal: Terminal) -> None:
 
 
 def test_without_a_terminal_it_says_so_and_goes_on_by_itself(root: Path) -> None:
-    arguments, environment = command(root)
+    arguments, environment = command(root, "watch")
     process = subprocess.Popen(
         arguments,
         cwd=root,

@@ -95,7 +95,7 @@ def tiers(root: Path) -> Iterator[Terminal]:
     (tests / "shared").mkdir()
     shutil.copyfile(ROOT / "tests/shared/expect.py", tests / "shared/expect.py")
     save(root, re.sub("return . [*] x", UNWRITTEN, TIERS))
-    terminal = Terminal(root)
+    terminal = Terminal(root, "watch")
     yield terminal
     terminal.close()
 

@@ -14,6 +14,7 @@ from autograder.diagnosis.given import with_given
 from autograder.manifest import (
     Chapter,
     Exercise,
+    chapters_below,
     load_chapters,
     refuse_given,
     select_chapters,
@@ -163,10 +164,12 @@ def run_debug(arguments: argparse.Namespace) -> bool:
 
 
 def run_python(arguments: argparse.Namespace) -> int:
-    """Start an interpreter with the student's engine."""
+    """Start an interpreter with the student's engine: some chapters, and those they build on."""
     from autograder.student.interpreter import interact  # imported only here
 
-    chapters = select_chapters(arguments.chapter)
+    selected = select_chapters(arguments.chapter)
+    below = {other.number for chapter in selected for other in chapters_below(chapter)}
+    chapters = [other for other in load_chapters() if other in selected or other.number in below]
     given, _ = split_given(load_chapters(), arguments.given)
     with with_given(given, find_engine(arguments.engine)) as folders:
         interact(chapters, folders)

@@ -11,30 +11,37 @@ WIDTH, HEIGHT = 61, 21  # characters; one is about twice as high as it is wide
 LONGEST_PATH = 500  # positions that are kept of each particle
 
 Point = tuple[float, float]
-_paths: dict[int, tuple[Any, deque[Point]]] = {}  # keyed by id, with the particle, which keeps it
+Place = tuple[float, float, float]
+_paths: dict[int, tuple[Any, deque[Place]]] = {}  # keyed by id, with the particle, which keeps it
 
 
 def show(*things: Any) -> None:
     """Draw vectors as arrows from the origin, and particles with the path of their last steps.
 
-    X points to the right and Y up. Z is not drawn.
+    X points to the right and Y up. If everything has x = 0, Z points to the right instead.
     """
-    lines: list[list[Point]] = []
+    lines: list[list[Place]] = []
     for thing in things:
         if hasattr(thing, "position"):
             _, path = _paths.get(id(thing), (thing, deque()))
-            lines.append([*path, (thing.position.x, thing.position.y)])
+            lines.append([*path, _place(thing.position)])
         elif hasattr(thing, "x"):
             ahead = [i / WIDTH for i in range(WIDTH + 1)]
-            lines.append([(thing.x * t, thing.y * t) for t in ahead])
+            lines.append([(thing.x * t, thing.y * t, thing.z * t) for t in ahead])
         else:
             raise TypeError(f"show draws vectors and particles, got {thing!r}")
-    print(picture(lines))
+    across = 0 if any(place[0] for line in lines for place in line) else 2
+    print(picture([[(place[across], place[1]) for place in line] for line in lines]))
+    print(f"to the right: {'XYZ'[across]}, up: Y")
     for letter, thing in zip("abcdefghijklmnopqrstuvwxyz", things, strict=False):
         if hasattr(thing, "position"):
             print(f"{letter}: position {thing.position}, velocity {thing.velocity}")
         else:
             print(f"{letter}: {thing}")
+
+
+def _place(position: Any) -> Place:
+    return position.x, position.y, position.z
 
 
 def picture(lines: list[list[Point]]) -> str:
@@ -71,7 +78,7 @@ def _remembering(method: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(method)
     def step(particle: Any, duration: float) -> Any:
         _, path = _paths.setdefault(id(particle), (particle, deque(maxlen=LONGEST_PATH)))
-        here = particle.position.x, particle.position.y
+        here = _place(particle.position)
         if not path or path[-1] != here:
             path.append(here)
         return method(particle, duration)

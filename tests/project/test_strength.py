@@ -105,6 +105,20 @@ def test_a_figure_is_old_once_the_code_that_it_was_measured_on_changes(tmp_path:
 
 
 @pytest.mark.usefixtures("strength")
+def test_sentences_do_not_make_the_figures_of_seeds_old(tmp_path: Path) -> None:
+    from fingerprint import fingerprint
+
+    def of(text: str) -> str:
+        (tmp_path / "check.py").write_text(text, encoding="utf-8")
+        return fingerprint([tmp_path / "check.py"], sentences=False)
+
+    before = of("@exercise('B1.1', asks='what it asks')\ndef f():\n    g(f'a {x} b', 'key')\n")
+    assert of("@exercise('B1.1')\ndef f():\n    # A check.\n    g('c d', 'key')\n") == before
+    assert of("@exercise('B1.1')\ndef f():\n    g('c d', 'keys')\n") != before
+    assert of("@exercise('B1.1')\ndef f():\n    g('c d' + y, 'key')\n") != before
+
+
+@pytest.mark.usefixtures("strength")
 def test_an_old_figure_is_dropped_and_a_new_one_does_not_keep_it(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -55,9 +55,8 @@ class Message:
         wanted: The value that ``got`` must match, to within ``tolerance``. If the tolerance is 0,
             the two must be equal.
         note: What the numbers show, such as that only one component is wrong.
-        where: A line of the student's code, in the chapter that is checked.
-        inside: The line of an earlier chapter's function, called by that line, that raised the
-            error.
+        where: A line of the student's code, in the file whose function the check called.
+        inside: The line of another file's function, called by that line, that raised the error.
         likely: The most likely mistake.
         other: A second possible mistake.
         read: The section of the book or lesson that helps.

@@ -17,7 +17,7 @@ from pathlib import Path
 from autograder.at_home.allowed_acts import limit_acts
 from autograder.at_home.allowed_imports import limit_imports
 from autograder.at_home.students_code import StudentsCode
-from autograder.at_home.surroundings import Depth, leave_home
+from autograder.at_home.surroundings import Depth, MemoryWatch, leave_home
 from autograder.checks.apart import CAN_COPY
 from autograder.checks.events import Event, Imported, Importing
 from autograder.checks.printed import CappedText
@@ -53,6 +53,7 @@ class InProcess:
         self.printed: list[str] = []
         self.streams = sys.stdin, sys.stdout, sys.stderr
         self.depth = Depth()
+        self.memory = MemoryWatch()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
         """Import the student's modules one by one, before pytest imports the checks.
@@ -133,6 +134,8 @@ class InProcess:
         stuck in an endless loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
+        self.memory.start()
 
     def stop_clock(self) -> None:
+        self.memory.stop()
         faulthandler.cancel_dump_traceback_later()

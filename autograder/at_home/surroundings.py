@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import sys
+import threading
 from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
@@ -18,6 +19,9 @@ NEEDED = ("SYSTEMROOT", "PYTHONBREAKPOINT")
 # allows 512 MB in all, of which Python needs about 30 MB. Here the thread for the time limit needs
 # another 8 MB for its stack.
 MEMORY = 490 << 20
+ROOM = 100 << 20  # bytes that are left when a check is ended, to explain what happened
+LOOK_EVERY = 0.02  # s between two looks at the memory
+SMALL_STACK = 256 << 10  # bytes, for the thread that looks
 _ARENA_MAX = -8  # M_ARENA_MAX in malloc.h
 DEPTH = 1000  # recursion limit of a process in the grader
 FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
@@ -43,11 +47,55 @@ def leave_home() -> None:
         set_option = getattr(ctypes.CDLL(None), "mallopt", None)  # only glibc has such heaps
         if set_option:
             set_option(_ARENA_MAX, 1)
-        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+        pages = _pages_in_use()
         _, most = resource.getrlimit(resource.RLIMIT_AS)
         limit = pages * resource.getpagesize() + MEMORY
         if most == resource.RLIM_INFINITY or limit < most:
             resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+
+
+class MemoryWatch:
+    """Raises MemoryError in a check shortly before the memory limit is reached.
+
+    At the limit itself, Python may not even have the memory to explain what happened. Without a
+    limit, which only Linux has, the watch does nothing.
+    """
+
+    def __init__(self) -> None:
+        self.ended = threading.Event()
+
+    def start(self) -> None:
+        """Begin to watch the memory, on behalf of the thread that calls this method."""
+        if sys.platform != "linux":
+            return
+        import resource
+
+        limit, _ = resource.getrlimit(resource.RLIMIT_AS)
+        if limit == resource.RLIM_INFINITY:
+            return
+        self.ended = threading.Event()
+        threading.stack_size(SMALL_STACK)
+        pages = (limit - ROOM) // resource.getpagesize()
+        watch = threading.Thread(target=self._watch, args=(threading.get_ident(), pages))
+        watch.daemon = True
+        watch.start()
+
+    def stop(self) -> None:
+        """Stop watching, because the check has ended."""
+        self.ended.set()
+
+    def _watch(self, thread: int, most: int) -> None:
+        import ctypes
+
+        while not self.ended.wait(LOOK_EVERY):
+            if _pages_in_use() > most:
+                raise_in = ctypes.pythonapi.PyThreadState_SetAsyncExc
+                raise_in(ctypes.c_ulong(thread), ctypes.py_object(MemoryError))
+                return
+
+
+def _pages_in_use() -> int:
+    return int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
 
 
 class Depth:

@@ -48,7 +48,7 @@ def explain_exception(
         return _unwritten(fault, deepest)
     # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
-    where = _in_first_chapter(own)
+    where = _in_first_file(own)
     where, deepest = (place and _with_source(place, engine_folders) for place in (where, deepest))
     line = deepest.source if deepest else ""
     likely, other = _likely(fault, cause, line, _course_import(fault, deepest, engine_folders))
@@ -154,13 +154,12 @@ def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> 
     return (cause, perhaps) if cause else (perhaps, "")
 
 
-def _in_first_chapter(frames: list[Place]) -> Place | None:
-    """Return the deepest line in the chapter whose code the check called.
+def _in_first_file(frames: list[Place]) -> Place | None:
+    """Return the deepest line in the file whose code the check called.
 
-    The error itself may come from an earlier chapter's function that this line calls.
+    The error itself may come from a function of another file that this line calls.
     """
-    chapters = [frame.file.partition("/")[0] for frame in frames]
-    own = [frame for frame, name in zip(frames, chapters, strict=True) if name == chapters[0]]
+    own = [frame for frame in frames if frame.file == frames[0].file]
     return own[-1] if own else None
 
 

@@ -20,6 +20,7 @@ FACTORS = {
     math.degrees(1.0): "180 / pi times",
     math.radians(1.0): "pi / 180 of",
 }
+ORDINALS = ["first", "second", "third", "fourth"]
 NEAR = 1e-9  # a relative difference that is only rounding; no two relations are so close
 
 
@@ -50,8 +51,8 @@ def difference(got: Sequence[float], wanted: Sequence[float], tolerance: float) 
     """Say which of several numbers are wrong, and how they differ, if that is simple."""
     if len(wanted) == 1:
         return relation(got[0], wanted[0])
-    names = ["x", "y", "z"] if len(wanted) == 3 else [f"element [{i}]" for i in range(len(wanted))]
-    pairs = [*zip(names, got, wanted, strict=True)]
+    names = ORDINALS if len(wanted) <= len(ORDINALS) else [f"[{i}]" for i in range(len(wanted))]
+    pairs = [*zip(names, got, wanted, strict=False)]
     wrong = [(name, g, w) for name, g, w in pairs if not abs(g - w) <= tolerance]
     relations = {relation(g, w) for _, g, w in wrong}
     how = relations.pop() if len(relations) == 1 else ""
@@ -59,7 +60,7 @@ def difference(got: Sequence[float], wanted: Sequence[float], tolerance: float) 
         return how.replace("It has", "Each has").replace("It is", "Each is")
     if len(wrong) > 2:
         return ""
-    which = f"Only {' and '.join(name for name, _, _ in wrong)} "
+    which = f"Only the {' and the '.join(name for name, _, _ in wrong)} number"
     if len(wrong) == 1:
-        return f"{which}is wrong. {how}".rstrip()
-    return f"{which}are wrong. {how.replace('It', 'Each')}".rstrip()
+        return f"{which} is wrong. {how}".rstrip()
+    return f"{which}s are wrong. {how.replace('It', 'Each')}".rstrip()

@@ -191,6 +191,9 @@ def expect_error(
         came = "no error"
         if isinstance(got, (int, float, str, tuple, list)) or _is_not_implemented(got):
             came += f"; the call returned {_shown(got)}"
+        elif _kind_of(got).endswith("Error"):
+            came += f"; the call returned a {_kind_of(got)}"
+            about.cause = "Your code returns the error. Write raise instead of return."
     _complain(came, error.__name__)
 
 
@@ -351,10 +354,13 @@ def _with_unit(text: str, unit: str) -> str:
 
 
 def _is_not_implemented(value: Any) -> bool:
-    """Return whether a value is NotImplemented, here or in the student's process."""
-    if type(value).__name__ == "ObjectHandle":
-        return bool(value._type_name == "NotImplementedType")
-    return value is NotImplemented
+    return _kind_of(value) == "NotImplementedType"
+
+
+def _kind_of(value: Any) -> str:
+    """Return the name of a value's type, here or in the student's process."""
+    name = type(value).__name__
+    return str(value._type_name) if name == "ObjectHandle" else name
 
 
 def _complain(
@@ -370,8 +376,8 @@ def _complain(
     unit, other = words.get("unit", ""), ""
     if got == "None":
         nothing = (
-            "The call returned None, perhaps because a return statement is missing. Return the "
-            "result."
+            "The call returned None. Either a return statement is missing, or it returns the "
+            "result of a call that works in place and gives None, such as normalize() or sort()."
         )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):

@@ -341,3 +341,22 @@ def test_a_list_is_not_told_to_be_meant_for_a_list(messages: Messages) -> None:
     uses = "    def dot(self, v):\n        return [self].contacts\n"
     failed = messages("ch02_vectors/vector.py", {whole("dot"): uses})
     assert "Did you mean count?" not in likely(failed["B2.8"])
+
+
+def test_an_error_that_is_returned_instead_of_raised(messages: Messages) -> None:
+    returns = "    if not 0 < duration < math.inf:\n        return ValueError('duration')\n"
+    whole_function = r"def checked_duration\(.*?(?=\n\n\n)"
+    failed = messages(
+        "ch02_vectors/exercises.py",
+        {whole_function: f"def checked_duration(duration):\n{returns}    return float(duration)"},
+    )
+    assert "no error; the call returned a ValueError" in "".join(failed["B2.11"])
+    assert "Write raise instead of return." in likely(failed["B2.11"])
+
+
+def test_none_that_a_method_in_place_has_returned(messages: Messages) -> None:
+    returns = "    def normalized(self):\n        return self.copy().normalize()\n"
+    failed = messages("ch02_vectors/vector.py", {whole("normalized"): returns})
+    assert "such as normalize() or sort()" in likely(failed["B2.4"]) or "None" in likely(
+        failed["B2.4"]
+    )

@@ -75,7 +75,7 @@ def test_of_long_lists_only_the_first_difference_is_shown() -> None:
 
 def test_a_note_says_how_the_numbers_differ_unless_the_mistake_is_recognized() -> None:
     message = said(lambda: expect_close((1.0, 2.0, -3.0), (1.0, 2.0, 3.0)))
-    assert message.note == "Only z is wrong. It has the opposite sign."
+    assert message.note == "Only the third number is wrong. It has the opposite sign."
     assert ("note", message.note) in message.rows()
 
     def recognized() -> None:
@@ -88,9 +88,13 @@ def test_a_note_says_how_the_numbers_differ_unless_the_mistake_is_recognized() -
 @pytest.mark.parametrize(
     ("got", "wanted", "words"),
     [
-        ([1.0, 5.0, 6.0], [1.0, 2.5, 3.0], "Only y and z are wrong. Each is 2 times the wanted"),
+        (
+            [1.0, 5.0, 6.0],
+            [1.0, 2.5, 3.0],
+            "Only the second and the third numbers are wrong. Each is 2",
+        ),
         ([2.6, 5.0, 6.0], [1.3, 2.5, 3.0], "Each is 2 times the wanted value."),
-        ([1.0, 7.1], [1.0, 2.5], "Only element [1] is wrong."),
+        ([1.0, 7.1], [1.0, 2.5], "Only the second number is wrong."),
         ([8.0, 7.1, 5.2], [1.0, 2.5, 3.3], ""),
     ],
 )

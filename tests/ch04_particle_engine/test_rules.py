@@ -91,6 +91,12 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
             ),
         ),
         (
+            {1: [2], 2: [2, 3], 3: []},
+            [2],
+            "Type 2 lights itself. Type 1 only leads to type 2, and nothing leads back to type 1, "
+            "so leave it out.",
+        ),
+        (
             {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},
             [1, 2, 3, 4],
             "Types 1 and 2 form one cycle, and types 3 and 4 form another, so all four lead back "

@@ -70,6 +70,12 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [
                 part / mass for part in wanted
             ],
+            "You use the position of the center as the direction. Subtract the particle's position "
+            "from it first.": [
+                mass * mu * part / distance**2 / math.hypot(*center) for part in center
+            ],
+            "Your force is half of the right one. Perhaps you multiply it by the duration, which "
+            "is 0.5 s here. Leave the duration out.": [0.5 * part for part in wanted],
             "Your force pulls the particle toward the point (0, 0, 0). Use self.center instead.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],

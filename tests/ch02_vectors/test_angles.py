@@ -62,7 +62,9 @@ def test_the_sign_of_the_scalar_product_gives_the_kind_of_angle(rng: Random, wor
             "You return the cosine of the angle, because you divide by both lengths. Return the "
             "scalar product itself."
         )
-        blame(product, [(cosine, divided)])
+        sine = math.sqrt(dot(a, a) * dot(b, b)) * math.sqrt(1.0 - cosine * cosine)
+        crossed = "You return |a x b|, the length of the vector product. Use a.dot(b)."
+        blame(product, [(cosine, divided), (sine, crossed)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
         about.cause = (
             "Return exactly one of the words acute, right and obtuse as the second result."

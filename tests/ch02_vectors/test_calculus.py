@@ -156,22 +156,21 @@ def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> No
             "You divide by the time at the end of the interval. Divide by the duration of the "
             "interval, which is its end minus its start.",
         ),
-        (
-            over(0.5, 0.5),
-            "You divide all changes by the first interval. Divide each of them by its own "
-            "interval.",
+        *(
+            (over(d, d), f"You divide all changes by the {n}. Divide each by its own interval.")
+            for n, d in (
+                ("first interval", 0.5),
+                ("last interval", 2.0),
+                ("average duration", 1.25),
+            )
         ),
         (
-            over(2.0, 2.0),
-            "You divide all changes by the last interval. Divide each of them by its own interval.",
+            [rows[i + 1][j] - rows[i][j] / (0.5, 2.0)[i] for i in (0, 1) for j in range(3)],
+            "You divide only the earlier vector by the duration. Put the difference in ( ).",
         ),
         (
             over(2.0, 0.5),
             "You divide each change by the duration of the other interval. Divide it by its own.",
-        ),
-        (
-            over(1.25, 1.25),
-            "You divide by the average duration. Divide each change by its own interval.",
         ),
         (
             [n * d for row, d in zip(changes, (0.5, 2.0), strict=True) for n in row],

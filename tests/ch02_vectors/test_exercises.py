@@ -249,6 +249,10 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
             "You subtract c b instead of c a. Return d = b - c a.",
         ),
         (
+            tuple(m - n for m, n in zip(b, a, strict=True)),
+            "Your d is b - a. Multiply a by c first: d = b - c a.",
+        ),
+        (
             tuple(n / math.hypot(*wanted) for n in wanted),
             "You normalize d. Return d = b - c a as it is.",
         ),

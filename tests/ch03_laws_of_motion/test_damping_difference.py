@@ -57,6 +57,10 @@ OPPOSITE = (
     "In your mean, the differences of the two runs partly cancel. Subtract the two velocities of a "
     "run, and take the length of the result, instead of subtracting their lengths."
 )
+MIXED = (
+    "In each step, you compute one of your two velocities from the other. Let each of them "
+    "continue from its own value after the last step."
+)
 CARRIED = (
     "Your second run starts where the first one ended. Start every run from the given velocity v."
 )
@@ -98,7 +102,8 @@ def test_equal_frames_make_no_difference(rng: Random) -> None:
     )
     about.cause = (
         "All steps are equally long, so d ** mean is the factor d^h of Eq. 3.6, and both equations "
-        "give the same velocity. Check the factor that you pass to damp_per_frame."
+        "give the same velocity. Check the factor that you pass to damp_per_frame, and let each "
+        "velocity continue from its own value."
     )
     about.read = READ
     runs = [[h] * 30, [h] * 20]
@@ -114,6 +119,14 @@ def test_equal_frames_make_no_difference(rng: Random) -> None:
             "You multiply d by the mean duration. Use the power d ** mean.",
         ),
     ]
+    mixed = []
+    for run in runs:
+        last = list(v)
+        for _ in run:
+            last = [n * damping**h + b * h for n, b in zip(last, a, strict=True)]
+        other = [n * damping**h + b * h for n, b in zip(last, a, strict=True)]
+        mixed.append(math.dist(last, other))
+    mistakes.append((math.fsum(mixed) / 2.0, MIXED))
     blame(got, mistakes)
     # The rounding errors of numbers up to 20 in 30 steps.
     expect_close(got, 0.0, tolerance=1e-12)

@@ -30,7 +30,15 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     )
     about.read = "book 3, exercise 3.3"
     p = Particle(Vector3(*x), Vector3(*v), mass=mass, damping=0.5)
-    got, squared = p.kinetic_energy(), dot(v, v)
+    try:
+        got, squared = p.kinetic_energy(), dot(v, v)
+    except TypeError as error:
+        if "for **" in str(error):
+            about.cause = (
+                "A vector has no power, so ** does not work for it. Use "
+                "self.velocity.squared_magnitude() for |v|^2."
+            )
+        raise
     mistakes = [
         (0.0, "Your result is 0. In Python 1 // 2 is 0, so write 0.5 * m or m / 2 instead."),
         (

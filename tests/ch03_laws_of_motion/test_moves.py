@@ -75,7 +75,12 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
             ),
             (
                 x,
-                "The position did not change. Add the velocity times the duration h to it.",
+                "The position did not change. Add the velocity times the duration h to it. If you "
+                "do, assign the new vector to self.position, not to a local variable.",
+            ),
+            (
+                tuple(x[i] + a[i] * h for i in range(3)),
+                "You add a h to the position. Use the velocity instead of the acceleration.",
             ),
         ]
         blame(got, mistakes if h else [])

@@ -5,9 +5,11 @@ Each function takes and returns plain numbers.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from random import Random
+from types import FrameType
 from typing import Any
 
 from ch02_vectors.vector import Vector3
@@ -27,6 +29,7 @@ from ch04_particle_engine.fireworks import (
 )
 from ch04_particle_engine.grenade import fragments
 
+MOST_LINES = 500_000  # for endless_types, many times as many as a slow search needs
 Components = tuple[float, float, float]
 State = tuple[Components, Components]
 
@@ -226,17 +229,32 @@ def show_after(
 def endless(leaves: dict[int, list[int]]) -> list[int] | str:
     """Return the endless types of rules with one payload for each of the listed types.
 
-    If the search never comes to an end, return the error.
+    If the search never comes to an end, return what stopped it.
     """
     still = (0.0, 0.0, 0.0)
     rules = [
         rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
         for type, after in leaves.items()
     ]
+    lines = 0
+
+    def traced(_frame: FrameType, event: str, _argument: Any) -> Any:
+        nonlocal lines
+        lines += event == "line"
+        if lines > MOST_LINES:
+            raise TimeoutError
+        return traced
+
+    before = sys.gettrace()
+    sys.settrace(traced)
     try:
         return endless_types(rules)
     except RecursionError as error:
         return f"RecursionError: {error}"
+    except TimeoutError:
+        return f"no result after {MOST_LINES:,} lines of code"
+    finally:
+        sys.settrace(before)
 
 
 def as_data(of: FireworkRule) -> list[object]:

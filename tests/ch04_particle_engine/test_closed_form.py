@@ -91,6 +91,14 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
                 "Your fallen is (t - kept) / k. It must be (t - gone) / k.",
             ),
             (
+                (wanted[0], wanted[1], (time - wanted[1]) / k**2),
+                "Your fallen is (t - gone) / k^2. Divide by k only once.",
+            ),
+            (
+                (wanted[0], 1.0 - wanted[0] / k, (time - (1.0 - wanted[0] / k)) / k),
+                "Your gone is 1 - d^t / k. Put the difference in parentheses: (1 - d^t) / k.",
+            ),
+            (
                 rising,
                 "Your drag rate has the wrong sign. The logarithm of a damping below 1 is "
                 "negative, so k = -ln(damping).",

@@ -175,6 +175,11 @@ def test_a_click_far_from_every_rocket_is_a_miss() -> None:
     expect_exactly(hit, False)
     counted = (a_game.misses, a_game.score)
     shown = f"misses = {counted[0]}, score = {counted[1]}"
+    if counted == (0, 0):
+        about.cause = (
+            "You don't count the miss. Add 1 to display.misses. If you do, assign the sum to "
+            "display.misses, not to a local variable."
+        )
     expect_that(counted == (1, 0), shown, "misses = 1, score = 0", then="; the state of display")
     expect_exactly(types(a_game), [1], then="; the types of the burning fireworks")
     about.call = (

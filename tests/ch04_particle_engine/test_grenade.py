@@ -21,6 +21,10 @@ from expect import (
     xyz,
 )
 
+LOOP = (
+    "You return only one fragment, perhaps because the return statement is inside the loop. Return "
+)
+LOOP += "a list of all 12 after the loop."
 TWELVE = "A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles."
 
 ROUNDED = 1e-12  # some rounding errors of numbers up to 30
@@ -154,6 +158,7 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     p = Particle(Vector3(*x), Vector3(*v), mass=6.0)
     about.cause, shares = TWELVE, about.cause
     pieces = grenade.fragments(p)
+    about.cause = LOOP if len(pieces) == 1 else TWELVE
     expect_exactly(len(pieces), 12, then="; len(pieces)")
     about.cause = (
         "You change the velocity of the grenade, so each fragment starts with the speed of all "
@@ -180,7 +185,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
-    about.cause = TWELVE
+    about.cause = LOOP if len(pieces) == 1 else TWELVE
     expect_exactly(len(pieces), 12, then="; len(pieces)")
     for piece in pieces:
         about.cause = (

@@ -220,6 +220,17 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
         tolerance=ROUNDED,
     )
     about.call = (
+        'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 4.5; '
+        "len(grenade_after(shot))"
+    )
+    about.cause = (
+        "Your grenade bursts at an age of exactly 4 s (FUSE), but not at 4.5 s. Compare with >=, "
+        "because a step seldom ends at exactly this age."
+    )
+    shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
+    shot.age = 4.5
+    expect_exactly(len(ballistics.grenade_after(shot)), 12)
+    about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; '
         "len(grenade_after(shot))"
     )

@@ -166,7 +166,12 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     expect_exactly(types(a_show), [1], call=name, cause=on_ground)
     try:
         a_show.update(0.001)
-    except AttributeError as error:
+    except (AttributeError, TypeError, ValueError) as error:
+        if "unpack" in str(error):
+            about.cause = (
+                "light takes a list of tuples. If you call it with one tuple at a time, put this "
+                "tuple into a list."
+            )
         if "'Firework' object has no attribute" in str(error):
             about.cause = (
                 "You use a firework where its particle is needed. The parent of a payload is the "

@@ -52,6 +52,11 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
             about.cause = (
                 "light takes a list of tuples. Put your tuple into a list: [(type, 1, None)]."
             )
+        if "NoneType" in str(error):
+            about.cause = (
+                "Each tuple in births contains (type, count, parent), in this order. Here the "
+                "parent is None. Check the order in which light unpacks the tuples."
+            )
         raise
     if len(burning(a_show)) > 1:
         about.cause = about.cause.replace("does not light exactly", "lights more than")
@@ -155,7 +160,8 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         about.cause = (
             "You keep the oldest fireworks when all slots are taken. With drop_oldest, put out the "
             "oldest firework to make room for a new one (E-20). If you do this, check the spelling "
-            'of the name: self.when_full == "drop_oldest".'
+            'of the name, self.when_full == "drop_oldest", and light new fireworks even if no slot '
+            "is free."
         )
     expect_exactly(burning(a_show), [3, 4, 1], then="; the types of show.fireworks")
     about.cause = (

@@ -78,6 +78,11 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     blame(got, mistakes)
     expect_close(got, wanted, then="; block.particle.velocity", unit="m/s", tolerance=1e-13)
     about.cause = "You don't count the hit. Add 1 to block.hits when the shot hits the block."
+    if block.hits > 1:
+        about.cause = (
+            "You add more than 1 to hits for one shot. Perhaps you count the hit both inside the "
+            "loop and after it."
+        )
     expect_exactly(block.hits, 1, then="; block.hits")
     about.cause = "Your function does not return the block that was hit. Return that block."
     about.call += "; (hits, mass in kg) of the block that it returns"
@@ -132,7 +137,8 @@ def test_only_the_first_block_on_the_path_is_hit() -> None:
         ),
         (
             (0, 0, 0, 1),
-            f"You hit the last block in the list, not the first one on the path. {smallest}.",
+            f"You hit the last block in the list, not the first one on the path. {smallest}. If "
+            "you compare the fractions, store the smallest one together with its block.",
         ),
         (
             (0, 1, 0, 0),

@@ -212,8 +212,8 @@ def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
         mistakes = [
             (
                 every,
-                "You never change thrown, so each step throws all sparks since the start again. "
-                "Add the sparks of the step to it.",
+                "Each step throws all sparks since the start again. Either you never change "
+                "thrown, or you don't subtract it to get the number of sparks that are due.",
             ),
             (
                 again,

@@ -35,6 +35,7 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
             about.cause += "W, where W is the weight."
         raise
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
+    with_2 = math.sqrt(0.09 + 0.1 * 19.62)
     slips = {
         "Your result is the negative solution of the equation k1 v + k2 v^2 = weight. Return the "
         "positive one, because a speed is positive.": (-0.3 - root) / 0.1,
@@ -44,6 +45,10 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         / 0.05,
         "You use the difference of k1^2 and 4 k2 W under the square root, where W is the weight. "
         "Use their sum instead.": 39.24 / (0.3 + math.sqrt(0.2 * 19.62 - 0.09)),
+        "Under your square root, k2 W has the factor 2. It must be sqrt(k1^2 + 4 k2 W), where W is "
+        "the weight.": (-0.3 + with_2) / 0.1,
+        "Under your square root, k2 W has the factor 2. The result is 2 W / (k1 + sqrt(k1^2 + 4 k2 "
+        "W)), where W is the weight.": 39.24 / (0.3 + with_2),
         "A factor of 4 is missing under the square root. It must be sqrt(k1^2 + 4 k2 W), where "
         "W is the weight.": (-0.3 + without_4) / 0.1,
         "A factor of 4 is missing under the square root. The result is 2 W / (k1 + sqrt(k1^2 + "
@@ -173,6 +178,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
             massive * math.tanh(9.81 * 3.0 / massive),
             massive * massive / 9.81 * math.log(math.cosh(9.81 * 3.0 / massive)),
         ),
+        "Your distance is u ln cosh x. Multiply it by u / g.": (v, x * 9.81 / u),
         "Your distance is (u / g) ln cosh x. It must be (u^2 / g) ln cosh x.": (v, x / u),
         "Your x is t / u. Multiply it by g, which gives x = g t / u.": (
             u * math.tanh(3.0 / u),

@@ -46,6 +46,8 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         ),
         "The size of your drag is k1 + k2, no matter what the speed |v| is. Multiply k1 by |v| "
         "and k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "You multiply the unit vector v / |v| by k1 + k2 |v|, so a factor |v| is missing. Multiply "
+        "v itself.": along(-(k1 + k2 * speed) / speed),
         "You use the squared length of the velocity as the speed. The speed |v| is its length, "
         "which magnitude() returns.": along(-(k1 * speed + k2 * speed**3)),
         "You multiply k2 by |v|^2 and the whole by v, so one factor |v| is too many. Multiply -v "

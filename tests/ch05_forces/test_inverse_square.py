@@ -30,7 +30,7 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
-    for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
+    for distance in (0.3, 1.0, 20.0, 4000.0, 1e6):
         about.cause = "The force is wrong. It must point toward the center, and its size must be "
         about.cause += "m mu / r^2, where r is the distance from the center."
         place = away_from(center, way, distance)
@@ -70,12 +70,18 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [
                 part / mass for part in wanted
             ],
+            "You use the position of the center as the direction. Subtract the particle's position "
+            "from it first.": [
+                mass * mu * part / distance**2 / math.hypot(*center) for part in center
+            ],
+            "Your force is half of the right one. Perhaps you multiply it by the duration, which "
+            "is 0.5 s here. Leave the duration out.": [0.5 * part for part in wanted],
             "Your force pulls the particle toward the point (0, 0, 0). Use self.center instead.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
         blame(got, slips)
-        # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
+        # The difference of two positions of 10 m, 0.3 m apart, keeps 14 digits.
         expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-12 * size)
         about.cause = "You change the position of the particle, because -= works in place. Use -, "
         about.cause += "which creates a new vector."

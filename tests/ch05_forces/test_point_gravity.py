@@ -63,6 +63,10 @@ def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
             "Your force pulls the particle toward the point (0, 0, 0). Use self.center instead.": [
                 -mass * strength * part / reach for part in xyz(place)
             ],
+            "You use the position of the center as the direction. Subtract the particle's position "
+            "from it first.": [mass * strength * part / math.hypot(*center) for part in center],
+            "Your force is half of the right one. Perhaps you multiply it by the duration, which "
+            "is 0.5 s here. Leave the duration out.": [0.5 * part for part in wanted],
         }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=ROUNDED)

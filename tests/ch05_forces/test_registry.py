@@ -98,6 +98,14 @@ def expect_asked(
             about.cause = "You use a generator where a particle is needed. Each entry of "
             about.cause += "self._pairs is a tuple (particle, generator), in this order."
         raise
+    except TypeError as error:
+        if "must be a Vector3, got None" not in str(error):
+            raise
+        about.cause = (
+            "update_force adds the force to the particle itself and returns None. Call it "
+        )
+        about.cause += "without passing its result to add_force."
+        expect_that(False, f"TypeError: {error}", told(wanted))
     for name, calls in (slips or {}).items():
         if got == calls:
             about.cause = name

@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.scene_probes import freed, platform_rods, tipped, weighed
+from ch08_mass_aggregate.scene_probes import freed, places_after, platform_rods, tipped, weighed
 from ch08_mass_aggregate.tilting_platform import balancing_mass
 from draw import number, positive_number
 from expect import (
@@ -21,6 +21,7 @@ from expect import (
     expect_exactly,
     expect_that,
 )
+from kept import expect_all_kept
 from rigidity import changed, motions
 
 RODS = "the docstring of rods_of"
@@ -73,6 +74,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
     about.call = f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad)"
     about.cause = "Your rod has the wrong length. It should be (b.position - "
     about.cause += "a.position).magnitude()."
+    expect_all_kept("the position of particle {}", places_after("platform", places), places)
     rods = platform_rods(places)
     none = "Your list of rods is empty. Put the rods that join the particles into it."
     expect_that(len(rods) > 0, "no rods", "at least one rod", cause=none)

@@ -135,7 +135,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     setup = f"a wheel whose hub is particle 0, with particles 1 to {count} around it as the rim; "
     about(f"{setup}rods_of(hub, rim); the two ends of each rod", read=WHEEL)
     about.cause = "Join the hub to each particle of the rim, each particle of the rim to the next "
-    about.cause += "one, and the last one to the first."
+    about.cause += "one, and the last one to the first. (i + 1) % len(rim) is the index of the "
+    about.cause += "next particle: after the last index, it is 0."
     after = places_after("wheel", [hub, *rim])
     expect_all_kept("the position of particle {}", after, [hub, *rim])
     rods = sorted(wheel_rods(hub, rim))

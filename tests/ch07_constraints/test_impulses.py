@@ -47,7 +47,7 @@ def test_two_balls_bounce(rng: Random) -> None:
     n = direction(rng)
     v, w = closing_velocities(rng, n)
     samples = [
-        ((3.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0, 3.0, 0.5),
+        ((3.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0, 4.0, 0.5),
         (v, w, n, positive_number(rng), positive_number(rng), round(rng.uniform(0.1, 0.9), 3)),
     ]
     for v, w, n, ma, mb, c in samples:

@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from draw import components, direction, positive_number
 from expect import about, blame, expect_close, xyz
-from kept import expect_kept
+from unmoved import expect_kept
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.1 and the docstring of ElasticLimitSpring"

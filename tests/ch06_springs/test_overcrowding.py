@@ -13,7 +13,7 @@ from ch06_springs.probes import crowded
 from ch06_springs.springs import Overcrowding
 from draw import components, direction, positive_number
 from expect import about, blame, expect_between, expect_close, xyz
-from kept import expect_kept
+from unmoved import expect_kept
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.3 and the docstring of Overcrowding"

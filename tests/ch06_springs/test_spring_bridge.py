@@ -10,7 +10,7 @@ import pytest
 from ch06_springs.probes import hung_bridge, loaded, planks_of_a_new_bridge, settled_bridge
 from draw import Components, components, number, positive_number
 from expect import about, blame, expect_between, expect_close, named
-from kept import expect_all_kept
+from unmoved import expect_all_kept
 
 ZERO = (0.0, 0.0, 0.0)
 HANG = "the docstring of hang_bridge"

@@ -25,7 +25,7 @@ from ch07_constraints.probes import (
 from draw import Components, components, direction, number, positive_number
 from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, scoped, xyz
 from impacts import expect_list, expect_particles
-from kept import expect_all_kept
+from unmoved import expect_all_kept
 
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"

@@ -16,7 +16,7 @@ from expect import (
     expect_that,
     scoped,
 )
-from kept import expect_all_kept, expect_kept
+from unmoved import expect_all_kept, expect_kept
 
 BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"

@@ -18,8 +18,8 @@ from ch08_mass_aggregate.scene_probes import (
 )
 from draw import components, direction, number, positive_number
 from expect import about, blame, cause_of, expect_close, expect_exactly, expect_that
-from kept import expect_all_kept, expect_kept
 from rigidity import motions, told
+from unmoved import expect_all_kept, expect_kept
 
 CUBE = "mini-project 8.2, and the docstring of cube_rods"
 FEWEST = "mini-project 8.2, and the docstring of fewest_rods"

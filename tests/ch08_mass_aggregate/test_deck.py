@@ -10,7 +10,7 @@ import pytest
 from ch08_mass_aggregate.scene_probes import deck, places_after
 from draw import Components, positive_number
 from expect import about, blame, cause_of, expect_close, expect_exactly, expect_that
-from kept import expect_all_kept
+from unmoved import expect_all_kept
 
 NEAREST = "the docstring of Deck.nearest"
 DECK = "book 8.2.1, and the docstring of Deck.contacts"

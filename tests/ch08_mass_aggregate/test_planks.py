@@ -22,7 +22,7 @@ from expect import (
     expect_vector,
     xyz,
 )
-from kept import expect_kept
+from unmoved import expect_kept
 
 NEAREST = "the docstring of nearest_on_segment"
 PLANKS = "book 8.2.1, and the docstring of Planks.contacts"

@@ -21,8 +21,8 @@ from expect import (
     expect_exactly,
     expect_that,
 )
-from kept import expect_all_kept
 from rigidity import changed, motions
+from unmoved import expect_all_kept
 
 RODS = "the docstring of rods_of"
 BALANCE = "the docstring of balancing_mass"

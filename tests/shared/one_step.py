@@ -193,7 +193,7 @@ def wrong_steps(
         short = x, v
         for _ in range(4):
             short = one_step("explicit_euler", *short, a, k, c, d, 0.25 * h)[:2]
-        far, fast = x + 1.5 * (position - x), (v + 1.5 * (velocity / keep - v)) * keep
+        far, fast = x + 1.5 * (position - x), v * keep + 1.5 * (velocity - v * keep)
         four = "You divide the weighted sum by 4. The weights add up to 6, so divide by 6."
         return {
             four: (far, fast),

@@ -250,6 +250,15 @@ def hung_bridge(
     return [xyz(particle.force_accumulator) for particle in (*planks, alone)]
 
 
+def planks_of_a_new_bridge(
+    places: Sequence[Components], numbers: tuple[float, float, float]
+) -> list[Components]:
+    """Hang a bridge with (height, stiffness, damping); return where its planks are then."""
+    planks = [Particle(Vector3(*place)) for place in places]
+    spring_bridge.hang_bridge(ForceRegistry(), planks, *numbers)
+    return [xyz(plank.position) for plank in planks]
+
+
 def settled_bridge(
     places: Sequence[Components],
     numbers: tuple[float, float, float],

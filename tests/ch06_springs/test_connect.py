@@ -68,10 +68,12 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "Subtract b's velocity from a's.": tension(here, v, there, ZERO, numbers),
             "You halved the stiffness. The whole force of the spring acts on each end, so use "
             "self.stiffness unchanged.": tension(here, v, there, w, (0.5 * k, rest, c)),
+            "Your damping has the wrong sign. Subtract b's velocity from a's.": tension(
+                here, w, there, v, numbers
+            ),
             "You left out the damping. Pass it to spring_force, together with the velocity of a "
             "relative to b.": tension(here, v, there, w, (k, rest, 0.0)),
-            "You add the velocities of a and b. The rate at which the length changes depends "
-            "on their difference, so subtract b's velocity from a's.": tension(
+            "You add the velocities of a and b. Subtract b's velocity from a's.": tension(
                 here, both, there, ZERO, numbers
             ),
             "You subtract a's position from b's, so the force on a points in the wrong "
@@ -86,10 +88,8 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
         blame(on_a, slips)
         # A few roundings of numbers up to 500.
         expect_close(on_a, wanted, call=f"{name}; a.force_accumulator, in N", tolerance=1e-11)
-        about.cause = (
-            "Your force on b is not the exact opposite of the force on a. Compute the force once, "
-            "and apply its opposite to b."
-        )
+        about.cause = "Your force on b is not the exact opposite of the force on a. Compute the "
+        about.cause += "force once, and apply its opposite to b."
         blame(
             on_b,
             {

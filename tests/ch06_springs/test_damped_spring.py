@@ -72,6 +72,8 @@ def test_the_three_cases_by_known_values() -> None:
         / damped,
         "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
         "gamma, which is lower.": math.exp(-0.5) * (math.cos(5.0) + 0.1 * math.sin(5.0)),
+        "You divide sin by the damped frequency gamma, but in cos and sin you use sqrt(k / m). Use "
+        "gamma in both.": math.exp(-0.5) * (math.cos(5.0) + math.sin(5.0) / damped),
         "The spring is critically damped, but your position is only e^(-half * t), where half = c "
         "/ (2 m). Multiply it by (1 + half * t).": math.exp(-5.0),
     }
@@ -158,7 +160,7 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
         about.call += f"mass={m}, time={t}); (position in m, velocity in m/s)"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
-        half, (x, v) = c / (2.0 * m), wanted
+        half, (x, v), from_v0 = c / (2.0 * m), wanted, by_roots(0.0, v0, k, c, m, t)[0]
         fade = math.exp(-half * t)
         slips = {
             "You didn't divide the damping by the mass. The amplitude decays at the rate c / (2 "
@@ -177,10 +179,9 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
             "Your velocity leaves out the initial position x0. When you differentiate the "
             "position, include its terms with x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
             "Your position is right, but one term of your velocity has the wrong sign. "
-            "Check the derivative of the position's term with v0.": (
-                x,
-                v + 2.0 * half * by_roots(0.0, v0, k, c, m, t)[0],
-            ),
+            "Check the derivative of the position's term with v0.": (x, v + 2.0 * half * from_v0),
+            "In your velocity, the term with v0 lacks the derivative of e^(-s t), where s = c / (2 "
+            "m). Add it by the product rule.": (x, v + half * from_v0),
             "The term with v0 in your position has the wrong sign. A positive v0 moves the body in "
             "the positive direction.": (by_roots(x0, -v0, k, c, m, t)[0], v),
             "The term with x0 in your velocity has the wrong sign. The spring pulls the body back, "

@@ -12,6 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from draw import components, direction, positive_number
 from expect import about, blame, expect_close, xyz
+from unmoved import expect_kept
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
@@ -46,6 +47,8 @@ def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
         about.call += f"limit={1.95 * rest:.6g}, share=0.25); s.update_force(p, 0.5)"
         p, q = Particle(Vector3(*place), Vector3(1.0, 2.0, 3.0), mass=3.0), Particle(Vector3(*base))
         ElasticLimitSpring(q, k, rest, 1.95 * rest, 0.25).update_force(p, 0.5)
+        expect_kept("p.position", xyz(p.position), place)
+        expect_kept("q.position", xyz(q.position), base)
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
@@ -105,6 +108,7 @@ def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
         spring.update_force(p, 0.5)
+        expect_kept("p.position", xyz(p.position), place)
         wanted = tuple(-k * (limit - rest + share * beyond) * part for part in d)
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {

@@ -13,6 +13,7 @@ from ch06_springs.probes import crowded
 from ch06_springs.springs import Overcrowding
 from draw import components, direction, positive_number
 from expect import about, blame, expect_between, expect_close, xyz
+from unmoved import expect_kept
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.3 and the docstring of Overcrowding"
@@ -51,6 +52,8 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         q = Particle(Vector3(*there), Vector3(-3.0, 2.0, 1.0), mass=3.0)
         p.add_force(Vector3(*f))
         Overcrowding([p, q], distance, k).update_force(p, 0.5)
+        expect_kept("p.position", xyz(p.position), here)
+        expect_kept("q.position", xyz(q.position), there)
         about.cause = cause
         push = k * distance * max(1.0 - share, 0.0)
         wanted = tuple(g - push * part for g, part in zip(f, d, strict=True))
@@ -94,10 +97,10 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
 def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
-    offsets = [(1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.5), (0.0, -4.0, 0.0)]
+    offsets = [(1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, -4.0, 0.0), (0.0, 0.0, -1.5)]
     k = positive_number(rng)
-    about.call = f"p at {here}; four others at p + (1, 0, 0), p + (0, 2, 0), p + (0, 0, -1.5) and "
-    about.call += f"p + (0, -4, 0); crowd = Overcrowding(all five, distance=3.0, stiffness={k}); "
+    about.call = f"p at {here}; four others at p + (1, 0, 0), p + (0, 2, 0), p + (0, -4, 0) and "
+    about.call += f"p + (0, 0, -1.5); crowd = Overcrowding(all five, distance=3.0, stiffness={k}); "
     about.call += "crowd.update_force(p, 0.5)"
     about.cause = (
         "Three of the other four particles are closer than 3 m, and each of them must push p. Add "
@@ -114,6 +117,9 @@ def test_all_particles_that_are_too_near_push(rng: Random) -> None:
         "particles closer than 3 m."
     )
     blame(got, [((-2.0 * k, 0.0, 0.0), nearest)])
+    stopped = "You stop at the first particle that is far enough away. Use continue instead of "
+    stopped += "return or break, so that the loop goes on with the next particle."
+    blame(got, [((-2.0 * k, -1.0 * k, 0.0), stopped)])
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k:.6g}; crowd.update_force(p, 0.5)"

@@ -7,9 +7,10 @@ from random import Random
 
 import pytest
 
-from ch06_springs.probes import hung_bridge, loaded, settled_bridge
+from ch06_springs.probes import hung_bridge, loaded, planks_of_a_new_bridge, settled_bridge
 from draw import Components, components, number, positive_number
 from expect import about, blame, expect_between, expect_close, named
+from unmoved import expect_all_kept
 
 ZERO = (0.0, 0.0, 0.0)
 HANG = "the docstring of hang_bridge"
@@ -43,7 +44,9 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     places = draw_places(rng)
     numbers = positive_number(rng), positive_number(rng), positive_number(rng)
     hang = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})".format(*numbers)
-    about.call = f"{hang}; registry.update_forces(0.5)"
+    about.call = hang
+    expect_all_kept("planks[{}].position", planks_of_a_new_bridge(places, numbers), places)
+    about.call += "; registry.update_forces(0.5)"
     about.cause = "A spring of your new bridge is stretched. As the rest length, use the height "
     about.cause += "for a hanger and the distance between two planks for the spring that joins "
     about.cause += "them."

@@ -47,6 +47,8 @@ def spring_slips(
         "direction opposite to the offset.": along(pull + c * rate),
         "Your force is the stiffness times the whole length. Only the extension counts, so "
         "subtract the rest length from the length.": along(-k * length - c * rate),
+        "You use the length of the unit vector, which is always 1. Compute the length of the "
+        "offset before you normalize it.": along(-k * (1.0 - rest) - c * rate),
         "You multiply the force by the whole offset instead of its direction. Normalize the "
         "offset first.": along(-(pull + c * rate) * length),
         "You use the squared length of the offset. The extension needs the length itself, so "

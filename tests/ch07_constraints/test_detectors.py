@@ -23,8 +23,9 @@ from ch07_constraints.probes import (
     told,
 )
 from draw import Components, components, direction, number, positive_number
-from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, scoped
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, scoped, xyz
 from impacts import expect_list, expect_particles
+from unmoved import expect_all_kept
 
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
@@ -195,6 +196,7 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         found = ParticlePairs(pair, radius, c).contacts()
         expect_list(kind_of(found))
         got = told(found, pair)
+        expect_all_kept("the position of particle {}", [xyz(one.position) for one in pair], [p, q])
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "particle a at (-2, 0, 0); particle b at (-1, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=0.75).contacts()"
@@ -307,6 +309,8 @@ def test_every_pair_is_found_once(rng: Random) -> None:
             for i, place in enumerate(places)
         ]
         got = told(ParticlePairs(particles, radius).contacts(), particles)
+        now = [xyz(particle.position) for particle in particles]
+        expect_all_kept("the position of particle {}", now, places)
         wanted = []
         for i, j in combinations(range(count), 2):
             distance = math.dist(places[i], places[j])

@@ -47,7 +47,7 @@ def test_two_balls_bounce(rng: Random) -> None:
     n = direction(rng)
     v, w = closing_velocities(rng, n)
     samples = [
-        ((3.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0, 2.0, 0.5),
+        ((3.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0, 4.0, 0.5),
         (v, w, n, positive_number(rng), positive_number(rng), round(rng.uniform(0.1, 0.9), 3)),
     ]
     for v, w, n, ma, mb, c in samples:
@@ -96,10 +96,17 @@ def test_two_balls_bounce(rng: Random) -> None:
         # A few roundings of numbers up to 40.
         expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12, unit="m/s")
         got = xyz(b.velocity)
+        twice = (
+            "You computed the impulse again for b, after the velocity of a had changed. Compute "
+        )
+        twice += "it once, before you change a velocity, and use it for both."
+        new = closing + impulse / ma  # the separating velocity when only a has its impulse
         mistakes = [
             (0.0,
              "The velocity of b didn't change. The impulse on b is opposite to the impulse g on a, "
              "so add -n g / mb to the velocity of b."),
+            (-(-c * closing - new) * impulse / change / mb, twice),
+            ((1.0 + c) * new * impulse / change / mb, twice),
             (impulse / mb,
              "You pushed b in the same direction as a. The impulse on b is opposite to the impulse "
              "g on a, so add -n g / mb to the velocity of b."),

@@ -58,8 +58,9 @@ def expect_contacts(
     ``counts`` has the likely mistake for a wrong number of contacts, ``far`` is the distance of
     the ends.
     """
-    about.call = call
+    about.call, before = call, places(particles)
     found = link.contacts()
+    expect_ends(particles, before)
     expect_list(kind_of(found))
     got = told(found, particles)
     why = about.cause if got else f"You returned no contact. {about.cause}"

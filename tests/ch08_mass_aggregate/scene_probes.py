@@ -148,6 +148,22 @@ def freed(frames: int, duration: float, weight: float = 0.0) -> dict[str, Any]:
     return result | {"after": [xyz(particle.position) for particle in particles]}
 
 
+def places_after(name: str, places: Sequence[Components]) -> list[Components]:
+    """Return where particles at these places are after a call of the function of this name."""
+    made = [Particle(Vector3(*place)) for place in places]
+    first, second = made[:2]
+    calls: dict[str, Any] = {
+        "platform": lambda: tilting_platform.rods_of(made),
+        "wheel": lambda: wheel.rods_of(first, made[1:]),
+        "spin": lambda: wheel.spin(first, made[1:]),
+        "deformation": lambda: wheel.deformation([wheel.Rod(first, second, 1.0)]),
+        "bond": lambda: blob.Bond(first, second, 1.0, 1.0, 2.0, 0.5, 99.0).update_force(first, 0.1),
+        "deck": lambda: bridge.Deck(Particle(), 0.5, [(first, second)], 0.0).nearest(),
+    }
+    calls[name]()
+    return [xyz(particle.position) for particle in made]
+
+
 def bonded(
     lengths: Sequence[float],
     stiffness: float,

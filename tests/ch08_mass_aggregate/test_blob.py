@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.scene_probes import bonded, settled_blob, spread_of
+from ch08_mass_aggregate.scene_probes import bonded, places_after, settled_blob, spread_of
 from draw import Components, components, direction, positive_number
 from expect import (
     about,
@@ -16,6 +16,7 @@ from expect import (
     expect_that,
     scoped,
 )
+from unmoved import expect_all_kept, expect_kept
 
 BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"
@@ -52,7 +53,11 @@ def expect_forces(
     on_a = tuple(force * w + 0.0 for w in way)  # which is 0.0 instead of -0.0
     on_b = tuple(-force * w + 0.0 for w in way)
     if force:
+        both = "Your update_force pulls both ends in each call. It is called once for each end, so "
+        both += "pull only the particle that is passed."
         mistakes = [
+            ((*(2.0 * part for part in on_a), *on_b), both),
+            ((*on_a, *(2.0 * part for part in on_b)), both),
             (
                 (*ZERO, *ZERO),
                 "Neither end gets a force, probably because you swapped the two springs. "
@@ -87,6 +92,12 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         f"break_length={most}); ",
         read=BOND,
     )
+    ends = [components(rng), components(rng)]
+    after, call = places_after("bond", ends), about.call
+    about.call += "bond.update_force(a, 0.1)"
+    expect_kept("a.position", after[0], ends[0])
+    expect_kept("b.position", after[1], ends[1])
+    about.call = call
     about.cause = "If the bond holds, let the spring self._to_b act on a, and the spring "
     about.cause += "self._to_a act on b."
     for length, seen in zip(
@@ -226,6 +237,10 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
     mistakes = [
+        (2.0**0.25, "You didn't square the distances. Square each of them before you take their "
+                    "mean."),
+        (math.sqrt(8.0 / 12.0), "You divide by the total mass, but you don't multiply the squared "
+                                "distances by the masses."),
         (2.0, "You return the mean of the squared distances, in m^2. Take its square root to get a "
               "length."),
         (math.sqrt(8.0),
@@ -238,13 +253,9 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
          "You measure the distances from the origin, so the result changes if all particles move "
          "together. Measure the distances from the center of mass."),
     ]  # fmt: skip
+    expect_all_kept("particles[{}].position", after, square)
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), unit="m", tolerance=1e-12)
-    about.cause = "Your spread moves the particles. An operator such as -= changes a position in "
-    about.cause += "place, so compute with new vectors instead."
-    for place, old in zip(after, square, strict=True):
-        name = "; the position of a particle afterward"
-        expect_close(place, old, then=name, unit="m", tolerance=0.0)
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
     about.call = f"a, a particle of {m} kg at {p} m; b, a particle of {n} kg at {q} m; "

@@ -8,10 +8,18 @@ from random import Random
 import pytest
 
 from ch08_mass_aggregate.cube import fewest_rods
-from ch08_mass_aggregate.scene_probes import cube_rods, deformed, driven, spun, wheel_rods
+from ch08_mass_aggregate.scene_probes import (
+    cube_rods,
+    deformed,
+    driven,
+    places_after,
+    spun,
+    wheel_rods,
+)
 from draw import components, direction, number, positive_number
 from expect import about, blame, cause_of, expect_close, expect_exactly, expect_that
 from rigidity import motions, told
+from unmoved import expect_all_kept, expect_kept
 
 CUBE = "mini-project 8.2, and the docstring of cube_rods"
 FEWEST = "mini-project 8.2, and the docstring of fewest_rods"
@@ -127,7 +135,10 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     setup = f"a wheel whose hub is particle 0, with particles 1 to {count} around it as the rim; "
     about(f"{setup}rods_of(hub, rim); the two ends of each rod", read=WHEEL)
     about.cause = "Join the hub to each particle of the rim, each particle of the rim to the next "
-    about.cause += "one, and the last one to the first."
+    about.cause += "one, and the last one to the first. (i + 1) % len(rim) is the index of the "
+    about.cause += "next particle: after the last index, it is 0."
+    after = places_after("wheel", [hub, *rim])
+    expect_all_kept("the position of particle {}", after, [hub, *rim])
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
     wanted = sorted([*wanted, (1, count)])
@@ -234,6 +245,9 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         "its position and velocity from those of each particle.",
         read=SPIN,
     )
+    after = places_after("spin", [hub, *rim])
+    expect_kept("hub.position", after[0], hub)
+    expect_all_kept("the position of rim[{}]", after[1:], rim)
     got = spun((hub, drift), list(zip(rim, moving, masses, strict=True)))
     seen = [(x - hub[0], y - hub[1]) for x, y, _ in rim]
     parts = list(zip(masses, seen, strict=True))
@@ -305,6 +319,11 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
 def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
     about.read = DEFORMATION
     way = direction(rng)
+    ends = [components(rng), components(rng)]
+    about.call = "deformation([rod]), where a and b are the ends of the rod"
+    after = places_after("deformation", ends)
+    expect_kept("a.position", after[0], ends[0])
+    expect_kept("b.position", after[1], ends[1])
     a, b, c = (positive_number(rng, 1.0, 3.0) for _ in range(3))
     for name, rods, wanted in (
         (

@@ -22,6 +22,7 @@ from expect import (
     expect_vector,
     xyz,
 )
+from unmoved import expect_kept
 
 NEAREST = "the docstring of nearest_on_segment"
 PLANKS = "book 8.2.1, and the docstring of Planks.contacts"
@@ -61,7 +62,11 @@ def test_the_nearest_point_between_the_ends(rng: Random) -> None:
         across = at_right_angle(rng, way)
         point = plus(wanted, across, distance)
         about.call = called(point, a, b)
-        got = expect_vector(nearest_on_segment(Vector3(*point), Vector3(*a), Vector3(*b)))
+        vectors = Vector3(*point), Vector3(*a), Vector3(*b)
+        result = nearest_on_segment(*vectors)
+        for name, v, old in zip(("point", "a", "b"), vectors, (point, a, b), strict=True):
+            expect_kept(name, xyz(v), old)
+        got = expect_vector(result)
         mistakes = [
             (plus(wanted, a, -1.0), "You return the vector from a to the nearest point. Add a."),
             (plus(b, way, -share * length), "You measure the projection from b instead of a."),

@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.scene_probes import freed, platform_rods, tipped, weighed
+from ch08_mass_aggregate.scene_probes import freed, places_after, platform_rods, tipped, weighed
 from ch08_mass_aggregate.tilting_platform import balancing_mass
 from draw import number, positive_number
 from expect import (
@@ -22,6 +22,7 @@ from expect import (
     expect_that,
 )
 from rigidity import changed, motions
+from unmoved import expect_all_kept
 
 RODS = "the docstring of rods_of"
 BALANCE = "the docstring of balancing_mass"
@@ -73,6 +74,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
     about.call = f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad)"
     about.cause = "Your rod has the wrong length. It should be (b.position - "
     about.cause += "a.position).magnitude()."
+    expect_all_kept("the position of particle {}", places_after("platform", places), places)
     rods = platform_rods(places)
     none = "Your list of rods is empty. Put the rods that join the particles into it."
     expect_that(len(rods) > 0, "no rods", "at least one rod", cause=none)
@@ -194,7 +196,7 @@ def _masses(own: float, left: float, right: float) -> list[float]:
 @pytest.mark.exercise("B8.7", asks="carries half of the mass at its end")
 def test_both_ends_carry_the_weight(rng: Random) -> None:
     about.read = WEIGHT
-    for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
+    for x in (0.25, -3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
         mass = positive_number(rng)
         about.call = f"platform.put_weight(mass={mass}, x={x}); the masses of the four particles "
         about.call += "at the ends (left, left, right, right)"
@@ -210,6 +212,9 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
         others = ((mass - part, part), (0.0, part))  # the load of the other end
         others = others if x > 0.0 else [pair[::-1] for pair in others]
         mistakes = [
+            (_masses(1.0, mass - mass * x - 3.0 / 7.0, mass * x + 3.0 / 7.0),
+             "Parentheses are missing, because * and / come before -. Write mass * (x - LEFT) / "
+             "(RIGHT - LEFT)."),
             (_masses(1.0, right, left), "You swapped the loads of the two ends. The end nearer "
                                         "the weight carries more."),
             (_masses(1.0, 2.0 * left, 2.0 * right), "You give each particle the whole load of its "

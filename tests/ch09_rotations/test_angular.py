@@ -111,6 +111,7 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
     longer = tuple(a + 0.5 * h * b for a, b in zip(q, change, strict=True))
     size = math.hypot(*new)
     gained = tuple(b - a for a, b in zip(old, new, strict=True))  # alpha h
+    rate = tuple(part / h for part in gained)
     return {
         "You rotate by the old w. Change w first, and then rotate by the new w.": hamilton(
             quad(old, h * math.hypot(*old)), q
@@ -121,6 +122,9 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
         "You use Eq. 9.5 and then normalize, which is accurate only to first order. Call rotate_by "
         "instead, which rotates exactly.": tuple(c / math.hypot(*longer) for c in longer),
         "You take a step of Eq. 9.5 (E-31). Rotate exactly instead, with rotate_by.": longer,
+        "You rotate by w + alpha. Multiply alpha by h before you add it.": hamilton(
+            quad(added(old, rate), h * math.hypot(*added(old, rate))), q
+        ),
         "You rotate by the new w alone. Multiply it by h.": hamilton(quad(new, size), q),
         "You rotate about an axis of the object. Rotate about w in world axes.": hamilton(
             q, quad(new, h * size)

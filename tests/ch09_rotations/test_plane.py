@@ -46,6 +46,11 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
                         f"Your angle is too {word} by pi. Either you add or subtract pi instead of "
                         "full turns of 2 pi, or you use atan, which mixes up opposite directions."
                     ] = angle + off
+                if turns == 0:
+                    slips[
+                        "You add a full turn to an angle that is already in the range. Add one "
+                        "only to an angle of -pi or less."
+                    ] = angle + math.tau
                 if turns > 1:
                     slips[
                         "You subtract only one full turn of 2 pi. Subtract as many as you need, "
@@ -224,6 +229,12 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
         "with /, not with //.": (0.0, 0.0),
     }
     expect_close(got, (3.0, 2.0), cause=named(got, about.cause, slips))
+    about.call = "center_of_mass([1, 3, 4], [(8, 0), (8, 0), (0, 4)])"
+    about.cause = "Two of the bodies are at the same position. Count both, each with its own mass."
+    got = center_of_mass([1.0, 3.0, 4.0], [(8.0, 0.0), (8.0, 0.0), (0.0, 4.0)])
+    same = "Two of the bodies are at the same position, and you use the mass of the first one for "
+    same += "both, as positions.index does. Use zip to go through both lists together."
+    expect_close(got, (4.0, 2.0), cause=named(got, about.cause, {same: (2.0, 2.0)}))
 
 
 @pytest.mark.exercise("B9.3", asks="Both may be lists or tuples, and several masses")

@@ -178,6 +178,12 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         "You leave out the factor 1/2 of Eq. 9.5. Add scale/2 times the product (0, vector) q to "
         "q.": stepped(q, left, scale),
         "You don't multiply the vector by the scale.": stepped(q, left, 0.5),
+        "Your quaternion of the vector has r = 1. Its r must be 0.": stepped(
+            q, hamilton((1.0, *a), q), 0.5 * scale
+        ),
+        "The quaternion of your scaled vector has r = 1. Its r must be 0.": stepped(
+            q, hamilton((1.0, *(scale * part for part in a)), q), 0.5
+        ),
         "You rotate about an axis of the object instead of the world, because you compute q (0, "
         "vector). Swap the two factors.": stepped(q, right, 0.5 * scale),
         "You normalize the result. Leave out the normalization, because later exercises measure "

@@ -193,7 +193,11 @@ def wrong_steps(
         short = x, v
         for _ in range(4):
             short = one_step("explicit_euler", *short, a, k, c, d, 0.25 * h)[:2]
+        far, fast = x + 1.5 * (position - x), v * keep + 1.5 * (velocity - v * keep)
+        four = "You divide the weighted sum by 4. The weights add up to 6, so divide by 6."
         return {
+            four: (far, fast),
+            f"{four} The velocity is right, the position is not.": (far, velocity),
             "You give all four rates the same weight. Give the second and the third rate twice "
             "the weight of the others.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
             "You give the first and the last rate a weight of 2. Give this weight to the second "

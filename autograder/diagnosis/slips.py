@@ -30,8 +30,8 @@ NO_DEBUGGER = (
     "it, as in make debug EX=B2.3 (without make: python -m autograder debug B2.3)."
 )
 UNPACKED = (
-    "The function returned more or fewer values than there are names on the left of the =. Check "
-    "in its docstring what it returns."
+    "There are more or fewer values than names to store them in. Print the value that this line "
+    "unpacks, and check in the docstring what it should be."
 )
 WRONG_ARGUMENT = (
     "The error names an argument that has the wrong type. Look at what your line passes for it."

@@ -93,7 +93,8 @@ def tiers(root: Path) -> Iterator[Terminal]:
     (chapter / "chapter.toml").write_text(TIERS_MANIFEST, encoding="utf-8")
     (tests / "ch90_small/test_small.py").write_text(TIERS_CHECKS, encoding="utf-8")
     (tests / "shared").mkdir()
-    shutil.copyfile(ROOT / "tests/shared/expect.py", tests / "shared/expect.py")
+    for name in ("compared.py", "expect.py"):
+        shutil.copyfile(ROOT / "tests/shared" / name, tests / "shared" / name)
     save(root, re.sub("return . [*] x", UNWRITTEN, TIERS))
     terminal = Terminal(root, "watch")
     yield terminal

@@ -241,7 +241,7 @@ def build_world(world: World, submissions: list[Submission], tests: Path) -> Non
     """Make a root with one chapter, a home with secrets, and the folder of the class."""
     shutil.copytree(HOSTILE / "root", world.root, ignore=shutil.ignore_patterns("__pycache__"))
     (world.root / "tests/shared").mkdir()
-    for name in ("conftest.py", "shared/draw.py", "shared/expect.py"):
+    for name in ("conftest.py", "shared/compared.py", "shared/draw.py", "shared/expect.py"):
         shutil.copyfile(tests / name, world.root / "tests" / name)
     shutil.copyfile(tests.parent / "pyproject.toml", world.root / "pyproject.toml")
     write(world.home / "secret.txt", TOKENS["the home folder"] + "\n")

@@ -144,11 +144,6 @@ FACTS = (
         "reads the elements i and i + 1 must stop one earlier.",
     ),
     ("for //", "The operator // divides into whole numbers. Write / to divide."),
-    (
-        "math domain error",
-        "A function of math got a number for which it has no result, such as sqrt of a negative "
-        "number. Check the signs on this line.",
-    ),
     ("non-integer arg", "random.randint draws whole numbers. Use random.uniform for others."),
     (
         "'float' object has no attribute",
@@ -165,6 +160,11 @@ FACTS = (
 )
 # These explanations are only guesses, so the mistake that the check suggests comes first.
 PERHAPS = (
+    (
+        "math domain error",
+        "A function of math got a number for which it has no result, such as sqrt of a negative "
+        "number. Check the signs on this line.",
+    ),
     (
         "has no attribute",
         "Perhaps you misspelled the name of the attribute, or the object has a different type than "

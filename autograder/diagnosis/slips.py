@@ -40,6 +40,10 @@ METHOD = (
     "Your code uses a method as if it were the method's result. Add parentheses after the name to "
     "call it."
 )
+NO_RESULT = (
+    "A function of math got a number for which it has no result, such as sqrt of a negative "
+    "number. Check the signs on this line."
+)
 POWER = "In Python, powers are written with **. The operator ^ is bitwise exclusive or."
 # Some mistakes in Python cause error messages that are hard to understand. We recognize each of
 # them by a part of its message. Since the check itself can only suggest a mistake in the physics,
@@ -160,11 +164,9 @@ FACTS = (
 )
 # These explanations are only guesses, so the mistake that the check suggests comes first.
 PERHAPS = (
-    (
-        "math domain error",
-        "A function of math got a number for which it has no result, such as sqrt of a negative "
-        "number. Check the signs on this line.",
-    ),
+    ("math domain error", NO_RESULT),
+    ("expected a number in range", NO_RESULT),  # Python 3.14 words the error in these two ways
+    ("expected a nonnegative input", NO_RESULT),
     (
         "has no attribute",
         "Perhaps you misspelled the name of the attribute, or the object has a different type than "

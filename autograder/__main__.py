@@ -60,45 +60,37 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "watch", help="check your current exercise whenever you save"
     )
     watch_command.set_defaults(run=run_watch)
-    for command in (check_command, watch_command):
+    debug_command = commands.add_parser("debug", help="stop in your function where a check fails")
+    debug_command.set_defaults(run=run_debug)
+    python_command = commands.add_parser("python", help="try your engine in an interpreter")
+    python_command.set_defaults(run=run_python)
+    hint_command = commands.add_parser("hint", help="show hints for an exercise")
+    hint_command.add_argument(
+        "--count", type=int, default=1, help="how many hints to show (default: 1)"
+    )
+    hint_command.set_defaults(run=run_hint)
+    reset_command = commands.add_parser("reset", help="restore the stub of an exercise")
+    reset_command.add_argument(
+        "--whole", action="store_true", help="restore the whole file of the exercise"
+    )
+    reset_command.set_defaults(run=run_reset)
+
+    for command in (debug_command, hint_command, reset_command):
+        command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
+    for command in (check_command, watch_command, python_command):
         command.add_argument(
             "--chapter", default="", help="chapters, such as 2 or 2-4 (default: all)"
         )
+    for command in (check_command, watch_command, debug_command, python_command, reset_command):
         command.add_argument(
-            "--engine", default="chapters", help="folder that contains the chapters to check"
+            "--engine", default="chapters", help="folder that contains your chapters"
         )
-        command.add_argument("--given", default="", help="chapters to take from the reference")
+    for command in (check_command, watch_command, debug_command):
         command.add_argument(
             "--seed", default="1", help="seed for the random numbers in the checks"
         )
-
-    command = commands.add_parser("debug", help="stop in your function where a check fails")
-    command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
-    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
-    command.add_argument("--given", default="", help="chapters to take from the reference")
-    command.add_argument("--seed", default="1", help="seed for the random numbers in the checks")
-    command.set_defaults(run=run_debug)
-
-    command = commands.add_parser("python", help="try your engine in an interpreter")
-    command.add_argument("--chapter", default="", help="chapters, such as 2-4 (default: all)")
-    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
-    command.add_argument("--given", default="", help="chapters to take from the reference")
-    command.set_defaults(run=run_python)
-
-    command = commands.add_parser("hint", help="show hints for an exercise")
-    command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
-    command.add_argument("--count", type=int, default=1, help="how many hints to show (default: 1)")
-    command.add_argument("--given", default="", help="chapters to take from the reference")
-    command.set_defaults(run=run_hint)
-
-    command = commands.add_parser("reset", help="restore the stub of an exercise")
-    command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
-    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
-    command.add_argument(
-        "--whole", action="store_true", help="restore the whole file of the exercise"
-    )
-    command.add_argument("--given", default="", help="chapters to take from the reference")
-    command.set_defaults(run=run_reset)
+    for command in commands.choices.values():
+        command.add_argument("--given", default="", help="chapters to take from the reference")
 
 
 def run_check(arguments: argparse.Namespace) -> bool:

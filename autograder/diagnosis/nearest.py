@@ -140,17 +140,21 @@ def _import(error: ImportError) -> Unknown | None:
     return Unknown(says[1], file, nearest(says[1], vars(module)))
 
 
-def _innermost(traceback: TracebackType | None) -> FrameType | None:
-    """Return the innermost frame of a traceback, in which the error was raised."""
+def innermost(traceback: TracebackType | None) -> TracebackType | None:
+    """Return the innermost entry of a traceback, where the error was raised."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
-    return traceback.tb_frame if traceback else None
+    return traceback
+
+
+def _innermost(traceback: TracebackType | None) -> FrameType | None:
+    last = innermost(traceback)
+    return last.tb_frame if last else None
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
     """Return True if an assignment to an attribute, such as p.mas = 3, raised an error."""
-    while traceback and traceback.tb_next:
-        traceback = traceback.tb_next
+    traceback = innermost(traceback)
     if traceback is None:
         return False
     code = traceback.tb_frame.f_code

@@ -14,6 +14,8 @@ import textwrap
 from itertools import islice
 from types import TracebackType
 
+from autograder.diagnosis.nearest import innermost
+
 LONGEST = 60  # characters of an expression
 
 
@@ -51,8 +53,7 @@ def explain_none(expression: str) -> str:
 
 def _failed_code(traceback: TracebackType | None) -> str:
     """Return the source of the innermost instruction of a traceback, if it is on one line."""
-    while traceback and traceback.tb_next:
-        traceback = traceback.tb_next
+    traceback = innermost(traceback)
     if traceback is None:
         return ""
     code = traceback.tb_frame.f_code
@@ -66,8 +67,7 @@ def _failed_code(traceback: TracebackType | None) -> str:
 
 def _assigned_call(name: str, traceback: TracebackType | None) -> ast.Call | None:
     """Return the call whose result a variable got last, if it got the result of a call."""
-    while traceback and traceback.tb_next:
-        traceback = traceback.tb_next
+    traceback = innermost(traceback)
     if traceback is None:
         return None
     frame, last = traceback.tb_frame, traceback.tb_lineno

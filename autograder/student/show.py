@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from functools import wraps
+from string import ascii_lowercase
 from typing import Any
 
 WIDTH, HEIGHT = 61, 21  # characters; one is about twice as high as it is wide
@@ -33,7 +34,7 @@ def show(*things: Any) -> None:
     across = 0 if any(place[0] for line in lines for place in line) else 2
     print(picture([[(place[across], place[1]) for place in line] for line in lines]))
     print(f"to the right: {'XYZ'[across]}, up: Y")
-    for letter, thing in zip("abcdefghijklmnopqrstuvwxyz", things, strict=False):
+    for letter, thing in zip(ascii_lowercase, things, strict=False):
         if hasattr(thing, "position"):
             print(f"{letter}: position {thing.position}, velocity {thing.velocity}")
         else:
@@ -61,7 +62,7 @@ def picture(lines: list[list[Point]]) -> str:
         for point in line:
             put(point, "·")
     put((0.0, 0.0), "+")
-    for letter, line in zip("abcdefghijklmnopqrstuvwxyz", lines, strict=False):
+    for letter, line in zip(ascii_lowercase, lines, strict=False):
         put(line[-1], letter)
     drawn = "\n".join("".join(row).rstrip() for row in cells)
     return f"{drawn}\none character to the right is {scale:.3g}, one line is {2.0 * scale:.3g}"

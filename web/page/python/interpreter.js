@@ -1,5 +1,7 @@
 // One worker with Python, as the pool of engines sees it.
 
+const MORE = 1; // s of grace after a time limit, for a loop that Python cannot interrupt
+
 export class Interpreter {
   constructor(worker, base) {
     this.hear = () => undefined; // takes its messages, and {kind: "lost"} when it is ended from here
@@ -26,6 +28,22 @@ export class Interpreter {
 
   send(message) {
     this.worker.postMessage(JSON.stringify(message));
+  }
+
+  // Send a message, and return a promise of the next one that comes back. If none comes within the time
+  // limit of this name, the promise is of {kind: "hung", why}.
+  answer(message, limit) {
+    return new Promise((resolve) => {
+      const finish = (end) => {
+        clearTimeout(timer);
+        this.hear = () => undefined;
+        resolve(end);
+      };
+      const {hung, limits} = this.words;
+      const timer = setTimeout(() => finish({kind: "hung", why: hung[limit]}), 1000 * (limits[limit] + MORE));
+      this.hear = finish;
+      this.send(message);
+    });
   }
 
   // End Python, whatever it is doing.

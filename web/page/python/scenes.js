@@ -1,8 +1,6 @@
 // All scenes play in one worker. Each link has its own engine there, and messages are answered in turn.
 // If the answer to one never ends, the worker is ended, and the scenes of the other links begin again.
 
-const MORE = 1; // s of grace after the limit of a message, for a loop that Python cannot interrupt
-
 export class Scenes {
   constructor(next) {
     this.next = next; // promises an interpreter
@@ -39,9 +37,11 @@ export class Scenes {
     } catch (error) {
       return link.answered([{kind: "stopped", why: error.message}]);
     }
-    const end = await attempt(this.interpreter, link.number, message);
+    const limit = message.kind === "load" ? "load" : "other";
+    const end = await this.interpreter.answer({kind: "scene", link: link.number, message}, limit);
     if (end.kind === "answers") return link.answered(end.answers);
-    link.answered([{kind: "stopped", why: end.why}]);
+    const ended = end.kind === "left" || end.kind === "crashed";
+    link.answered([{kind: "stopped", why: ended ? this.interpreter.words.left : end.why}]);
     if (end.kind === "failed" || end.kind === "lost") return;
     this.interpreter.end("A scene did not end.");
     for (const other of this.links.values()) if (other !== link) other.begin();
@@ -51,22 +51,6 @@ export class Scenes {
     this.links.delete(link.number);
     if (this.interpreter && !this.interpreter.ended) this.interpreter.send({kind: "close", link: link.number});
   }
-}
-
-// Send a message, and return a promise of its answers or of the reason why there are none.
-function attempt(interpreter, link, message) {
-  const {hung, left, limits} = interpreter.words;
-  const kind = message.kind === "load" ? "load" : "other";
-  return new Promise((resolve) => {
-    const finish = (end) => {
-      clearTimeout(timer);
-      interpreter.hear = () => undefined;
-      resolve(end);
-    };
-    const timer = setTimeout(() => finish({kind: "hung", why: hung[kind]}), 1000 * (limits[kind] + MORE));
-    interpreter.hear = (end) => finish(["left", "crashed"].includes(end.kind) ? {kind: "left", why: left} : end);
-    interpreter.send({kind: "scene", link, message});
-  });
 }
 
 class Link {

@@ -73,7 +73,7 @@ ATTEMPTS = {
     "arguments": ("import sys; return sys.argv, sys.orig_argv", "([''], [])"),
     "user": ("import os; return os.environ['HOME']", "KeyError: 'HOME'"),
     "encoding": ("return open(__file__).encoding.lower()", "'utf-8'"),
-    "much_memory": ("return len(bytearray(450 << 20))", "471859200"),
+    "much_memory": ("return len(bytearray(350 << 20))", "367001600"),
     "too_much_memory": ("return len(bytearray(560 << 20))", "MemoryError"),
     "deep": ("def f(n): return n and 1 + f(n - 1)\nreturn f(950)", "950"),
     "too_deep": ("def f(n): return n and 1 + f(n - 1)\nreturn f(1050)", "RecursionError"),

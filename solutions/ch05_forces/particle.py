@@ -1,5 +1,4 @@
-"""A particle on which forces act: the particle of chapter 3, with a force accumulator (book 5.1).
-"""
+"""A particle on which forces act: the one of chapter 3, with a force accumulator (book 5.1)."""
 
 from __future__ import annotations
 

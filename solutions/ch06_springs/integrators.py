@@ -26,7 +26,9 @@ from typing import Any
 from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import NO_FORCE, Particle
-from ch06_springs.adaptive import adaptive as adaptive  # so that it is found with the others
+from ch06_springs.going_further.adaptive import (
+    adaptive as adaptive,  # so that it is found with the others
+)
 
 ApplyForces = Callable[[float], None]
 Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]

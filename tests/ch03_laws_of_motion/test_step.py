@@ -128,7 +128,9 @@ def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
         expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
-@pytest.mark.exercise("B3.4", asks="The fraction d of the velocity that the particle keeps per second")
+@pytest.mark.exercise(
+    "B3.4", asks="The fraction d of the velocity that the particle keeps per second"
+)
 def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
     v, drawn = components(rng), round(rng.uniform(0.2, 0.8), 3)
     about.read = "book 3.3, Eq. 3.6"

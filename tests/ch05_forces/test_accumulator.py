@@ -54,7 +54,9 @@ def test_forces_add_up(rng: Random) -> None:
             p.add_force(Vector3(*force))
             summed = p.force_accumulator
         except (AttributeError, TypeError):
-            about.cause = "self._force must stay a Vector3. Add the new force with +, and store the "
+            about.cause = (
+                "self._force must stay a Vector3. Add the new force with +, and store the "
+            )
             about.cause += "new vector."
             raise
         total = [total[i] + force[i] for i in range(3)]

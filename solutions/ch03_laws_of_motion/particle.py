@@ -113,7 +113,7 @@ class Particle:
         """Move the particle for ``duration`` s at its current velocity, which does not change.
 
         The new position is p' = p + v h (book Eq. 2.7). An immovable particle does not move at all.
-        The duration may be 0 or negative, because an integrator may split a step into several drifts.
+        The duration may be 0 or negative, because a step may consist of several drifts.
         """
         if self.has_finite_mass:
             self.position.add_scaled(self.velocity, duration)

@@ -195,7 +195,7 @@ class Net:
         tried = {*near, *(i for i, on in enumerate(self.is_active) if on)}
         for i in tried:
             self.is_active[i] = True
-        for turn in range(MOST):
+        for attempt in range(MOST):
             factors = self.factor(directions, gains, self.is_active)
             pulls = self.solve(factors, self.of_active(right))
             changed = [i for i in tried if self.is_active[i] and pulls[i] * self.rows[i][3] < 0.0]
@@ -214,7 +214,7 @@ class Net:
                             changed.append(i)
             if not changed:
                 return pulls, factors
-            for i in changed if round < CHANGES else [min(changed)]:
+            for i in changed if attempt < CHANGES else [min(changed)]:
                 self.is_active[i] = not self.is_active[i]
         raise ArithmeticError("no set of taut cables balances the net")
 

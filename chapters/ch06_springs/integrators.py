@@ -22,7 +22,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive as adaptive  # so that it is found with the others
+from ch06_springs.going_further.adaptive import (
+    adaptive as adaptive,  # so that it is found with the others
+)
 
 ApplyForces = Callable[[float], None]
 Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ch04_particle_engine.closed_form import state_after
-from ch06_springs.adaptive import adaptive
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import Integrator
 from ch07_constraints.detectors import Detectors
 from ch07_constraints.direct_net import DirectNet

@@ -13,7 +13,7 @@ from autograder.manifest import ROOT
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import (
     Integrator,
     explicit_euler,

@@ -17,8 +17,8 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine.display import Display, tick
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, Payload
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive
 from ch06_springs.camera import SpringCamera
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import ApplyForces
 from ch07_constraints.angle_chain import AngleChain
 from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum

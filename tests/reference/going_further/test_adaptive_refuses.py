@@ -13,8 +13,8 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, InverseSquareGravity
 from ch05_forces.particle import Particle
-from ch06_springs import adaptive as module
-from ch06_springs.adaptive import AdaptiveStep, adaptive
+from ch06_springs.going_further import adaptive as module
+from ch06_springs.going_further.adaptive import AdaptiveStep, adaptive
 from ch06_springs.integrators import ApplyForces, Integrator
 from ch06_springs.springs import AnchoredSpring
 

@@ -25,7 +25,7 @@ class PenaltyGround:
         """Push a particle upward if it is below the ground, with the force k depth - c v_y.
 
         Here k is ``stiffness``, c is ``damping``, and v_y is the upward velocity of the particle.
-        Add the force only if it is positive, because the ground must not pull.
+        Add the force only if it is positive. The ground must never pull.
         """
         offset = Vector3(0.0, particle.position.y - self.height, 0.0)  # from the surface
         if offset.y < 0.0:

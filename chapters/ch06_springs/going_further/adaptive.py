@@ -1,8 +1,7 @@
 """Going further: an integrator that takes a tolerance instead of a step size.
 
-A comet needs short steps while it passes the sun, but long steps are enough for the rest of its
-orbit. This integrator estimates the error of every step. It repeats a step that was too long, and
-makes a longer one after a step that was more accurate than necessary.
+It estimates the error of every step. It repeats a step that was too long, and makes a longer one
+after a step that was more accurate than necessary.
 
 The method is by Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980), 19.
 It has order 5, even if forces depend on the velocity, and it is not symplectic. The rule for the
@@ -88,31 +87,31 @@ class AdaptiveStep:
                 particle.clear_forces()
                 particle.add_force(force)
             apply_forces(duration)
-            return [rate for particle in moving for rate in _rates(particle)]
+            rates = []
+            for p in moving:
+                rates += [p.velocity.copy(), p.acceleration + p.force_accumulator * p.inverse_mass]
+            return rates
 
         start = [vector.copy() for p in moving for vector in (p.position, p.velocity)]
         state, rates, left = start, rates_at(start), duration
         wanted, self._step = self._step or duration, 0.0
         for _ in range(MOST_STEPS):
             parts = max(1, math.ceil(left / wanted))  # of equal length, so that none is tiny
-            step = left / parts
-            problem: Exception | None = None
+            step, problem = left / parts, None
             try:
                 end, end_rates, error = _attempt(state, rates, rates_at, step)
             except (ArithmeticError, ValueError) as raised:
                 error, problem = math.inf, raised
-            factor = _factor(self.tolerance, error)
+            # The estimated error grows with the fifth power of the step.
+            factor = SAFETY * (self.tolerance / error) ** 0.2 if error else GROW
+            wanted = step * min(max(factor, SHRINK), GROW)
             if error <= self.tolerance:
                 state, rates, left = end, end_rates, left - step
-                # A step that was cut short by the end of the call only says that it might grow.
-                wanted = step * factor if factor < GROW else max(wanted, step * GROW)
                 if parts == 1:
                     self._step = wanted
                     _finish(particles, moving, start, duration)
                     return
-            else:
-                wanted = step * factor
-            if factor < 1.0 and wanted < SHORTEST * duration:
+            if wanted < min(step, SHORTEST * duration):
                 break
         _put(moving, state)
         for particle in particles:
@@ -127,14 +126,13 @@ def _attempt(
     state: State, rates: State, rates_at: Callable[[State], State], step: float
 ) -> tuple[State, State, float]:
     """Return the state after a step, the rates there, and the largest estimated error."""
-    end, all_rates = state, [rates]
+    end, stages = state, [rates]
     for weights in TABLEAU:
-        end = _ahead(state, all_rates, weights, step)
-        all_rates.append(rates_at(end))
-    errors = _ahead([Vector3() for _ in state], all_rates, ERROR, step)
+        end = _ahead(state, stages, weights, step)
+        stages.append(rates_at(end))
+    errors = _ahead([Vector3() for _ in state], stages, ERROR, step)
     sizes = [abs(component) for error in errors for component in error]
-    largest = max(sizes, default=0.0) if math.isfinite(sum(sizes)) else math.inf
-    return end, all_rates[-1], largest
+    return end, stages[-1], max(sizes, default=0.0) if math.isfinite(sum(sizes)) else math.inf
 
 
 def _ahead(state: State, rates: list[State], weights: Sequence[float], step: float) -> State:
@@ -144,18 +142,6 @@ def _ahead(state: State, rates: list[State], weights: Sequence[float], step: flo
         for vector, change in zip(end, rate, strict=True):
             vector.add_scaled(change, weight * step)
     return end
-
-
-def _factor(tolerance: float, error: float) -> float:
-    """Return by what factor to change the step, whose error grows with its fifth power."""
-    factor = SAFETY * (tolerance / error) ** 0.2 if error else GROW
-    return min(max(factor, SHRINK), GROW)
-
-
-def _rates(particle: Particle) -> tuple[Vector3, Vector3]:
-    """Return the velocity and the acceleration of a particle."""
-    force = particle.force_accumulator
-    return particle.velocity.copy(), particle.acceleration + force * particle.inverse_mass
 
 
 def _put(particles: Sequence[Particle], state: State) -> None:

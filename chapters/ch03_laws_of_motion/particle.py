@@ -101,14 +101,14 @@ class Particle:
 
     @property
     def last_acceleration(self) -> Vector3:
-        """The acceleration in the last time step, in m/s^2 as a new vector: here the constant one."""
+        """The acceleration in the last time step, in m/s^2 as a new vector."""
         raise NotImplementedError("Exercise B3.4: The step")
 
     def drift(self, duration: float) -> None:
         """Move the particle for ``duration`` s at its current velocity, which does not change.
 
         The new position is p' = p + v h (book Eq. 2.7). An immovable particle does not move at all.
-        The duration may be 0 or negative, because some integrators split a step into several drifts.
+        The duration may be 0 or negative, because a step may consist of several drifts.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 

@@ -23,6 +23,6 @@ class PenaltyGround:
         """Push a particle upward if it is below the ground, with the force k depth - c v_y.
 
         Here k is ``stiffness``, c is ``damping``, and v_y is the upward velocity of the particle.
-        Add the force only if it is positive, because the ground must not pull.
+        Add the force only if it is positive. The ground must never pull.
         """
         raise NotImplementedError("Exercise G6.1: Going further: collisions by a spring")

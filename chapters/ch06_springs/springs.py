@@ -26,10 +26,11 @@ def spring_force(
 ) -> Vector3:
     """Compute the force in N that a spring exerts on one of its ends, as a new vector.
 
-    The force is -(k (l - l0) + c l') d^ (Eq. 6.1, 6.2). Here l is the length of ``offset``, which
-    leads from the other end to this one, and d^ is its direction. l' is the component of the
-    relative ``velocity`` along d^, and k, l0 and c are the other arguments. A zero offset has no
-    direction, so the force is then zero. The arguments are neither checked nor changed.
+    The force is -(k (l - l0) + c l') d^ (Eq. 6.1, 6.2), where k is ``stiffness``, l0 is
+    ``rest_length`` and c is ``damping``. ``offset`` and ``velocity`` are those of this end relative
+    to the other end. Here l is the length of ``offset``, d^ is its direction, and l' is the
+    component of ``velocity`` along d^. A zero offset has no direction, so the force is then zero.
+    The arguments are neither checked nor changed.
     """
     raise NotImplementedError("Exercise B6.1: Springs")
 

@@ -23,4 +23,5 @@ def damp_per_second(
 ) -> Vector3:
     """Compute v' = v d^h + a h: every second keeps the fraction d (book Eq. 3.6, E-16)."""
     not_negative("damping", damping)
-    return velocity * damping ** positive("duration", duration) + acceleration * duration
+    kept: float = damping ** positive("duration", duration)
+    return velocity * kept + acceleration * duration

@@ -1,7 +1,4 @@
-"""A particle on which forces act: the particle of chapter 3, with a force accumulator (book 5.1).
-
-Units are SI, so forces are in N.
-"""
+"""A particle on which forces act: the one of chapter 3, with a force accumulator (book 5.1)."""
 
 from __future__ import annotations
 
@@ -13,9 +10,8 @@ from ch03_laws_of_motion import particle
 class Particle(particle.Particle):
     """A particle that adds up the forces on it until the next time step uses them.
 
-    ``_force`` is the sum of the forces since the last step, and ``_last_force`` is the sum that the
-    last step used. Both are vectors, and zero at first. Replace them by new vectors, as in
-    ``a = a + b``, so that a copy of the particle can share them.
+    ``_force`` is the sum since the last step, and ``_last_force`` the sum that the last step used.
+    Replace them by new vectors, as in ``a = a + b``, because a copy of the particle shares them.
     """
 
     __slots__ = ("_force", "_last_force")
@@ -35,50 +31,38 @@ class Particle(particle.Particle):
 
     @property
     def force_accumulator(self) -> Vector3:
-        """The sum of the forces added since the last time step, in N, as a new vector.
-
-        If no force was added, the sum is the zero vector. Changing the returned vector does not
-        change the sum.
-        """
+        """The forces since the last time step in N, as a new vector: zero if no force was added."""
         return self._force.copy()
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum of the forces that act on the particle in the next time step.
-
-        The vector ``force`` does not change, and a later change to it does not change the sum.
+        """Add a force in N to the sum of the forces. A later change to it does not change the sum.
 
         Raises ValueError if a component of the force, or of the sum, is not finite, and TypeError
-        if the force is not a Vector3. In both cases the sum does not change. Book 5.1.
+        if it is not a Vector3. In both cases the sum does not change.
         """
         total = self._force + finite_vector("force", force)
         self._force = finite_vector("the sum of the forces", total)
 
     def clear_forces(self) -> None:
-        """Discard the forces that were added to the particle since the last time step (book 5.1).
-
-        ``last_acceleration`` does not change.
-        """
+        """Discard the forces that were added since the last time step."""
         self._force = Vector3()
 
     @property
     def last_acceleration(self) -> Vector3:
         """The total acceleration of the particle in its last time step, in m/s^2 as a new vector.
 
-        This is the constant acceleration plus f / m, where f is the sum of the forces that the last
-        step used (book Eq. 3.2). Before the first step f is zero. The mass and the constant
-        acceleration are the current ones. An immovable particle does not react to forces.
+        It is the constant acceleration plus f / m, where f is the sum that the last step used, with
+        the acceleration and the mass of now. Before the first step f is zero.
         """
         return self.acceleration + self._last_force * self.inverse_mass
 
     def kick(self, duration: float) -> None:
         """Apply the acceleration, forces and damping to the velocity over ``duration`` s.
 
-        The new velocity is v' = (v + a h) d^h, where a is the constant acceleration plus f / m, and
-        f is the sum of the forces that were added since the last kick. After the update, clear this
-        sum, even for an immovable particle, so that each force acts only once. Keep a copy of it
-        for ``last_acceleration``. The mass and the damping may change between two steps, so use
-        their current values in each step. ``integrate`` of chapter 3 calls this method after it has
-        moved the particle.
+        The new velocity is v' = (v + a h) d^h, where a is the constant acceleration plus f / m,
+        with the mass and the damping of now, and f is the sum of the forces that were added since
+        the last kick. Then clear this sum, so that each force acts only once, and keep it for
+        ``last_acceleration``. No force changes the velocity of an immovable particle.
         """
         self._last_force, self._force = self._force, Vector3()
         self.velocity.add_scaled(self._last_force, self.inverse_mass * duration)

@@ -23,12 +23,12 @@ from ch06_springs.integrators import (
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
 from ch07_constraints.links import Rod, TwoSidedRod
-from ch07_constraints.rod_tensions import RodTensions
-from ch07_constraints.sequential_impulses import SequentialImpulses
 from lessons.lesson import agrees
 from studies.accuracy.scenes.links import double_pendulum
 from studies.accuracy.scenes.nets import swinging
+from studies.models.rod_tensions import RodTensions
 from studies.runs.constraints import (
     Link,
     Resolve,

@@ -38,6 +38,13 @@ Triple = tuple[float, float, float]
 STILL = (0.0, 0.0, 0.0)
 
 
+def taken(particle: Particle) -> Vector3:
+    """Return the sum of the forces on a particle in N, and clear it."""
+    force = particle.force_accumulator
+    particle.clear_forces()
+    return force
+
+
 class Hold:
     """A link that pulls its ends ``a`` and ``b`` together, or a contact that pushes them apart."""
 
@@ -76,7 +83,7 @@ class Balance:
     def __init__(self, world: ParticleWorld) -> None:
         self.world = world
         self.free = [p for p in world.particles if p.inverse_mass]
-        self.by_hand = [p.take_forces() for p in self.free]
+        self.by_hand = [taken(p) for p in self.free]
         self.number = {p: 3 * i for i, p in enumerate(self.free)}
         links = [g for g in world.contact_generators if isinstance(g, LINKS)]
         self.links = [Hold(*limit) for link in links for limit in limits_of(link)]
@@ -107,7 +114,7 @@ class Balance:
         found: list[float] = []
         for particle, by_hand in zip(self.free, self.by_hand, strict=True):
             weight = particle.acceleration * particle.mass
-            parts = zip(weight, by_hand, particle.take_forces(), strict=True)
+            parts = zip(weight, by_hand, taken(particle), strict=True)
             found += [sum(part) for part in parts]
         return found
 

@@ -18,7 +18,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.commands import TUNED, find_engine
-from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console, print_wrapped
 
 if TYPE_CHECKING:

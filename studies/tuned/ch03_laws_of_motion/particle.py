@@ -33,13 +33,15 @@ class Particle:
     position: Vector3
     velocity: Vector3
     acceleration: Vector3
+    _keep: float
+    _span: float
 
     def __init_subclass__(cls) -> None:
         """Let ``integrate`` call a drift or a kick that a subclass has written."""
         super().__init_subclass__()
         own = vars(cls)
         if ("drift" in own or "kick" in own) and "integrate" not in own:
-            cls.integrate = _drift_and_kick  # type: ignore[method-assign]
+            cls.integrate = _drift_and_kick  # type: ignore[assignment]
 
     def __init__(
         self,

@@ -105,7 +105,7 @@ class Contact:
             (b, -1.0 / (1.0 + a.inverse_mass / b.inverse_mass)),
         ]
 
-    def _total_inverse_mass(self) -> float:
+    def total_inverse_mass(self) -> float:
         """Return 1 / ma + 1 / mb: 0 where nothing can be moved."""
         return sum(body.inverse_mass for body, _ in self._movable())
 
@@ -132,7 +132,7 @@ class ContactResolver:
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
         """Resolve the contacts of a frame of a duration in s: all velocities, then all depths."""
         positive("duration", duration)
-        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
         used = self.resolve_velocities(movable, limit, duration)
         self.iterations_used = used + self.resolve_penetrations(movable, limit)

@@ -156,17 +156,16 @@ class ContactResolver:
             worst = max(contacts, key=lambda contact: contact.penetration)  # of equals, the first
             if worst.penetration <= DEPTH_TOLERANCE:
                 break
-            moves = dict(
-                zip((id(worst.particle), id(worst.other)), worst.resolve_penetration(), strict=True)
-            )
+            moves = worst.resolve_penetration()
             used += 1
-            for contact in contacts:
-                if contact is worst:
-                    continue
-                into = moves.get(id(contact.other)) if contact.other is not None else None
-                out = moves.get(id(contact.particle))
-                contact.penetration += into @ contact.normal if into is not None else 0.0
-                contact.penetration -= out @ contact.normal if out is not None else 0.0
+            for body, move in zip((worst.particle, worst.other), moves, strict=True):
+                for contact in contacts:
+                    if contact is worst or body is None:
+                        continue
+                    if contact.particle is body:
+                        contact.penetration -= move @ contact.normal
+                    elif contact.other is body:
+                        contact.penetration += move @ contact.normal
         return used
 
 

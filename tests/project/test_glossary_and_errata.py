@@ -53,12 +53,12 @@ def faults_of(entry: str) -> Iterator[str]:
         return
     if not parts[3].endswith((".", ")")):
         yield f"{term(entry)}: not whole sentences"
-    where = r"((?:`[^`]+`(?: \(`\w+\.py`\))?(?:, )?)+), chapter (\d)(?:, and |$)"
+    where = r"((?:`[^`]+`(?: \(`(?:going_further/)?\w+\.py`\))?(?:, )?)+), chapter (\d)(?:, and |$)"
     if re.sub(where, "", parts[5]):
         yield f"{term(entry)}: not in the form of places: {parts[5]}"
     for places, chapter in re.findall(where, parts[5]):
         waiting = []
-        for name, module in re.findall(r"`([^`]+)`(?: \(`(\w+\.py)`\))?", places):
+        for name, module in re.findall(r"`([^`]+)`(?: \(`((?:going_further/)?\w+\.py)`\))?", places):
             waiting.append(name)
             if module or name.endswith(".py"):
                 file = source(int(chapter), module or name)

@@ -89,10 +89,13 @@ test-all: test ## run all tests, as before a release
 	@$(PYTEST) -n $(WORKERS) -p tiers --tier slow --ignore=$(HOSTILE)
 	@$(PYTEST) $(HOSTILE)
 
+TUNED := ch03_laws_of_motion.particle ch05_forces.particle ch06_springs.springs \
+	ch06_springs.integrators ch07_constraints.contacts ch08_mass_aggregate.sleeping
 lint: .venv/everything ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
+	@MYPYPATH=studies/tuned $(RUN) -m mypy $(foreach name,$(TUNED),-m $(name))
 	@$(RUN) -m codespell_lib
 
 update: .venv/everything stubs ## generate all stubs and tables again

@@ -24,6 +24,8 @@ ENTRY = re.compile(
     rf"Book: (not covered|{SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. Code: (`.+)\."
 )
 
+NAMED = r"`([^`]+)`(?: \(`((?:going_further/)?\w+\.py)`\))?"  # a name, and the module it is in
+
 
 def entries() -> list[str]:
     text = (ROOT / "glossary.md").read_text(encoding="utf-8")
@@ -58,7 +60,7 @@ def faults_of(entry: str) -> Iterator[str]:
         yield f"{term(entry)}: not in the form of places: {parts[5]}"
     for places, chapter in re.findall(where, parts[5]):
         waiting = []
-        for name, module in re.findall(r"`([^`]+)`(?: \(`((?:going_further/)?\w+\.py)`\))?", places):
+        for name, module in re.findall(NAMED, places):
             waiting.append(name)
             if module or name.endswith(".py"):
                 file = source(int(chapter), module or name)

@@ -95,8 +95,8 @@ class Contact:
         self.resolve_velocity(duration)
         self.resolve_penetration()
 
-    def _total_inverse_mass(self) -> float:
-        """Return 1 / ma + 1 / mb, which is 0 if neither particle can move."""
+    def total_inverse_mass(self) -> float:
+        """Return 1 / ma + 1 / mb in 1/kg, which is 0 if neither particle can move."""
         other = 0.0 if self.other is None else self.other.inverse_mass
         return self.particle.inverse_mass + other
 
@@ -125,7 +125,7 @@ class ContactResolver:
         ``duration`` is above 0. Contacts in which neither particle can move are left out.
         """
         positive("duration", duration)
-        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
         used = self.resolve_velocities(movable, limit, duration)
         self.iterations_used = used + self.resolve_penetrations(movable, limit)

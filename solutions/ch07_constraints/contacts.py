@@ -91,7 +91,7 @@ class Contact:
         closing, or if neither particle can move. Book: 7.1.4 and 7.2.
         """
         change = self.velocity_after(duration) - self.separating_velocity()
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if total == 0.0:
             return
         impulse = self.normal * (change / total)
@@ -108,7 +108,7 @@ class Contact:
         move, nothing changes. Return both displacements in m, as two new vectors, which are zero
         for a particle that did not move. Book 7.2.2.
         """
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if self.penetration <= 0.0 or total == 0.0:
             return Vector3(), Vector3()
         push = self.normal * (self.penetration / total)
@@ -126,8 +126,8 @@ class Contact:
         self.resolve_velocity(duration)
         self.resolve_penetration()
 
-    def _total_inverse_mass(self) -> float:
-        """Return 1 / ma + 1 / mb, which is 0 if neither particle can move."""
+    def total_inverse_mass(self) -> float:
+        """Return 1 / ma + 1 / mb in 1/kg, which is 0 if neither particle can move."""
         other = 0.0 if self.other is None else self.other.inverse_mass
         return self.particle.inverse_mass + other
 
@@ -156,7 +156,7 @@ class ContactResolver:
         ``duration`` is above 0. Contacts in which neither particle can move are left out.
         """
         positive("duration", duration)
-        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
         used = self.resolve_velocities(movable, limit, duration)
         self.iterations_used = used + self.resolve_penetrations(movable, limit)

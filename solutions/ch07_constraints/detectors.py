@@ -202,10 +202,12 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
         return math.inf
     if gap <= 0.0 and velocity <= 0.0:
         return 0.0
-    root = velocity**2 - 2.0 * acceleration * gap
-    if velocity > 0.0:  # up first; a root below 0 means that it never gets out of the ground
-        return (velocity + math.sqrt(max(root, 0.0))) / -acceleration
-    return 2.0 * gap / (math.sqrt(root) - velocity) if root > 0.0 else math.inf
+    squared = velocity**2 - 2.0 * acceleration * gap  # the square of the velocity at the ground
+    if velocity > 0.0:  # up first; if the square is negative, it turns around below the ground
+        return (velocity + math.sqrt(max(0.0, squared))) / -acceleration
+    if squared <= 0.0:  # it turns around before it reaches the ground
+        return math.inf
+    return 2.0 * gap / (math.sqrt(squared) - velocity)  # the gap over the mean of both speeds
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:

@@ -90,7 +90,9 @@ test-all: test ## run all tests, as before a release
 	@$(PYTEST) $(HOSTILE)
 
 TUNED := ch03_laws_of_motion.particle ch05_forces.particle ch06_springs.springs \
-	ch06_springs.integrators ch07_constraints.contacts ch08_mass_aggregate.sleeping
+	ch06_springs.integrators ch07_constraints.contacts \
+	$(addprefix ch07_constraints.going_further.,direct_chain sequential_impulses small_steps) \
+	ch08_mass_aggregate.sleeping
 lint: .venv/everything ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .

@@ -4,10 +4,16 @@ A resolver corrects one rod after another, and each correction disturbs the neig
 long chain, a pull therefore needs many iterations to travel from link to link. This chain finds all
 tensions together instead, so no rod is too long afterward.
 
-The tension of a rod changes only three lengths: the length of this rod, and the lengths of its two
-neighbors. Each equation for the tensions therefore has at most three unknowns. Such equations can
-be solved from the anchor to the free end and back. For each rod, this takes about as much work as
-resolving the rod once.
+A rod r with the tension T pulls with the force k r at both ends, where k = T / |r| is its *pull* in
+N/m. For ``time`` seconds, the particle at its far end feels this rod and the next one, so its
+velocity changes by (k' r' - k r) ``time`` / m. If the pulls are those of the last step, rod r
+becomes e, which is a little too long or too short. The changes c of the pulls must correct that:
+
+    e . (change of e) = -(|e|^2 - length^2) / 2
+
+The pull of a rod changes only three lengths: its own, and those of its two neighbors. Each equation
+has at most three unknowns, so all of them can be solved by going once from the anchor to the free
+end and back. For each rod, this takes about as much work as resolving the rod once.
 
 This file is complete, so there is nothing to fill in.
 """
@@ -20,11 +26,6 @@ from itertools import pairwise
 from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-
-TOO_FAR = "rod {} turns too far in one step; use shorter steps"
-# What the way back needs of a rod: position, velocity and gain of the particle at its far end, the
-# vector along it, its pull in the last step, and its equation: change = value + factor * next one.
-Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 
 
 class DirectChain:
@@ -44,15 +45,15 @@ class DirectChain:
         if not self.particles:
             raise ValueError("particles must have at least one particle, got none")
         self.anchor = finite_vector("anchor", anchor)
-        self.lengths: list[float] = []
-        places = [self.anchor, *(particle.position for particle in self.particles)]
-        for i, (start, end) in enumerate(pairwise(places)):
+        for i, particle in enumerate(self.particles):
             is_other_end = i and i == len(self.particles) - 1
-            if not (self.particles[i].inverse_mass or is_other_end):
+            if not (particle.inverse_mass or is_other_end):
                 raise ValueError(f"particles[{i}] must have a finite mass, got inf")
-            self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
-        # N/m: the pull of each rod in the last step, per m of its length
-        self._pulls: list[float] = []
+        self.lengths = [
+            positive(f"the length of rod {i}", rod.magnitude())
+            for i, rod in enumerate(self._rods())
+        ]
+        self._pulls: list[float] = []  # N/m, of the last step
 
     @property
     def tensions(self) -> list[float]:
@@ -60,17 +61,13 @@ class DirectChain:
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=False)]
 
     def step(self, duration: float) -> None:
-        """Move the chain by one time step under the forces in the accumulators.
+        """Move the chain by one step of ``duration`` s under the forces in the accumulators.
 
-        ``duration`` is in s. Velocities change before positions, as in semi-implicit Euler. Each
-        rod applies an impulse along its direction at the start of the step. The impulses are chosen
-        so that each rod has the right length at the end of the step. These equations are linear
-        except for a small quadratic term. The tensions of the last step give a good estimate of
-        that term, so solving once is enough.
-
-        The first step accelerates for only half of its duration. From then on the velocities belong
-        to the middle of the previous step, as in leapfrog. This gives the positions order 2, as
-        long as all steps have the same duration.
+        Velocities change before positions, as in semi-implicit Euler. The first step accelerates
+        for only half of its duration. From then on the velocities belong to the middle of the
+        previous step, as in leapfrog. This gives the positions order 2, as long as all steps have
+        the same duration. The equations leave out the square of a change, which is small, because
+        the pulls of the last step are a good estimate.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -78,87 +75,79 @@ class DirectChain:
                 middle of the step, and cannot be used any more.
         """
         positive("duration", duration)
-        time = duration if self._pulls else 0.5 * duration  # for which the step accelerates
-        self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
-
-    def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
-        """Apply the forces for ``time`` s, and simplify the equations for the tensions.
-
-        There is one equation for each rod. If the tensions stayed the same as in the last step, rod
-        i would have a wrong length at the end of this step. Equation i says how the tensions i - 1,
-        i and i + 1 must change to correct this length. The change of tension i - 1 is eliminated at
-        once (Thomas, 1949).
-
-        The method uses plain floats and a single loop, because vectors or several loops take
-        longer.
-        """
-        rows: list[Row] = []
-        half = 0.5 / duration
-        particle, following = self.particles[0], [*self.particles[1:], self.particles[-1]]
-        pull, *next_pulls = self._pulls or [0.0] * len(self.particles)
-        next_pulls.append(0.0)
-        start, place = self.anchor, particle.position
-        x, y, z = place.x - start.x, place.y - start.y, place.z - start.z  # along the rod
-        force_x, force_y, force_z = x * pull, y * pull, z * pull
-        # Of the rod before it, and of the particle between the two; first the anchor, at rest.
-        last_x = last_y = last_z = last_u = last_v = last_w = last_gain = value = factor = 0.0
-        for length, other, next_pull in zip(self.lengths, following, next_pulls, strict=True):
+        time = duration if self._pulls else 0.5 * duration
+        pulls = self._pulls or [0.0] * len(self.particles)
+        rods = self._rods()
+        for particle in self.particles:
             particle.kick(time)
-            gain = particle.inverse_mass * time  # m/s per N
-            velocity, end = particle.velocity, other.position
-            next_x = end.x - place.x
-            next_y = end.y - place.y
-            next_z = end.z - place.z
-            next_force_x = next_x * next_pull
-            next_force_y = next_y * next_pull
-            next_force_z = next_z * next_pull
-            if gain:
-                u = velocity.x + (next_force_x - force_x) * gain
-                v = velocity.y + (next_force_y - force_y) * gain
-                w = velocity.z + (next_force_z - force_z) * gain
-            else:
-                u = v = w = 0.0  # immovable: it stays, whatever its velocity is
-            to_x = x + (u - last_u) * duration  # along the rod at the end of the step
-            to_y = y + (v - last_v) * duration
-            to_z = z + (w - last_w) * duration
-            below = last_gain * (to_x * last_x + to_y * last_y + to_z * last_z)
-            pivot = (last_gain + gain) * (to_x * x + to_y * y + to_z * z) - below * factor
-            if not pivot > 0.0:  # NaN too
-                raise ArithmeticError(TOO_FAR.format(len(rows)))
-            excess = to_x * to_x + to_y * to_y + to_z * to_z - length * length
-            value = (excess * half + below * value) / pivot
-            factor = gain * (to_x * next_x + to_y * next_y + to_z * next_z) / pivot
-            rows.append((place, velocity, gain, x, y, z, pull, value, factor))
-            particle, place, pull = other, end, next_pull
-            last_gain = gain
-            last_u, last_v, last_w = u, v, w
-            last_x, last_y, last_z = x, y, z
-            x, y, z = next_x, next_y, next_z
-            force_x, force_y, force_z = next_force_x, next_force_y, next_force_z
-        return rows
+        guess = pairwise([Vector3(), *self._velocities(rods, pulls, time)])
+        ends = [rod + (v - u) * duration for rod, (u, v) in zip(rods, guess, strict=True)]
+        changes = self._changes(rods, ends, time, duration)
+        self._pulls = [pull + change for pull, change in zip(pulls, changes, strict=True)]
+        velocities = self._velocities(rods, self._pulls, time)
+        for particle, velocity in zip(self.particles, velocities, strict=True):
+            if particle.inverse_mass:
+                particle.velocity = velocity
+                particle.drift(duration)
 
-    def _pull_and_drift(self, rows: list[Row], duration: float) -> list[float]:
-        """Find the tension of each rod, from the last to the first, and move its far end.
+    def _rods(self) -> list[Vector3]:
+        """Return the vector along each rod, from its near end to its far end."""
+        positions = [self.anchor, *(particle.position for particle in self.particles)]
+        return [far - near for near, far in pairwise(positions)]
 
-        Each tension changes the velocity of the far end before that end moves. Return the tensions
-        divided by the lengths, in N/m, in the order of the rods.
+    def _velocities(self, rods: list[Vector3], pulls: list[float], time: float) -> list[Vector3]:
+        """Return the velocity of each particle after the rods have pulled for ``time`` s."""
+        forces = [rod * pull for rod, pull in zip(rods, pulls, strict=True)]
+        return [
+            particle.velocity + (after - before) * (particle.inverse_mass * time)
+            if particle.inverse_mass
+            else Vector3()
+            for particle, before, after in zip(
+                self.particles, forces, [*forces[1:], Vector3()], strict=True
+            )
+        ]
+
+    def _changes(
+        self, rods: list[Vector3], ends: list[Vector3], time: float, duration: float
+    ) -> list[float]:
+        """Return the change of each pull that gives every rod its length at the end of the step.
+
+        With the change c of this rod, c- of the rod before it and c+ of the next one, and with
+        ``time`` / m = g- at its near end and g at its far end, the equation of a rod is
+
+            (g- + g) (e . r) c = (|e|^2 - length^2) / (2 duration) + g- (e . r-) c- + g (e . r+) c+
         """
-        pulls = []
-        change = next_x = next_y = next_z = 0.0
-        for place, velocity, gain, x, y, z, pull, value, factor in reversed(rows):
-            change = value + factor * change
-            pull += change
-            pulls.append(pull)
-            x *= pull  # from here on the force of the rod
-            y *= pull
-            z *= pull
-            if gain:
-                velocity.x = u = velocity.x + (next_x - x) * gain
-                velocity.y = v = velocity.y + (next_y - y) * gain
-                velocity.z = w = velocity.z + (next_z - z) * gain
-                place.x += u * duration
-                place.y += v * duration
-                place.z += w * duration
-            next_x, next_y, next_z = x, y, z
-        pulls.reverse()
-        return pulls
+        gains = [particle.inverse_mass * time for particle in self.particles]
+        wrong = [
+            (end.squared_magnitude() - length**2) / (2.0 * duration)
+            for end, length in zip(ends, self.lengths, strict=True)
+        ]
+        own = [
+            (near + far) * end.dot(rod)
+            for near, far, end, rod in zip([0.0, *gains[:-1]], gains, ends, rods, strict=True)
+        ]
+        before = [g * e.dot(r) for g, e, r in zip(gains, ends[1:], rods, strict=False)]
+        after = [g * e.dot(r) for g, e, r in zip(gains, ends, rods[1:], strict=False)]
+        return solve(own, [0.0, *before], [*after, 0.0], wrong)
+
+
+def solve(
+    own: list[float], before: list[float], after: list[float], right: list[float]
+) -> list[float]:
+    """Solve own[i] c[i] = right[i] + before[i] c[i - 1] + after[i] c[i + 1] (Thomas, 1949).
+
+    On the way out, c[i - 1] is eliminated from equation i, which leaves c[i] = value + factor *
+    c[i + 1]. On the way back, c[i + 1] is known.
+    """
+    rows: list[tuple[float, float]] = []
+    value = factor = 0.0
+    for i in range(len(own)):
+        pivot = own[i] - before[i] * factor
+        if not pivot > 0.0:  # NaN too
+            raise ArithmeticError(f"rod {i} turns too far in one step; use shorter steps")
+        value, factor = (right[i] + before[i] * value) / pivot, after[i] / pivot
+        rows.append((value, factor))
+    found = [0.0]
+    for value, factor in reversed(rows):
+        found.append(value + factor * found[-1])
+    return found[:0:-1]

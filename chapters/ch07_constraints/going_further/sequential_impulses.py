@@ -23,63 +23,48 @@ from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactGenerator
 
 CORRECTED = 0.5  # the fraction of its depth that a contact loses in a step
-STILL = Vector3()  # stands for the velocity, and the position, of the world
 
 
 class Row:
-    """A contact stored as plain numbers, with the sum of its impulses in N s.
+    """A contact of this step, with the sum of its impulses in N s.
 
     ``key`` consists of the contact's generator and its particles, and identifies the contact in the
     next step.
     """
 
     def __init__(self, key: object, contact: Contact, duration: float) -> None:
-        a, b, depth = contact.particle, contact.other, contact.penetration
-        self.key = key
-        self.x, self.y, self.z = contact.normal
-        self.p, self.v, self.inverse_a = a.position, a.velocity, a.inverse_mass
-        self.q, self.w, self.inverse_b = STILL, STILL, 0.0
-        if b is not None:
-            self.q, self.w, self.inverse_b = b.position, b.velocity, b.inverse_mass
-        self.mass = 1.0 / (self.inverse_a + self.inverse_b)  # kg that an impulse sets in motion
+        self.key, self.contact = key, contact
+        self.impulse = 0.0
+        self.start = offset(contact)
         # In m/s. A gap may close within the step. What touches must not close, or has to bounce.
-        self.target = min(0.0, depth / duration)
+        self.target = min(0.0, contact.penetration / duration)
         if contact.restitution and contact.separating_velocity() < 0.0:
             self.target = contact.velocity_after(duration)
-        self.touching = depth + self.along(self.p, self.q)
-        self.impulse = 0.0
-
-    def along(self, v: Vector3, w: Vector3) -> float:
-        """Return the component of the difference v - w along the normal."""
-        return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
-
-    def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Change vectors of the two particles, ``v`` and ``w``, in opposite directions."""
-        part = amount * self.inverse_a
-        v.x += self.x * part
-        v.y += self.y * part
-        v.z += self.z * part
-        part = amount * self.inverse_b
-        if part:
-            w.x -= self.x * part
-            w.y -= self.y * part
-            w.z -= self.z * part
 
     def push(self, impulse: float) -> None:
         """Apply an impulse in N s, and add it to the sum of the contact's impulses."""
         self.impulse += impulse
-        self.change(self.v, self.w, impulse)
+        a, b, push = self.contact.particle, self.contact.other, self.contact.normal * impulse
+        a.velocity += push * a.inverse_mass
+        if b is not None:
+            b.velocity -= push * b.inverse_mass
 
     def solve(self) -> None:
         """Bring the contact to its target velocity, but never let the sum of its impulses pull."""
-        missing = self.target - self.along(self.v, self.w)
-        self.push(max(missing * self.mass, -self.impulse))
+        missing = self.target - self.contact.separating_velocity()
+        self.push(max(missing / self.contact.total_inverse_mass(), -self.impulse))
 
     def separate(self) -> None:
         """Remove a fraction of the depth that the contact has at the current positions."""
-        depth = self.touching - self.along(self.p, self.q)
-        if depth > 0.0:
-            self.change(self.p, self.q, CORRECTED * depth * self.mass)
+        moved = (offset(self.contact) - self.start).dot(self.contact.normal)
+        self.contact.penetration = CORRECTED * (self.contact.penetration - moved)
+        self.contact.resolve_penetration()
+
+
+def offset(contact: Contact) -> Vector3:
+    """Return the position of ``particle`` as seen from ``other``, or from the origin."""
+    other = Vector3() if contact.other is None else contact.other.position
+    return contact.particle.position - other
 
 
 class SequentialImpulses:
@@ -106,12 +91,12 @@ class SequentialImpulses:
         self.impulses: dict[object, Vector3] = {}  # N s, of the last step, by key
 
     def step(self, duration: float) -> None:
-        """Move the particles by one time step under the forces in the accumulators.
+        """Move the particles by one step of ``duration`` s under the forces in the accumulators.
 
-        ``duration`` is in s. The step changes the velocities by the forces, finds the contacts,
-        corrects the velocities, moves the particles and corrects the positions, in this order.
-        Correcting positions does not change the velocities, so it adds no kinetic energy. The
-        remembered impulses are a good guess only if all steps have the same duration.
+        The step changes the velocities by the forces, finds the contacts, corrects the velocities,
+        moves the particles and corrects the positions, in this order. Correcting positions does not
+        change the velocities, so it adds no kinetic energy. The remembered impulses are a good
+        guess only if all steps have the same duration.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -119,15 +104,10 @@ class SequentialImpulses:
         positive("duration", duration)
         for particle in self.particles:
             particle.kick(duration)
-        rows = [
-            Row((i, contact.particle, contact.other), contact, duration)
-            for i, generator in enumerate(self.generators)
-            for contact in generator.contacts()
-            if contact.particle.inverse_mass or (contact.other and contact.other.inverse_mass)
-        ]
+        rows = self._rows(duration)
         for row in rows:  # the warm start
-            if row.key in self.impulses:
-                row.push(max(0.0, row.along(self.impulses[row.key], STILL)))
+            remembered = self.impulses.get(row.key, Vector3())
+            row.push(max(0.0, remembered.dot(row.contact.normal)))
         for _ in range(self.iterations):
             for row in rows:
                 row.solve()
@@ -137,4 +117,13 @@ class SequentialImpulses:
             row.separate()
         self.impulses = {row.key: Vector3() for row in rows}
         for row in rows:  # the two contacts of a two-sided rod have the same key
-            self.impulses[row.key].add_scaled(Vector3(row.x, row.y, row.z), row.impulse)
+            self.impulses[row.key] += row.contact.normal * row.impulse
+
+    def _rows(self, duration: float) -> list[Row]:
+        """Find all contacts in which a particle can move."""
+        return [
+            Row((i, contact.particle, contact.other), contact, duration)
+            for i, generator in enumerate(self.generators)
+            for contact in generator.contacts()
+            if contact.total_inverse_mass()
+        ]

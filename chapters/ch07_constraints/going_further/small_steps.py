@@ -45,34 +45,33 @@ class SmallSteps:
         self.compliance = not_negative("compliance", compliance)
 
     def step(self, duration: float) -> None:
-        """Move the particles by one time step under the forces in the accumulators.
-
-        ``duration`` is in s.
+        """Move the particles by one step of ``duration`` s under the forces in the accumulators.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
-        starts = []
+        starts = [particle.position.copy() for particle in self.particles]
         for particle in self.particles:
-            starts.append(particle.position.copy())
             particle.kick(duration)
             particle.drift(duration)
-        softness = self.compliance / (duration * duration)  # 1/kg, like an inverse mass
+        bounces = self._correct(duration)
+        for particle, start in zip(self.particles, starts, strict=True):
+            if particle.inverse_mass:
+                particle.velocity = (particle.position - start) / duration
+        for contact, wanted in bounces:
+            bounce(contact, wanted)
+
+    def _correct(self, duration: float) -> list[tuple[Contact, float]]:
+        """Correct all contacts, and return those that bounce, with the velocities they must get."""
+        softness = self.compliance / duration**2  # 1/kg, like an inverse mass
         bounces = []
         for generator in self.generators:
             for contact in generator.contacts():
                 if contact.restitution and contact.separating_velocity() < 0.0:
                     bounces.append((contact, contact.velocity_after(duration)))
                 correct(contact, softness)
-        for particle, start in zip(self.particles, starts, strict=True):
-            if particle.inverse_mass:
-                position, velocity = particle.position, particle.velocity
-                velocity.x = (position.x - start.x) / duration
-                velocity.y = (position.y - start.y) / duration
-                velocity.z = (position.z - start.z) / duration
-        for contact, wanted in bounces:
-            bounce(contact, wanted)
+        return bounces
 
 
 def correct(contact: Contact, softness: float) -> None:
@@ -82,21 +81,17 @@ def correct(contact: Contact, softness: float) -> None:
     proportion to their inverse masses. The third part is proportional to ``softness``, and remains
     as an overlap.
     """
-    a, b = contact.particle, contact.other
-    inverse_b = 0.0 if b is None else b.inverse_mass
-    total = a.inverse_mass + inverse_b + softness
-    if contact.penetration > 0.0 and total:
-        part = contact.penetration / total
-        a.position.add_scaled(contact.normal, part * a.inverse_mass)
-        if b is not None:
-            b.position.add_scaled(contact.normal, -part * inverse_b)
+    movable = contact.total_inverse_mass()
+    if movable:
+        contact.penetration *= movable / (movable + softness)
+        contact.resolve_penetration()
 
 
 def bounce(contact: Contact, wanted: float) -> None:
-    """Give the two particles the separating velocity ``wanted``, in m/s."""
+    """Apply the impulse that gives the two particles the separating velocity ``wanted``, in m/s."""
     a, b = contact.particle, contact.other
-    inverse_b = 0.0 if b is None else b.inverse_mass
-    impulse = (wanted - contact.separating_velocity()) / (a.inverse_mass + inverse_b)
-    a.velocity.add_scaled(contact.normal, impulse * a.inverse_mass)
+    change = wanted - contact.separating_velocity()
+    impulse = contact.normal * (change / contact.total_inverse_mass())
+    a.velocity += impulse * a.inverse_mass
     if b is not None:
-        b.velocity.add_scaled(contact.normal, -impulse * inverse_b)
+        b.velocity -= impulse * b.inverse_mass

@@ -75,7 +75,7 @@ class Contact:
     def resolve_velocity(self, duration: float = 0.0) -> None:
         wanted = self.velocity_after(duration)
         closing = self.separating_velocity()
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if closing >= 0.0 or total == 0.0:
             return
         impulse = (wanted - closing) / total
@@ -85,7 +85,7 @@ class Contact:
 
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
         move, other_move = Vector3(), Vector3()
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if self.penetration <= 0.0 or total == 0.0:
             return move, other_move
         share = self.penetration / total
@@ -102,7 +102,7 @@ class Contact:
         self.resolve_velocity(duration)
         self.resolve_penetration()
 
-    def _total_inverse_mass(self) -> float:
+    def total_inverse_mass(self) -> float:
         """Return 1 / ma + 1 / mb, which is 0 if neither particle can move."""
         other = 0.0 if self.other is None else self.other.inverse_mass
         return self.particle.inverse_mass + other
@@ -125,7 +125,7 @@ class ContactResolver:
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
         positive("duration", duration)
-        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
         used = self.resolve_velocities(movable, limit, duration)
         self.iterations_used = used + self.resolve_penetrations(movable, limit)

@@ -21,7 +21,10 @@ from ch05_forces.particle import Particle
 from ch06_springs import integrators
 from ch06_springs.springs import AnchoredBungee, AnchoredSpring, Bungee, Spring, connect
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
-from ch07_constraints.links import AnchoredRod, Cable, Rod
+from ch07_constraints.going_further.direct_chain import DirectChain
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
+from ch07_constraints.going_further.small_steps import SmallSteps
+from ch07_constraints.links import AnchoredRod, Cable, Rod, TwoSidedRod
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 
@@ -106,6 +109,45 @@ def in_contact(kind: type[ParticleWorld]) -> Callable[[Random], Iterable[Particl
     return run
 
 
+def on_a_chain(rng: Random) -> Iterable[Particle]:
+    """Let a chain of rods swing, with an immovable last particle in half of the worlds."""
+    particles = [
+        Particle(Vector3(0.3 * i, 0.0, rng.uniform(-0.1, 0.1)), acceleration=GRAVITY, damping=0.9)
+        for i in range(1, 9)
+    ]
+    for particle in particles[:-1]:
+        particle.mass = rng.uniform(0.5, 3.0)
+    particles[-1].mass = rng.choice([2.0, float("inf")])
+    chain = DirectChain(particles, Vector3())
+    for _ in range(STEPS):
+        particles[2].add_force(vector(rng, 5.0))
+        chain.step(0.25 * FRAME)
+    return particles
+
+
+def solved_by(solver: type[SequentialImpulses | SmallSteps]) -> Callable[..., Iterable[Particle]]:
+    """Return a function that lets balls, rods and cables fall, with one of the other solvers."""
+
+    def run(rng: Random) -> Iterable[Particle]:
+        balls = [
+            Particle(
+                Vector3(0.7 * i, rng.uniform(0.4, 1.5)),
+                vector(rng, 0.5),
+                GRAVITY,
+                mass=rng.uniform(0.5, 3.0),
+            )
+            for i in range(6)
+        ]
+        links = [TwoSidedRod(balls[0], balls[1], 0.8), Cable(balls[2], balls[3], 1.0, 0.2)]
+        ground = GroundPlane(balls, radius=0.3, restitution=0.4)
+        world = solver(balls, [ground, ParticlePairs(balls, 0.3, 0.5), *links])
+        for _ in range(STEPS):
+            world.step(0.5 * FRAME)
+        return balls
+
+    return run
+
+
 WORLDS: dict[str, Callable[[Random], Iterable[Particle]]] = {
     "falling": falling,
     **{
@@ -120,6 +162,9 @@ WORLDS: dict[str, Callable[[Random], Iterable[Particle]]] = {
     },
     "contacts": in_contact(ParticleWorld),
     "contacts and sleep": in_contact(SleepingWorld),
+    "chain": on_a_chain,
+    "sequential impulses": solved_by(SequentialImpulses),
+    "small steps": solved_by(SmallSteps),
 }
 
 

@@ -63,7 +63,7 @@ class FrictionContact(Contact):
         """Resolve the velocity as ``Contact`` does, and then apply the impulse of friction."""
         before = self.separating_velocity()
         super().resolve_velocity(duration)
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if total == 0.0:
             return
         gained = max(0.0, self.separating_velocity() - before)  # never negative by rounding

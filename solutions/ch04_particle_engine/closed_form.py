@@ -68,9 +68,8 @@ def burst_positions(
     """Compute the position of each spark of a burst along one axis, in m, after ``time`` s.
 
     All sparks start at the same position and time, with the same acceleration and damping. They
-    differ only in their ``speeds`` along the axis, in m/s. Everything else needs to be computed
-    only once per call. Return a new list in the order of the speeds, which may be empty and do not
-    change.
+    differ only in their ``speeds`` along the axis, in m/s, and everything else needs to be computed
+    only once per call. Return a new list in the order of the speeds, which do not change.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

@@ -91,10 +91,9 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 
     The age of the firework and each component of its velocity are drawn uniformly between the
     rule's limits, independently of each other. A payload starts at the position of its ``parent``,
-    the particle of the firework that lit it, and the velocity of the parent is added to the drawn
-    one. A firework without a parent starts on the ground, at one of ``LAUNCH_PLACES``, chosen at
-    random. In both cases it has a mass of 1 kg, the acceleration ``GRAVITY`` and the rule's
-    damping.
+    the particle of the firework that lit it, and the velocity of the parent is added to its own. A
+    firework without a parent starts on the ground, at one of ``LAUNCH_PLACES``, chosen at random.
+    In both cases it has a mass of 1 kg, the acceleration ``GRAVITY`` and the rule's damping.
     """
     velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
     if parent is None:
@@ -171,8 +170,7 @@ class FireworksShow:
         more new ones than the capacity, it lights only the last of them. A call never creates more
         fireworks than the capacity, however large the counts are, and leaves ``births`` unchanged.
 
-        Raises ValueError for a type without a rule or a negative count. In that case nothing is
-        lit.
+        Raises ValueError for an unknown type or a negative count. In that case nothing is lit.
         """
         for type, count, _ in births:
             if type not in self.rules:

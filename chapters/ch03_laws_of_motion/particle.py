@@ -49,23 +49,22 @@ class Particle:
 
     @property
     def mass(self) -> float:
-        """The mass of the particle in kg, which must be positive (book 3.2).
-
-        Use ``math.inf`` to make the particle immovable, which means that its inverse mass is 0.
-        """
+        """The mass of the particle in kg, or ``math.inf`` if it is immovable (book 3.2)."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @mass.setter
     def mass(self, mass: float) -> None:
+        """Set the mass in kg, which must be positive. Infinity makes the particle immovable."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
     def inverse_mass(self) -> float:
-        """The inverse of the mass in 1/kg, which must be finite and not negative."""
+        """The inverse of the mass in 1/kg, which is 0 if the particle is immovable."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @inverse_mass.setter
     def inverse_mass(self, inverse_mass: float) -> None:
+        """Set the inverse of the mass, which must be finite and not negative."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
@@ -77,12 +76,13 @@ class Particle:
     def damping(self) -> float:
         """The fraction d of the velocity that the particle keeps per second (book Eq. 3.6).
 
-        0 stops the particle, and a number above 1 speeds it up. It must be finite and not negative.
+        0 stops the particle, and a number above 1 speeds it up.
         """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @damping.setter
     def damping(self, damping: float) -> None:
+        """Set the damping, which must be finite and not negative."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     def kinetic_energy(self) -> float:

@@ -13,15 +13,15 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
     """Exercise 6.5: return True if the oscillations of a particle on a spring grow.
 
-    Oscillations of constant amplitude do not count as growing. Allow for the steps that miss the
-    end of a swing, which make the largest distances differ by about 0.1 %.
+    Oscillations of constant amplitude do not count as growing. The steps seldom meet the end of a
+    swing exactly, so the largest distances differ by about 0.1 %, which you should tolerate.
 
     Simulate a particle of 1 kg with the given ``damping``, without gravity, on a spring to an
     anchor, with rest length 0 and the given ``stiffness`` in N/m. Release the particle at rest,
     ``START`` m away. Make ``FRAMES`` steps of ``duration`` s each, but stop as soon as the distance
     is huge. The answer must be correct if the stiffness differs from the limit by at least 1 % and
-    an oscillation takes at most FRAMES / 6 steps, except that an undamped oscillation (``damping``
-    is 1) may take nearly 3 or nearly 4 steps, which miss its extremes for a long time.
+    an oscillation takes at most FRAMES / 6 steps. Only without damping (``damping`` is 1) it may be
+    wrong if an oscillation takes nearly 3 or 4 steps, which miss its extremes for a long time.
 
     >>> from ch06_springs.integrators import semi_implicit_euler
     >>> swings_wider(semi_implicit_euler, 14_000.0, 1.0, 1.0 / 60.0)

@@ -83,7 +83,6 @@ def backward_euler(
     The new values x' and v' solve x' = x + v' h and v' = v + a' h, where m a' = -(k x' + c v'). The
     spring is at rest at x = 0. Positions are in m and velocities in m/s. In the equations, k is
     ``stiffness`` in N/m, c is ``damping`` in N s/m, m is ``mass`` in kg and h is ``duration`` in s.
-    It is stable for every stiffness.
     """
     raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
 
@@ -94,7 +93,7 @@ def trapezoidal(
     """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
     The new values solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with m a = -k x - c v.
-    The arguments are those of ``backward_euler``, and it is stable for every stiffness, too.
+    The arguments are those of ``backward_euler``.
     """
     raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
 

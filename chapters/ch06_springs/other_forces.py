@@ -64,9 +64,8 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: a force that pushes crowded particles apart, like a compressed spring.
 
-    ``particles`` is the list of all particles in the crowd, and may include the particle that is
-    pushed. The list is not copied, so you can add particles later. Two particles are too close if
-    they are less than ``distance`` m apart.
+    ``particles`` is the list of all particles in the crowd, to which you can add others later. Two
+    particles are too close if they are less than ``distance`` m apart.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -82,8 +81,8 @@ class Overcrowding:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
         If the distance l to another particle is less than ``distance``, that particle pushes with
-        the force k (``distance`` - l), where k is ``stiffness``. A particle at exactly the same
-        position does not push, because the direction would be undefined.
+        the force k (``distance`` - l), where k is ``stiffness`` in N/m. A particle at exactly the
+        same position does not push, because the direction would be undefined.
         """
         raise NotImplementedError("Exercise 6.3: Overcrowding")
 
@@ -91,8 +90,7 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    The future positions of the bullet and the target are those after ``look_ahead`` s, if both keep
-    their current velocities. The force is that of a spring between them, with a rest length of 0.
+    Their future positions are those after ``look_ahead`` s, if both keep their current velocities.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:
@@ -103,7 +101,7 @@ class HomingBullet:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.4: add the force that steers the bullet, ``particle``, toward its target.
 
-        The force is k d, where k is ``stiffness``, and d points from the future position of the
-        bullet to the future position of the target. The target feels no force.
+        The force is k d, where k is ``stiffness`` in N/m, and d leads from the future position of
+        the bullet to the future position of the target. The target feels no force.
         """
         raise NotImplementedError("Exercise 6.4: A homing bullet")

@@ -131,10 +131,9 @@ def connect(
 class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps, with rest length 0 (6.3.2).
 
-    In each step it adds the constant force that takes the particle to where a real spring would
-    move it. This force is meant for semi-implicit Euler, p' = p + v' h: with it, the particle
-    reaches the computed position if its damping is 1 and nothing else accelerates it. With short
-    steps the force is therefore half that of a real spring, which moves it by a h^2 / 2.
+    The force is meant for semi-implicit Euler, p' = p + v' h: with it, the particle reaches the
+    computed position if its damping is 1 and nothing else accelerates it. With short steps the
+    force is therefore half that of a real spring, which moves the particle by a h^2 / 2.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -179,9 +178,8 @@ class ElasticLimitSpring:
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
     """Exercise 6.6b: compute the stiffness in N/m above which a spring makes a simulation explode.
 
-    For steps of ``Particle.integrate`` and an AnchoredSpring without damping, the limit is m (d^-h
-    - 1) / h^2. Here h is ``duration``, d the particle's ``damping`` and m its ``mass``. If d is 1
-    or more, no spring is stable, so the result is 0. If d is 0, or d^-h is too large for a float,
-    the result is ``math.inf``.
+    With ``Particle.integrate`` and an undamped AnchoredSpring, the limit is m (d^-h - 1) / h^2,
+    where h is ``duration``, d is ``damping`` and m is ``mass``. If d is 1 or more, no spring is
+    stable, so the result is 0. If d is 0 or d^-h is too large for a float, it is ``math.inf``.
     """
     raise NotImplementedError("Exercise 6.6b: How stiff may a spring be? Worked out")

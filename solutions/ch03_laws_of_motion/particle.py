@@ -50,40 +50,40 @@ class Particle:
 
     @property
     def mass(self) -> float:
-        """The mass of the particle in kg, which must be positive (book 3.2).
-
-        Use ``math.inf`` to make the particle immovable, which means that its inverse mass is 0.
-        """
+        """The mass of the particle in kg, or ``math.inf`` if it is immovable (book 3.2)."""
         return 1.0 / self._inverse_mass if self._inverse_mass else math.inf
 
     @mass.setter
     def mass(self, mass: float) -> None:
+        """Set the mass in kg, which must be positive. Infinity makes the particle immovable."""
         self._inverse_mass = not_negative("1 / mass", 1.0 / positive_or_infinite("mass", mass))
 
     @property
     def inverse_mass(self) -> float:
-        """The inverse of the mass in 1/kg, which must be finite and not negative."""
+        """The inverse of the mass in 1/kg, which is 0 if the particle is immovable."""
         return self._inverse_mass
 
     @inverse_mass.setter
     def inverse_mass(self, inverse_mass: float) -> None:
+        """Set the inverse of the mass, which must be finite and not negative."""
         self._inverse_mass = not_negative("inverse_mass", inverse_mass)
 
     @property
     def has_finite_mass(self) -> bool:
         """True if the mass is finite, so that forces and impulses can move the particle."""
-        return self._inverse_mass > 0.0
+        return self.mass < math.inf
 
     @property
     def damping(self) -> float:
         """The fraction d of the velocity that the particle keeps per second (book Eq. 3.6).
 
-        0 stops the particle, and a number above 1 speeds it up. It must be finite and not negative.
+        0 stops the particle, and a number above 1 speeds it up.
         """
         return self._damping
 
     @damping.setter
     def damping(self, damping: float) -> None:
+        """Set the damping, which must be finite and not negative."""
         self._damping = not_negative("damping", damping)
 
     def kinetic_energy(self) -> float:

@@ -92,7 +92,7 @@ class Deck:
         x = self.ball.position.x
         middles = [(a.position + b.position) / 2.0 for a, b in self.rows]
         first, last = middles[0], middles[-1]
-        if not first.x - SPACING / 2.0 <= x <= last.x + SPACING / 2.0:
+        if not first.x - 0.5 * SPACING <= x <= last.x + 0.5 * SPACING:
             return None
         height = first.y if x < first.x else last.y
         for a, b in pairwise(middles):

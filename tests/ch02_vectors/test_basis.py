@@ -259,7 +259,7 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B2.10", asks="if a or b is zero, or if")
+@pytest.mark.exercise("B2.10", asks="Raises ValueError if one is zero")
 @pytest.mark.robust
 def test_the_zero_vector_is_refused() -> None:
     about.cause = (

@@ -135,7 +135,7 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     expect_exactly(p.has_finite_mass, True)
 
 
-@pytest.mark.exercise("B3.1", asks="Use math.inf to make the particle immovable")
+@pytest.mark.exercise("B3.1", asks="Infinity makes the particle immovable")
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
@@ -160,7 +160,7 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     expect_exactly(p.has_finite_mass, False)
 
 
-@pytest.mark.exercise("B3.1", asks="which means that its inverse mass is 0")
+@pytest.mark.exercise("B3.1", asks="which is 0 if the particle is immovable")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
@@ -230,7 +230,7 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
 
-@pytest.mark.exercise("B3.1", asks="The mass of the particle in kg, which must be positive")
+@pytest.mark.exercise("B3.1", asks="Set the mass in kg, which must be positive")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
@@ -253,7 +253,7 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
 
 
-@pytest.mark.exercise("B3.1", asks="It must be finite and not negative")
+@pytest.mark.exercise("B3.1", asks="Set the damping, which must be finite and not negative")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:

@@ -87,10 +87,10 @@ class AdaptiveStep:
                 particle.clear_forces()
                 particle.add_force(force)
             apply_forces(duration)
-            rates = []
+            found = []
             for p in moving:
-                rates += [p.velocity.copy(), p.acceleration + p.force_accumulator * p.inverse_mass]
-            return rates
+                found += [p.velocity.copy(), p.acceleration + p.force_accumulator * p.inverse_mass]
+            return found
 
         start = [vector.copy() for p in moving for vector in (p.position, p.velocity)]
         state, rates, left = start, rates_at(start), duration

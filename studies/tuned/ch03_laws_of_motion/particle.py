@@ -83,7 +83,7 @@ class Particle:
 
     @property
     def has_finite_mass(self) -> bool:
-        return self._inverse_mass > 0.0
+        return self.mass < math.inf
 
     @property
     def damping(self) -> float:

@@ -107,7 +107,7 @@ class Matrix3:
                 f"lengths have the product {largest!r} (smallest ratio: {SINGULAR})"
             )
         columns = (b.cross(c), c.cross(a), a.cross(b))
-        return Matrix3(*(n / determinant for column in columns for n in column)).transpose()
+        return Matrix3(*(n / determinant for row in zip(*columns, strict=True) for n in row))
 
     def is_rotation(self) -> bool:
         """Return True if the matrix only rotates, without scaling, shear or reflection.

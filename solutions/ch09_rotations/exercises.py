@@ -93,7 +93,7 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     rotation, position = read_off(matrix)
     back = rotation.transpose()
     x, y, z = -back.transform(position)
-    rows = back.entries[0:3], back.entries[3:6], back.entries[6:9]
+    rows = back.entries[:3], back.entries[3:6], back.entries[6:]
     return Matrix4(*rows[0], x, *rows[1], y, *rows[2], z)
 
 

@@ -133,6 +133,6 @@ def _translation(m: Matrix4) -> Vector3:
 
 def _joined(linear: Matrix3, translation: Vector3) -> Matrix4:
     """Create a Matrix4 from its 3x3 part and its translation."""
-    rows = linear.entries[0:3], linear.entries[3:6], linear.entries[6:9]
+    rows = linear.entries[:3], linear.entries[3:6], linear.entries[6:]
     x, y, z = translation
     return Matrix4(*rows[0], x, *rows[1], y, *rows[2], z)

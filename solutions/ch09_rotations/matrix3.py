@@ -98,16 +98,17 @@ class Matrix3:
             ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
                 rows' lengths. Rounding errors then make the inverse useless, at any scale.
         """
-        a, b, c = _rows(self)
-        determinant = self.determinant()
-        largest = a.magnitude() * b.magnitude() * c.magnitude()
-        if not abs(determinant) > SINGULAR * largest:  # "not >" refuses NaN too
+        rows = _rows(self)
+        a, b, c = (row.normalized() for row in rows)
+        determinant = a.dot(b.cross(c))  # of the unit vectors along the rows, so at most 1
+        if not abs(determinant) > SINGULAR:  # "not >" refuses NaN too
             raise ValueError(
-                f"the matrix must have an inverse, got determinant {determinant!r} for rows whose "
-                f"lengths have the product {largest!r} (smallest ratio: {SINGULAR})"
+                f"the matrix must have an inverse, got determinant {self.determinant()!r}, which "
+                f"is {determinant!r} times the product of the lengths of its rows"
             )
-        columns = (b.cross(c), c.cross(a), a.cross(b))
-        return Matrix3(*(n / determinant for row in zip(*columns, strict=True) for n in row))
+        columns = [column / determinant for column in (b.cross(c), c.cross(a), a.cross(b))]
+        scaled = [column / row.magnitude() for column, row in zip(columns, rows, strict=True)]
+        return Matrix3(*(number for row in zip(*scaled, strict=True) for number in row))
 
     def is_rotation(self) -> bool:
         """Return True if the matrix only rotates, without scaling, shear or reflection.
@@ -158,4 +159,4 @@ class Matrix3:
 
 def _rows(m: Matrix3) -> tuple[Vector3, Vector3, Vector3]:
     """Return the rows of a matrix as three new vectors."""
-    return Vector3(*m.entries[0:3]), Vector3(*m.entries[3:6]), Vector3(*m.entries[6:9])
+    return Vector3(*m.entries[:3]), Vector3(*m.entries[3:6]), Vector3(*m.entries[6:])

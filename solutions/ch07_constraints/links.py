@@ -4,7 +4,7 @@ A link is a contact generator. Its contacts have ``a`` as ``particle`` and ``b``
 None for a fixed ``anchor``. A link that is too long pulls: the normal points from ``particle`` to
 the other end. A link that is too short pushes: the normal points away from the other end. The
 penetration is the difference in length. If both ends are at the same position, use +Y as the
-direction to the other end, as ``direction_of`` does. ``contacts()`` changes nothing.
+direction to the other end, as ``direction_of`` of contacts.py does. ``contacts()`` changes nothing.
 
 Lengths are in m. Constructors raise ValueError for a number that is out of range, and TypeError for
 an argument of the wrong type. Later changes of the attributes are not checked. Book: section 7.4.
@@ -54,7 +54,7 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return the contact as for ``Cable``, with the anchor in place of ``b``."""
+        """Return a list as ``Cable`` does, with the anchor in place of ``b``."""
         offset = self.anchor - self.particle.position
         pull = _pull(self.particle, None, offset, self.max_length, self.restitution)
         return [pull] if pull.penetration >= 0.0 else []
@@ -87,7 +87,7 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return the contact as for ``Rod``, with the anchor in place of ``b``."""
+        """Return a list as ``Rod`` does, with the anchor in place of ``b``."""
         offset = self.anchor - self.particle.position
         sides = _sides(self.particle, None, offset, self.length)
         return [side for side in sides if side.penetration > 0.0]

@@ -25,8 +25,7 @@ class Particle(particle.Particle):
         damping: float = 1.0,
     ) -> None:
         super().__init__(position, velocity, acceleration, mass=mass, damping=damping)
-        self._force = Vector3()
-        self._last_force = Vector3()
+        self._force, self._last_force = Vector3(), Vector3()
 
     @property
     def force_accumulator(self) -> Vector3:

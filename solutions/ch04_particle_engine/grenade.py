@@ -13,15 +13,6 @@ SLIDE = 0.8  # the fraction of the speed along the ground that a bounce keeps
 FRAGMENTS = 12
 FRAGMENT_SPEED = 15.0  # m/s, relative to the grenade
 
-# From the center of an icosahedron to its 12 corners, which are evenly spread in opposite pairs.
-GOLDEN_RATIO = (1.0 + math.sqrt(5.0)) / 2.0
-DIRECTIONS = [
-    Vector3(*corner).normalized()
-    for one in (-1.0, 1.0)
-    for long in (-GOLDEN_RATIO, GOLDEN_RATIO)
-    for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
-]
-
 
 def bounce(particle: Particle) -> None:
     """Let a particle that has sunk below the ground (y < 0) bounce off it, in place.
@@ -53,5 +44,16 @@ def fragments(particle: Particle) -> list[Particle]:
             mass=particle.mass / FRAGMENTS,
             damping=particle.damping,
         )
-        for direction in DIRECTIONS
+        for direction in _directions()
+    ]
+
+
+def _directions() -> list[Vector3]:
+    """Return the directions to the 12 corners of an icosahedron, evenly spread and in pairs."""
+    golden_ratio = (1.0 + math.sqrt(5.0)) / 2.0
+    return [
+        Vector3(*corner).normalized()
+        for one in (-1.0, 1.0)
+        for long in (-golden_ratio, golden_ratio)
+        for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
     ]

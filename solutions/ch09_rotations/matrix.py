@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions are those of matrix3.py. Vectors are columns, a product applies its right factor
-first, and every method returns a new object. You can also import Matrix3 from here.
+The conventions are the same as in matrix3.py: vectors are columns, and a product applies its right
+factor first. Every method returns a new object. You can also import Matrix3 from here.
 """
 
 from __future__ import annotations

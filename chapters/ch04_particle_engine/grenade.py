@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
-from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 
 FUSE = 4.0  # s, from the throw to the burst
@@ -12,15 +9,6 @@ BOUNCE = 0.5  # the fraction of the downward speed that a bounce returns upward
 SLIDE = 0.8  # the fraction of the speed along the ground that a bounce keeps
 FRAGMENTS = 12
 FRAGMENT_SPEED = 15.0  # m/s, relative to the grenade
-
-# From the center of an icosahedron to its 12 corners, which are evenly spread in opposite pairs.
-GOLDEN_RATIO = (1.0 + math.sqrt(5.0)) / 2.0
-DIRECTIONS = [
-    Vector3(*corner).normalized()
-    for one in (-1.0, 1.0)
-    for long in (-GOLDEN_RATIO, GOLDEN_RATIO)
-    for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
-]
 
 
 def bounce(particle: Particle) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 
@@ -13,12 +11,11 @@ SLIDE = 0.8  # the fraction of the speed along the ground that a bounce keeps
 FRAGMENTS = 12
 FRAGMENT_SPEED = 15.0  # m/s, relative to the grenade
 
-# From the center of an icosahedron to its 12 corners, which are evenly spread in opposite pairs.
-GOLDEN_RATIO = (1.0 + math.sqrt(5.0)) / 2.0
-DIRECTIONS = [
-    Vector3(*corner).normalized()
+# The 12 corners of an icosahedron, from the golden ratio: in opposite pairs, and evenly spread.
+_CORNERS = [
+    corner
     for one in (-1.0, 1.0)
-    for long in (-GOLDEN_RATIO, GOLDEN_RATIO)
+    for long in (-1.618033988749895, 1.618033988749895)
     for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
 ]
 
@@ -48,10 +45,10 @@ def fragments(particle: Particle) -> list[Particle]:
     return [
         Particle(
             particle.position,
-            particle.velocity + direction * FRAGMENT_SPEED,
+            particle.velocity + Vector3(*corner).normalized() * FRAGMENT_SPEED,
             particle.acceleration,
             mass=particle.mass / FRAGMENTS,
             damping=particle.damping,
         )
-        for direction in DIRECTIONS
+        for corner in _CORNERS
     ]

@@ -1,7 +1,7 @@
 """A Catherine wheel (mini-project 4.4), which is a firework that rotates and throws sparks.
 
 The wheel rotates at a constant rate, so a formula gives the state of its nozzle at any time, and
-only the sparks are particles. Numbers that are out of range raise ValueError.
+only the sparks are particles.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ class CatherineWheel:
     The wheel rotates from X toward Y at ``rate`` in rad/s. A nozzle on its rim throws
     ``sparks_per_second`` sparks of the type ``spark_type`` into ``show``, backward relative to the
     motion of the rim, at the speed ``jet`` in m/s. ``angle`` is the current angle of the nozzle,
-    measured from the X axis, and ``thrown`` is the number of sparks thrown so far.
+    measured from the X axis, and ``thrown`` is the number of sparks thrown so far. The constructor
+    raises ValueError for an unknown type or a number that is out of range.
     """
 
     def __init__(

@@ -1,6 +1,6 @@
 """A blob of particles, held together by bonds that can weaken, break and heal (book 8.2.3).
 
-Lengths are in m. A number out of range raises ValueError, and a wrong type TypeError.
+Lengths are in m. Constructors raise ValueError for a number that is out of range.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The particle world, which runs a whole simulation step by step (book 8.1).
 
 In each time step it applies the forces, integrates the motion and resolves the contacts. All units
-are SI units. An argument of the wrong type raises TypeError, and a wrong value ValueError.
+are SI units. The constructor raises TypeError or ValueError for an invalid argument.
 """
 
 from __future__ import annotations

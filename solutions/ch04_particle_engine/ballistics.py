@@ -1,8 +1,7 @@
 """A shooting range on which shots of several types fly and hit targets (book 4.1).
 
 Every shot starts at ``MUZZLE``. The Z axis points from there down the range, Y points up, and X
-points to the left of an observer who faces along Z. Angles are in radians. Numbers that are out of
-range raise ValueError.
+points to the left of an observer who faces along Z. Angles are in radians.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """Compute the state of a particle at any time with a formula, without time steps.
 
 If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v. Here a
-is a constant acceleration and k = -ln d. This equation has an exact solution. A number that is not
-finite, or a damping or time that is negative, raises ValueError.
+is a constant acceleration and k = -ln d. This equation has an exact solution.
 """
 
 from __future__ import annotations

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 
@@ -12,6 +10,14 @@ BOUNCE = 0.5  # the fraction of the downward speed that a bounce returns upward
 SLIDE = 0.8  # the fraction of the speed along the ground that a bounce keeps
 FRAGMENTS = 12
 FRAGMENT_SPEED = 15.0  # m/s, relative to the grenade
+
+# The 12 corners of an icosahedron, from the golden ratio: in opposite pairs, and evenly spread.
+_CORNERS = [
+    corner
+    for one in (-1.0, 1.0)
+    for long in (-1.618033988749895, 1.618033988749895)
+    for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
+]
 
 
 def bounce(particle: Particle) -> None:
@@ -39,21 +45,10 @@ def fragments(particle: Particle) -> list[Particle]:
     return [
         Particle(
             particle.position,
-            particle.velocity + direction * FRAGMENT_SPEED,
+            particle.velocity + Vector3(*corner).normalized() * FRAGMENT_SPEED,
             particle.acceleration,
             mass=particle.mass / FRAGMENTS,
             damping=particle.damping,
         )
-        for direction in _directions()
-    ]
-
-
-def _directions() -> list[Vector3]:
-    """Return the directions to the 12 corners of an icosahedron, evenly spread and in pairs."""
-    golden_ratio = (1.0 + math.sqrt(5.0)) / 2.0
-    return [
-        Vector3(*corner).normalized()
-        for one in (-1.0, 1.0)
-        for long in (-golden_ratio, golden_ratio)
-        for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
+        for corner in _CORNERS
     ]

@@ -1,7 +1,6 @@
 """Change the mass and gravity of a bullet so that it flies slowly enough to be seen (book 4.1.1).
 
-``factor`` is the real speed divided by the speed in the game (erratum E-19). Numbers that are out
-of range raise ValueError.
+``factor`` is the real speed divided by the speed in the game (erratum E-19).
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Sparks that are drawn as rotating squares (book 4.2.3).
 
-The rotation has no effect on the motion of the sparks. Angles are in radians. Numbers that are not
-finite, or a size that is not positive, raise ValueError.
+The rotation has no effect on the motion of the sparks. Angles are in radians.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
 While a contact presses two bodies together, friction acts against their sliding. In one step, the
 friction impulse is at most mu times the normal impulse. The coefficient of friction mu is the same
-for bodies that slide and for bodies that stick. Impulses are in N s. An impulse, a friction or a
-duration that is negative or not finite raises ValueError.
+for bodies that slide and for bodies that stick. Impulses are in N s. Constructors raise ValueError
+for a friction that is negative or not finite.
 """
 
 from __future__ import annotations

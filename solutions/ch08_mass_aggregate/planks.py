@@ -1,7 +1,7 @@
 """A ball that collides with planks, tested against the segment of each plank (book 8.2.1).
 
 This is the book's design for the bridge. The ball may be above, below or beside a plank. Lengths
-are in m. A number that is out of range raises ValueError, and a wrong type TypeError.
+are in m. The constructor raises ValueError for a number that is out of range.
 """
 
 from __future__ import annotations

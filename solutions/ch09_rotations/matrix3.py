@@ -76,7 +76,7 @@ class Matrix3:
     def product(self, m: Matrix3) -> Matrix3:
         """Return the product ``self @ m``, a new matrix that applies ``m`` first (9.4.2)."""
         instance_of("m", m, Matrix3)
-        columns = _rows(m.transpose())
+        columns = [Vector3(*m.entries[column::3]) for column in range(3)]
         return Matrix3(*(row.dot(column) for row in _rows(self) for column in columns))
 
     def transpose(self) -> Matrix3:

@@ -42,10 +42,9 @@ class Contact:
 
     def separating_velocity(self) -> float:
         """Return how fast the two part along the normal, in m/s: negative while they close."""
-        seen = self.particle.velocity.copy()
-        if self.other is not None:
-            seen -= self.other.velocity
-        return seen @ self.normal
+        n = self.normal
+        away = self.particle.velocity @ n
+        return away if self.other is None else away - self.other.velocity @ n
 
     def velocity_after(self, duration: float = 0.0) -> float:
         """Return the separating velocity in m/s that the contact should have once it is resolved.

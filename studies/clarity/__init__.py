@@ -127,7 +127,7 @@ def draw(rows: list[dict[str, Any]], png: Path) -> None:
     """Draw the ratio of each scene as a bar. The whiskers are the quartiles."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(9, 4.5), layout="constrained")
-    names = [r["scene"] for r in reversed(rows)]
+    names = [r["scene"].replace("`", "") for r in reversed(rows)]
     ratios = [r["ratio"] for r in reversed(rows)]
     whiskers = [
         [r["ratio"] - r["quartiles"][0] for r in reversed(rows)],

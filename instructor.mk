@@ -32,11 +32,12 @@ TAKES_choose := SCENE TOLERANCE
 TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
+TAKES_clarity :=
 TAKES_contacts := QUICK
 
 .PHONY: grade release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
 .PHONY: bench charts choose limits
-.PHONY: economy soak contacts figures mutants seeds table claims
+.PHONY: economy soak clarity contacts figures mutants seeds table claims
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
 ASSIGNED = $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
@@ -89,10 +90,15 @@ test-all: test ## run all tests, as before a release
 	@$(PYTEST) -n $(WORKERS) -p tiers --tier slow --ignore=$(HOSTILE)
 	@$(PYTEST) $(HOSTILE)
 
+TUNED := ch03_laws_of_motion.particle ch05_forces.particle ch06_springs.springs \
+	ch06_springs.integrators ch07_constraints.contacts \
+	$(addprefix ch07_constraints.going_further.,direct_chain sequential_impulses small_steps) \
+	ch08_mass_aggregate.sleeping
 lint: .venv/everything ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
+	@MYPYPATH=studies/tuned $(RUN) -m mypy $(foreach name,$(TUNED),-m $(name))
 	@$(RUN) -m codespell_lib
 
 update: .venv/everything stubs ## generate all stubs and tables again
@@ -128,6 +134,9 @@ choose: .venv/everything ## find the cheapest model (SCENE=my_scene.py TOLERANCE
 
 limits: .venv/everything ## find the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits
+
+clarity: .venv/everything ## measure what it costs that the engine is written to be read
+	@$(RUN) -m studies clarity
 
 economy: .venv/everything ## measure the cost of parts that a scene does not need
 	@$(RUN) -m studies economy

@@ -39,6 +39,7 @@ PACKAGES = {
     "teaching": "dateparser jinja2 yaml",
     "everything": "jinja2 matplotlib scipy yaml",
 }
+TUNED = "studies/tuned"  # the fast engine
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
 
 
@@ -114,12 +115,14 @@ def find_engine(folder: str) -> list[Path]:
     """Return the folders in which to look for the code to check: ``folder``, and then chapters/.
 
     The folder chapters/ is always included, because the files that students do not edit exist only
-    there.
+    there. The tuned engine replaces only some modules of solutions/, so that folder is between the
+    two.
 
     Raises:
         ValueError: The folder does not exist.
     """
-    engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
+    below = ("solutions", "chapters") if ROOT / folder == ROOT / TUNED else ("chapters",)
+    engine = [ROOT / name for name in dict.fromkeys((folder, *below))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
     return engine

@@ -13,7 +13,18 @@ import sys
 from autograder.commands import prepare, sentence
 
 # A handout for students contains only the first of these commands.
-COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak", "contacts")
+COMMANDS = (
+    "plot",
+    "figures",
+    "bench",
+    "charts",
+    "choose",
+    "limits",
+    "economy",
+    "soak",
+    "contacts",
+    "clarity",
+)
 
 
 def main() -> int:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.manifest import ROOT
+from autograder.commands import TUNED, find_engine
 from autograder.text.wrapping import plain_console
 from studies.benchmarks.kept import FILE, keep
 from studies.reason import shown
@@ -30,7 +30,7 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
     options = parser.parse_args(arguments)
-    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    sys.path[:0] = map(str, find_engine(TUNED))
     console = plain_console()
     start = time.monotonic()
     with console.status("preparing the scenes and finding how many steps each one needs"):

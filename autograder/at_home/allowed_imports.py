@@ -17,6 +17,7 @@ from types import ModuleType
 from typing import Any
 
 from autograder.at_home.students_code import StudentsCode
+from autograder.diagnosis.faults import GOING_FURTHER
 
 LIBRARY = sys.stdlib_module_names | {"__main__"}
 CHAPTER = re.compile(r"ch\d\d_\w+")
@@ -61,15 +62,20 @@ def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequen
         except ImportError:
             return  # Python itself raises the error
     top, _, rest = name.partition(".")
-    module = rest.partition(".")[0]
     if top in LIBRARY:
         return
     if not CHAPTER.fullmatch(top):
         raise ModuleNotFoundError(f"No module named {top!r}", name=top)
-    if module and not code.is_graded(top, f"{module}.py"):
-        raise ModuleNotFoundError(f"No module named {f'{top}.{module}'!r}", name=f"{top}.{module}")
+    package, folder = top, ""
+    if rest.partition(".")[0] == GOING_FURTHER:
+        package, folder = f"{top}.{GOING_FURTHER}", f"{GOING_FURTHER}/"
+        rest = rest.partition(".")[2]
+    module = rest.partition(".")[0]
+    if module and not code.is_graded(top, f"{folder}{module}.py"):
+        missing = f"{package}.{module}"
+        raise ModuleNotFoundError(f"No module named {missing!r}", name=missing)
     for wanted in () if module else fromlist:
-        if not (wanted.startswith(("_", "*")) or code.is_graded(top, f"{wanted}.py")):
+        if not (wanted.startswith(("_", "*")) or code.is_graded(top, f"{folder}{wanted}.py")):
             raise ImportError(
-                f"cannot import name {wanted!r} from {top!r} (unknown location)", name=top
+                f"cannot import name {wanted!r} from {package!r} (unknown location)", name=package
             )

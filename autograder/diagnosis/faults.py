@@ -18,6 +18,7 @@ from autograder.diagnosis.nothing import none_in
 from autograder.message import Message, Place
 
 MOST_FRAMES = 50
+GOING_FURTHER = "going_further"  # the folder of a chapter with what goes beyond the book
 
 
 class CheckEnded(BaseException):
@@ -116,8 +117,9 @@ def is_inside(file: str, folders: Sequence[Path]) -> bool:
 
 
 def short(file: str) -> str:
-    """Shorten a path to its last folder and the file name, as in ch02_vectors/vector.py."""
-    return f"{Path(file).parent.name}/{Path(file).name}"
+    """Shorten a path to the part from the chapter's folder on, as in ch02_vectors/vector.py."""
+    kept = 3 if Path(file).parent.name == GOING_FURTHER else 2
+    return "/".join(Path(file).parts[-kept:])
 
 
 @cache

@@ -28,7 +28,7 @@ def run_key(assignment: Assignment) -> RunKey:
     for name in names:
         checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
         checks += [*(root / "chapters" / name).glob("*.toml")]
-        checks += [*(root / "chapters" / name).glob("*.py")]  # complete modules are used in grading
+        checks += [*(root / "chapters" / name).rglob("*.py")]  # given modules, too
     if assignment.hidden:
         checks += assignment.hidden.rglob("*.py")
     return RunKey(

@@ -124,8 +124,8 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
-        complete = [source / name for name in ("README.md", "reference.md", *chapter.complete)]
-        _copy(complete, out / "chapters" / chapter.name)
+        for name in ("README.md", "reference.md", *chapter.complete):
+            _copy([source / name], (out / "chapters" / chapter.name / name).parent)
         _copy((source / "pictures").glob("*"), out / "chapters" / chapter.name / "pictures")
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"

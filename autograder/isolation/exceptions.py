@@ -11,14 +11,14 @@ import builtins
 import re
 from typing import Any
 
-from autograder.diagnosis.faults import Fault, StudentLeft
+from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
 from autograder.diagnosis.nearest import MOST_SLOTS, Unknown
 from autograder.diagnosis.nothing import LONGEST as MOST_OF_AN_EXPRESSION
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
 from autograder.message import Place
 from autograder.text.clean import clean
 
-FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
+FILE = re.compile(rf"ch\d\d_\w+/({GOING_FURTHER}/)?\w+\.py")
 
 
 def known_name(error: Exception) -> str:

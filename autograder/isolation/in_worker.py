@@ -110,8 +110,9 @@ class InWorker:
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
             for package in sorted(packages):
-                for file in sorted((folder / package).glob("*.py")):
-                    found.setdefault(f"{package}.{file.stem}", file)
+                for file in sorted((folder / package).rglob("*.py")):
+                    module = ".".join(file.relative_to(folder).with_suffix("").parts)
+                    found.setdefault(module, file)
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:

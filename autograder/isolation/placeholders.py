@@ -13,12 +13,14 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation.handles import Handle, Session
 
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
 
-CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
+PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
+CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 
 
 class Name(Handle):
@@ -62,7 +64,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         target: ModuleType | None = None,  # noqa: ARG002
     ) -> ModuleSpec | None:
         if CHAPTER_MODULE.fullmatch(name):
-            return ModuleSpec(name, self, is_package="." not in name)
+            return ModuleSpec(name, self, is_package=bool(PACKAGE.fullmatch(name)))
         return None
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:

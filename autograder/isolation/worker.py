@@ -28,7 +28,7 @@ import socket
 import sys
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -37,6 +37,7 @@ from autograder.at_home.allowed_acts import limit_acts
 from autograder.at_home.allowed_imports import limit_imports
 from autograder.at_home.students_code import StudentsCode
 from autograder.checks.printed import CappedText
+from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation import sandbox
 from autograder.isolation.compiled import CompiledFinder
 from autograder.isolation.server import Server
@@ -86,6 +87,17 @@ def _preload() -> None:
         importlib.import_module(name)
 
 
+def _packages(folders: Sequence[str]) -> list[str]:
+    """List the packages in the folders: the chapters, and what goes further in them."""
+    below = [(Path(folder), pattern) for folder in folders for pattern in ("", f"/{GOING_FURTHER}")]
+    found = {
+        ".".join(path.relative_to(folder).parts)
+        for folder, pattern in below
+        for path in folder.glob(f"ch??_*{pattern}")
+    }
+    return sorted(found)
+
+
 def main(text: str) -> None:
     """Run this process as a template, which forks the workers for student code.
 
@@ -112,9 +124,9 @@ def run_template(config: dict[str, Any]) -> None:
         add()
     if config["preload"]:
         _preload()
-    for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
-        importlib.import_module(folder)  # it has no code, but Python then remembers where it is
-        importlib.util.find_spec(f"{folder}.nothing")
+    for package in _packages(config["folders"]):
+        importlib.import_module(package)  # it has no code, but Python then remembers where it is
+        importlib.util.find_spec(f"{package}.nothing")
     code = StudentsCode(map(Path, config["engine"]), {})
     limit_imports(code)
     limit_acts(code)

@@ -77,6 +77,8 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
         target.mkdir(parents=True)
         target.chmod(0o755)  # another user will run the code, so the umask must not matter
         for name in chapter.complete:
+            if not (target / name).parent.exists():
+                (target / name).parent.mkdir(mode=0o755)
             _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
         files, more_notes = _choose(chapter, found)
         notes += more_notes

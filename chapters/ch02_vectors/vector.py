@@ -1,10 +1,10 @@
 """The three-dimensional vector class that the whole engine uses (book chapter 2).
 
-The axes are right-handed, and +Y points up. Vectors are mutable, so it matters which operations
-change a vector and which create a new one. An operator such as ``v + w`` returns a new vector and
+The axes are right-handed, and +Y points up. An operator such as ``v + w`` returns a new vector and
 leaves both operands unchanged. A method marked "in place" changes ``v`` itself and returns None.
 The operators ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods must end with
-``return self``, because Python assigns the returned value to ``v``.
+``return self``, because Python assigns the returned value to ``v``. Each method must also work if
+the other vector is the vector itself.
 """
 
 from __future__ import annotations
@@ -13,17 +13,7 @@ from collections.abc import Iterator
 
 
 class Vector3:
-    """A vector with three components along X, Y and Z.
-
-    The unit depends on the quantity: m for a position, m/s for a velocity, N for a force. A
-    component can be any float, including infinities and NaN. A class that uses a vector for a
-    particular quantity, such as a particle for its position, rejects the values that make no sense
-    for that quantity.
-
-    Raises:
-        TypeError: if a component is not something that float() accepts.
-        ValueError: if a component is a string that does not contain a number.
-    """
+    """A vector with three components along X, Y and Z, which can be any float."""
 
     __slots__ = ("x", "y", "z")
 
@@ -45,16 +35,13 @@ class Vector3:
         yield self.z
 
     def __eq__(self, other: object) -> bool:
-        """Check whether both vectors have exactly the same components. NaN is unequal to itself."""
+        """Check whether both vectors have exactly the same components."""
         if not isinstance(other, Vector3):
             return NotImplemented
         return self.x == other.x and self.y == other.y and self.z == other.z
 
     def copy(self) -> Vector3:
-        """Return a new vector with the same components.
-
-        If you still need the current value of a vector, copy it before you change it in place.
-        """
+        """Return a new vector with the same components."""
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def clear(self) -> None:
@@ -62,7 +49,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def invert(self) -> None:
-        """Reverse the direction, in place, by changing the sign of every component (book 2.1)."""
+        """Reverse the direction, in place (book 2.1)."""
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def __neg__(self) -> Vector3:
@@ -70,37 +57,28 @@ class Vector3:
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def magnitude(self) -> float:
-        """Return the length of the vector, |v|, which is never negative.
+        """Return the length of the vector, |v|, which is NaN if a component is (book 2.1.2).
 
-        The length must also be correct for components as large as 1e200 or as small as 1e-200,
-        although the squares of such numbers overflow or underflow. If a component is NaN, and
-        none is infinite, the length and the squared length are NaN. Book 2.1.2.
+        It must also be correct for components as large as 1e200 or as small as 1e-200.
         """
         raise NotImplementedError("Exercise B2.2: Length")
 
     def squared_magnitude(self) -> float:
-        """Return the squared length of the vector, |v|^2.
-
-        To find the longer of two vectors, compare their squared lengths. That saves two square
-        roots. Book 2.1.2.
-        """
+        """Return the squared length of the vector, |v|^2 (book 2.1.2)."""
         raise NotImplementedError("Exercise B2.2: Length")
 
     def __mul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, and return a new vector.
+        """Multiply every component by a number, and return a new vector (book 2.1.3).
 
         Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
-        vector, because vectors have three different products. Book 2.1.3.
+        vector.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     __rmul__ = __mul__  # for 2 * v: a float does not know vectors, so Python calls this method
 
     def __imul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, in place, and return ``self``.
-
-        Raises TypeError if ``scale`` is a vector.
-        """
+        """Multiply every component by a number, in place. A vector is a TypeError."""
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __truediv__(self, divisor: float) -> Vector3:
@@ -111,25 +89,18 @@ class Vector3:
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __itruediv__(self, divisor: float) -> Vector3:
-        """Divide every component by a number, in place, and return ``self``.
-
-        Raises TypeError if the divisor is a vector, and ZeroDivisionError if it is zero.
-        """
+        """Divide every component by a number, in place, with the errors of ``v / divisor``."""
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def normalize(self) -> None:
-        """Scale the vector to length 1 without changing its direction, in place.
+        """Scale the vector to length 1 in place (book 2.1.2). The zero vector stays zero.
 
-        The zero vector has no direction, so it stays zero. Like ``magnitude``, this method must
-        also work for components as large as 1e200 or as small as 1e-200. Book 2.1.2.
+        Like ``magnitude``, it must work for components as large as 1e200 or as small as 1e-200.
         """
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def normalized(self) -> Vector3:
-        """Return a new vector of length 1 that points in the same direction.
-
-        For the zero vector, which has no direction, return a new zero vector.
-        """
+        """Return a new vector of length 1 in the same direction, or zero for the zero vector."""
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def __add__(self, v: Vector3) -> Vector3:
@@ -137,92 +108,56 @@ class Vector3:
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add ``v`` in place, and return ``self``.
-
-        This must also work if ``v`` is the vector itself.
-        """
+        """Add ``v`` in place, and return ``self``."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Subtract ``v`` from this vector, and return the difference as a new vector.
-
-        Book 2.1.4.
-        """
+        """Subtract ``v``, and return the difference as a new vector (book 2.1.4)."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract ``v`` in place, and return ``self``.
-
-        This must also work if ``v`` is the vector itself.
-        """
+        """Subtract ``v`` in place, and return ``self``."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def add_scaled(self, v: Vector3, scale: float) -> None:
-        """Add a multiple of another vector, ``v * scale``, to this one, in place.
-
-        Use this method to update a vector, for example a position by p' = p + v h. It is faster
-        than ``p += v * h``, because it creates no temporary vector. It must also work if
-        ``v`` is the vector itself. Book 2.1.4.
-        """
+        """Add ``v * scale`` to this vector, in place, as in p' = p + v h (book 2.1.4)."""
         raise NotImplementedError("Exercise B2.6: Add a scaled vector")
 
     def component_product(self, v: Vector3) -> Vector3:
-        """Multiply each component by the matching component of ``v``, and return a new vector.
-
-        Neither of the two vectors changes. Book 2.1.6.
-        """
+        """Multiply by the matching component of ``v``, and return a new vector (book 2.1.6)."""
         raise NotImplementedError("Exercise B2.7: The component product")
 
     def component_product_update(self, v: Vector3) -> None:
-        """Multiply each component by the matching component of ``v``, in place (book 2.1.6).
-
-        This must also work if ``v`` is the vector itself.
-        """
+        """Multiply by the matching component of ``v``, in place (book 2.1.6)."""
         raise NotImplementedError("Exercise B2.7: The component product")
 
     def dot(self, v: Vector3) -> float:
-        """Return the scalar product a . b = |a| |b| cos t, where t is the angle between a and b.
-
-        You can also write ``a @ b``. If one of the vectors is a unit vector, the result is the
-        component of the other vector along it. Book Eq. 2.4.
-        """
+        """Return the scalar product a . b = |a| |b| cos t, with the angle t (book Eq. 2.4)."""
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the scalar product of two vectors, so that ``a @ b`` equals ``a.dot(b)``."""
+        """Return the scalar product, so that ``a @ b`` equals ``a.dot(b)``."""
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
     def cross(self, v: Vector3) -> Vector3:
-        """Return the vector product a x b as a new vector.
+        """Return the vector product a x b as a new vector (book Eq. 2.6).
 
         The product is perpendicular to both vectors and has the length |a| |b| sin t, where t is
-        the angle between them. Swapping the factors reverses its direction: b x a = -(a x b).
-        Book Eq. 2.6.
+        the angle between them. Swapping the factors reverses its direction.
         """
         raise NotImplementedError("Exercise B2.9: The vector product")
 
     def cross_update(self, v: Vector3) -> None:
-        """Set this vector to the vector product self x ``v``, in place (book 2.1.8).
-
-        This must also work if ``v`` is the vector itself. The product is then zero.
-        """
+        """Set this vector to the vector product self x ``v``, in place (book 2.1.8)."""
         raise NotImplementedError("Exercise B2.9: The vector product")
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
-    """Build three perpendicular unit vectors that form a right-handed basis.
+    """Build three perpendicular unit vectors that form a right-handed basis (book 2.1.9).
 
-    Use it to build the axes of a camera or a contact when you know one direction exactly and a
-    second one only roughly. The first vector of the basis points along ``a``. The second one lies
-    in the plane of ``a`` and ``b``, perpendicular to ``a`` and on the same side of it as ``b``. The
-    third one is the vector product of the first two, which makes the basis right-handed. All three
-    are new vectors. Only the directions of ``a`` and ``b`` matter, not their lengths.
-
-    Raises:
-        ValueError: if ``a`` or ``b`` is zero, or if they are parallel, because such vectors do not
-            determine a basis. They count as parallel if the sine of the angle between them is below
-            1e-12.
-
-    Book 2.1.9. Its listing refuses only vectors whose product is exactly zero (erratum E-46).
+    The first points along ``a``. The second lies in the plane of ``a`` and ``b``, perpendicular to
+    ``a`` and on the same side of it as ``b``. The third is the vector product of the first two. The
+    lengths of ``a`` and ``b`` do not matter, and all three are new vectors. Raises ValueError if
+    one is zero, or if they are parallel: the sine of the angle between them is below 1e-12 (E-46).
     """
     raise NotImplementedError("Exercise B2.10: An orthonormal basis")

@@ -22,17 +22,13 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A type of ammunition, such as "pistol" or "laser", with the properties that its shots share.
-
-    The mass is in kg, the velocity in m/s and the acceleration in m/s^2. The damping is the
-    fraction of its velocity that a shot keeps per second.
-    """
+    """A type of ammunition, such as "pistol", with the properties that its shots share."""
 
     name: str
-    mass: float
-    velocity: Numbers
-    acceleration: Numbers
-    damping: float
+    mass: float  # kg
+    velocity: Numbers  # m/s
+    acceleration: Numbers  # m/s^2
+    damping: float  # the fraction of its velocity that a shot keeps per second
 
 
 # The book's four types, and a grenade of ours. Their accelerations are chosen for a game. The
@@ -48,11 +44,7 @@ SHOT_TYPES = {type.name: type for type in _TYPES}
 
 
 class Shot:
-    """A bullet, grenade or other shot that is in flight.
-
-    ``type`` is the name of its ammunition, such as "pistol". ``particle`` holds the position and
-    velocity of the shot, and ``age`` is the time in s since it was fired.
-    """
+    """A shot in flight. ``type`` is a name such as "pistol", and ``age`` is the time in s."""
 
     __slots__ = ("age", "particle", "type")
 
@@ -63,13 +55,11 @@ class Shot:
 
 
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
-    """Compute the velocity of a shot from its speed and the two angles at which it is fired.
+    """Compute the velocity in m/s of a shot from its speed and the two angles of its direction.
 
-    The result is a new vector in m/s. ``azimuth`` is the horizontal angle from Z toward X, so a
-    shot flies along Z at an azimuth of 0, and along X at a quarter turn. ``elevation`` is the angle
-    above the horizontal, so a shot with an elevation of a quarter turn flies straight up.
-
-    Exercise 4.3a.
+    ``azimuth`` is the horizontal angle from Z toward X, and ``elevation`` is the angle above the
+    horizontal. So a shot flies along Z if both are 0, along X at an azimuth of a quarter turn, and
+    straight up at an elevation of a quarter turn.
     """
     raise NotImplementedError("Exercise 4.3a: Aiming")
 
@@ -78,29 +68,24 @@ def is_spent(shot: Shot) -> bool:
     """Return True if a shot must be removed, because it has left the range or flown for too long.
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
-    ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more
-    and more of them. Book 4.1.2.
+    ``END_OF_RANGE`` in z.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Let a grenade bounce or burst, and return the shots that are in flight afterward.
+    """Let a grenade that has moved bounce or burst, and return the shots in flight afterward.
 
-    Call this function after the grenade has moved by one time step. If the grenade is now below the
-    ground, let it bounce first. Then check its fuse. If the age of the grenade has reached
-    ``FUSE``, it bursts, so return its fragments as shots of the type "fragment" with an age of 0.
-    Otherwise return a list that contains only the grenade, or an empty list if ``is_spent`` is True
-    for it. Mini-project 4.1.
+    If the grenade is now below the ground, let it bounce first. Then check its fuse. If the age of
+    the grenade has reached ``FUSE``, return its fragments as shots of the type "fragment" with an
+    age of 0. Otherwise return a list of only the grenade, or an empty list if ``is_spent`` is True
+    for it.
     """
     raise NotImplementedError("Exercise 4.1: A grenade")
 
 
 class BallisticRange:
-    """A shooting range on which you can fire shots at target blocks.
-
-    ``targets`` are the blocks, and ``shots`` are the shots in flight, oldest first.
-    """
+    """A shooting range with ``targets`` and the ``shots`` in flight, oldest first."""
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)
@@ -110,26 +95,20 @@ class BallisticRange:
         """Fire a shot of the type ``name``, such as "pistol" or "artillery".
 
         The shot starts at ``MUZZLE`` with an age of 0, and flies in the direction of the two
-        angles. Everything else comes from ``SHOT_TYPES``: its mass, acceleration and damping, and
-        also its speed, which is the length of the type's velocity. If ``elevation`` is None, use
-        the angle of that velocity above the horizontal.
-
-        Mini-project 4.3, book 4.1.2.
+        angles. Everything else comes from ``SHOT_TYPES``. Its speed is the length of the type's
+        velocity. If ``elevation`` is None, use the angle of that velocity above the horizontal.
         """
         raise NotImplementedError("Exercise B4.2: Fire a shot")
 
     def update(self, duration: float) -> None:
-        """Advance the targets and the shots by one time step, and remove shots that are spent.
+        """Advance the range by one time step of ``duration`` s, and remove shots that are spent.
 
-        ``duration`` is in s. First the targets move. Then each shot moves, and its age increases by
-        the duration. Move each particle with one call of ``integrate``. In exercise B4.3, remove
-        every shot that is spent now. You add two more rules in later exercises:
+        First the targets move. Then each shot moves, and its age increases by the duration. Move
+        each particle with one call of ``integrate``. Then remove every shot that is spent now. You
+        add two more rules in later exercises:
 
         - In exercise 4.1, replace each grenade by the shots that ``grenade_after`` returns.
         - In exercise 4.3c, call ``strike_first`` with the path of each shot before anything else,
-          and remove a shot that has hit a target. Pass a copy of the position that the shot had
-          before its move, because ``integrate`` changes the vector itself.
-
-        Book 4.1.2.
+          and remove a shot that has hit a target. Pass a copy of the position before the move.
         """
         raise NotImplementedError("Exercise B4.3: Shots in flight")

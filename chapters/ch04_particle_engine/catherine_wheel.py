@@ -1,8 +1,7 @@
 """A Catherine wheel (mini-project 4.4), which is a firework that rotates and throws sparks.
 
-The wheel rotates at a constant rate, so a formula gives the angle, the position and the velocity of
-the nozzle at any time. The wheel itself therefore needs no simulation, and only the sparks are
-particles.
+The wheel rotates at a constant rate, so a formula gives the state of its nozzle at any time, and
+only the sparks are particles.
 """
 
 from __future__ import annotations
@@ -16,15 +15,11 @@ from ch04_particle_engine.fireworks import FireworksShow
 class CatherineWheel:
     """A wheel in the X-Y plane that rotates at a constant rate and throws sparks from its rim.
 
-    ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. A
-    nozzle on its rim throws ``sparks_per_second`` sparks per second, backward relative to the
-    motion of the rim, at the speed ``jet`` in m/s. The sparks are fireworks of the type
-    ``spark_type``, and the wheel adds them to ``show``. ``angle`` is the current angle of the
-    nozzle in radians, measured from the X axis. ``thrown`` is the number of sparks thrown so far.
-
-    Raises:
-        ValueError: if the show has no such type, the center is not finite, the radius or the rate
-            is not positive, or another number is negative.
+    The wheel rotates from X toward Y at ``rate`` in rad/s. A nozzle on its rim throws
+    ``sparks_per_second`` sparks of the type ``spark_type`` into ``show``, backward relative to the
+    motion of the rim, at the speed ``jet`` in m/s. ``angle`` is the current angle of the nozzle,
+    measured from the X axis, and ``thrown`` is the number of sparks thrown so far. The constructor
+    raises ValueError for an unknown type or a number that is out of range.
     """
 
     def __init__(
@@ -51,24 +46,19 @@ class CatherineWheel:
         self.thrown = 0
 
     def nozzle(self) -> Particle:
-        """Create a particle at the nozzle of the wheel, from which new sparks start.
+        """Create a particle at the nozzle of the wheel, which is the parent of new sparks.
 
-        The particle is the parent of the sparks, so they start at its position, and its velocity is
-        added to theirs. Place it on the rim, at the wheel's angle, with a velocity perpendicular to
-        the spoke. The rim moves at ``rate`` times ``radius``. The sparks are thrown backward, so
-        the speed of the particle is the speed of the rim minus ``jet``. Mini-project 4.4.
+        Place it on the rim, at the wheel's angle, with a velocity perpendicular to the spoke. The
+        rim moves at ``rate`` times ``radius``. The sparks are thrown backward, so the speed of the
+        particle is the speed of the rim minus ``jet``.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")
 
     def update(self, duration: float) -> None:
         """Rotate the wheel for ``duration`` s, and light the sparks that leave its nozzle.
 
-        After a total of t seconds, the wheel has thrown ``sparks_per_second`` times t sparks,
-        rounded down. The number therefore does not depend on the length of the steps, apart from
-        the rounding errors in t. All sparks of a step start where the nozzle is at the end of the
-        step. They count as thrown even if the show has no room for them. Update the show
-        separately, because this method only lights the sparks.
-
-        Mini-project 4.4.
+        After t seconds in total, the wheel has thrown ``sparks_per_second`` times t sparks, rounded
+        down, which does not depend on the length of the steps. All sparks of a step start where the
+        nozzle is at its end. They count as thrown even if the show has no room for them.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")

@@ -1,9 +1,7 @@
 """Compute the state of a particle at any time with a formula, without time steps.
 
 If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v. Here a
-is a constant acceleration and k = -ln d. This equation has an exact solution, which gives the
-position and the velocity at any time. A body that moves in this way, such as a spark, therefore
-needs no time steps. You can evaluate the solution once, for the time that you want.
+is a constant acceleration and k = -ln d. This equation has an exact solution.
 """
 
 from __future__ import annotations
@@ -17,20 +15,14 @@ from ch03_laws_of_motion.particle import Particle
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     """Compute three factors that give the exact motion of a particle with drag.
 
-    A particle starts at the position p with the velocity v and a constant acceleration a. After t
-    seconds, its velocity is v * kept + a * gone, and its position is p + v * gone + a * fallen.
-    Here kept, gone and fallen are the three factors:
+    After t seconds, its velocity is v * kept + a * gone, and its position is p + v * gone + a *
+    fallen. The factors are kept = d^t, gone = (1 - d^t) / k in s, and fallen = (t - gone) / k in
+    s^2, with k = -ln d.
 
-    - kept = d^t, which has no unit, is the fraction of the velocity that remains.
-    - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.
-    - fallen = (t - gone) / k, in s^2, is how far an acceleration of 1 m/s^2 takes it from rest.
-
-    Here d is the damping, k = -ln d, and t is the time in s. The formulas also hold for a damping
-    above 1. As the damping approaches 1, the factors approach 1, t and t^2 / 2. Close to this
-    limit, and for very short times, the formulas divide almost 0 by almost 0, which loses digits.
-    The result must still have at least 9 correct digits, even for a damping as close to 1 as a
-    float can be. At the other extreme, a damping of 0 stops everything at once, so all three
-    factors are 0 for any time above 0. At time 0 they are 1, 0 and 0, whatever the damping is.
+    The formulas also hold for a damping d above 1. As d approaches 1, the factors approach 1, t and
+    t^2 / 2. Close to this limit, and for very short times, they must still have at least 9 correct
+    digits. A damping of 0 stops everything at once, so all three factors are 0 for any time above
+    0. At time 0 they are 1, 0 and 0, whatever the damping is.
     """
     raise NotImplementedError("Exercise B4.8: A state without steps")
 
@@ -38,8 +30,7 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     """Predict the position and velocity of ``particle`` after ``time`` s, without moving it.
 
-    Use this function, for example, to predict where a shell will land. Both results are new
-    vectors. For an immovable particle, return copies of its current position and velocity.
+    Both results are new vectors. For an immovable particle, return copies of its current ones.
 
     >>> shell = Particle(Vector3(0, 1.5, 0), Vector3(0, 30, 40), Vector3(0, -20, 0), damping=0.99)
     >>> position, _ = state_after(shell, 3.0347583)
@@ -55,10 +46,8 @@ def burst_positions(
     """Compute the position of each spark of a burst along one axis, in m, after ``time`` s.
 
     All sparks start at the same position and time, with the same acceleration and damping. They
-    differ only in their ``speeds`` along the axis, in m/s. Everything else needs to be computed
-    only once per call: the factors, and the position of a spark with a speed of 0. Each call
-    handles only one axis, because a picture on the screen needs just two of the three. Return a new
-    list in the order of the speeds, and leave ``speeds`` unchanged. It may be empty.
+    differ only in their ``speeds`` along the axis, in m/s, and everything else needs to be computed
+    only once per call. Return a new list in the order of the speeds, which do not change.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

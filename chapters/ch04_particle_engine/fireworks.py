@@ -1,7 +1,7 @@
 """Fireworks (book 4.2): particles that burn for a while and then light other fireworks.
 
-Each type of firework is described by a rule, which is plain data, so you can add a type without
-writing new code.
+Each type of firework is described by a rule, which is plain data. An unknown type or a number that
+is out of range raises ValueError, and an argument of the wrong type TypeError.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from ch02_vectors.arguments import finite, not_negative, whole
 from ch03_laws_of_motion.particle import Particle
 
 Numbers = tuple[float, float, float]
+Birth = tuple[int, int, Particle | None]  # type, count and parent
 
 GRAVITY = (0.0, -9.81, 0.0)  # m/s^2
 LAUNCH_PLACES = (-5.0, 0.0, 5.0)  # m along X, on the ground
@@ -24,11 +25,7 @@ POLICIES = ("keep_old", "drop_oldest")
 class Payload:
     """Fireworks of one type that another firework lights when it burns out.
 
-    ``count`` is the number of fireworks, and ``type`` is the number of their type.
-
-    Raises:
-        ValueError: if the count is below 1.
-        TypeError: if the count is not a whole number.
+    ``count`` is the number of fireworks, at least 1.
     """
 
     type: int
@@ -42,22 +39,16 @@ class Payload:
 class FireworkRule:
     """A description of one type of firework: how long it burns, how it flies, and what it lights.
 
-    For each firework, the age in s and each component of the velocity in m/s are drawn at random
-    between a minimum and a maximum. ``damping`` is the fraction of the velocity that is kept per
-    second. ``payloads`` lists the fireworks that a firework of this type lights when it burns out.
-
-    Raises:
-        ValueError: if an age or the damping is negative, a number is not finite, a velocity does
-            not have three components, or a minimum is above its maximum.
-        TypeError: if the payloads are not a tuple or list.
+    For each firework, the age and each component of the velocity are drawn at random between a
+    minimum and a maximum.
     """
 
     type: int
-    min_age: float
+    min_age: float  # s
     max_age: float
-    min_velocity: Numbers
+    min_velocity: Numbers  # m/s
     max_velocity: Numbers
-    damping: float
+    damping: float  # the fraction of the velocity that is kept per second
     payloads: Sequence[Payload] = ()
 
     def __post_init__(self) -> None:
@@ -84,11 +75,7 @@ class FireworkRule:
 
 
 class Firework:
-    """A burning firework.
-
-    ``type`` is the number of its type, and ``particle`` holds its position and velocity. ``age``
-    counts down: it is the time in s until the firework burns out.
-    """
+    """A burning firework, whose ``age`` counts down: it is the time in s until it burns out."""
 
     __slots__ = ("age", "particle", "type")
 
@@ -103,10 +90,9 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 
     The age of the firework and each component of its velocity are drawn uniformly between the
     rule's limits, independently of each other. A payload starts at the position of its ``parent``,
-    the particle of the firework that lit it, and the velocity of the parent is added to the drawn
-    velocity. The parent itself does not change. A firework without a parent starts on the ground,
-    at one of ``LAUNCH_PLACES``, chosen at random. In both cases it has a mass of 1 kg, the
-    acceleration ``GRAVITY`` and the damping of the rule. Book 4.2.3.
+    the particle of the firework that lit it, and the velocity of the parent is added to its own. A
+    firework without a parent starts on the ground, at one of ``LAUNCH_PLACES``, chosen at random.
+    In both cases it has a mass of 1 kg, the acceleration ``GRAVITY`` and the rule's damping.
     """
     raise NotImplementedError("Exercise B4.4: A firework from its rule")
 
@@ -114,10 +100,7 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
     """Find the types of firework that light themselves again, directly or through other types.
 
-    A show with such a type never ends, so use this function to check a set of rules. For example,
-    if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types light
-    themselves again. If type 3 has a payload of type 1, it starts an endless show, too. But type 3
-    is not in the result, because it is never lit again. Return the types in ascending order.
+    A type that only leads to such a type is not one of them. Return the types in ascending order.
     """
     raise NotImplementedError("Exercise B4.7: Rules without an end")
 
@@ -127,15 +110,9 @@ class FireworksShow:
 
     ``fireworks`` lists the burning fireworks in the order in which they were lit. There are at most
     ``capacity`` of them, even if their types light each other forever. ``when_full`` decides what
-    happens when the show is full. With "keep_old" no new fireworks are lit, as the book's text
-    says. With "drop_oldest" the oldest fireworks are put out to make room, as in the book's listing
-    (erratum E-20). In both cases ``dropped`` counts the fireworks that were not lit, or were put
-    out, because the show was full. The same ``seed`` always gives the same show.
-
-    Raises:
-        ValueError: if two rules have the same type, a payload has a type without a rule, the
-            capacity is below 1, or ``when_full`` is neither of the two policies.
-        TypeError: if the capacity is not a whole number.
+    happens when the show is full. With "keep_old" no new fireworks are lit, and with "drop_oldest"
+    the oldest fireworks are put out to make room (erratum E-20). In both cases ``dropped`` counts
+    the fireworks that were not lit, or were put out. The same ``seed`` always gives the same show.
     """
 
     def __init__(
@@ -150,13 +127,9 @@ class FireworksShow:
             if rule.type in self.rules:
                 raise ValueError(f"rules must have different types, got two of type {rule.type!r}")
             self.rules[rule.type] = rule
-        for rule in self.rules.values():
-            for payload in rule.payloads:
-                if payload.type not in self.rules:
-                    raise ValueError(
-                        f"rules must have a rule for each payload, got type {rule.type!r} with "
-                        f"a payload of type {payload.type!r} and no rule for it"
-                    )
+        lit = {payload.type for rule in self.rules.values() for payload in rule.payloads}
+        if unknown := lit - self.rules.keys():
+            raise ValueError(f"rules must have a rule for each payload, got none for {unknown!r}")
         if when_full not in POLICIES:
             raise ValueError(f"when_full must be one of {', '.join(POLICIES)}, got {when_full!r}")
         self.capacity = whole("capacity", capacity)
@@ -166,41 +139,29 @@ class FireworksShow:
         self.dropped = 0
 
     def launch(self, type: int) -> None:
-        """Light one firework of the type ``type`` on the ground.
-
-        Raises:
-            ValueError: if there is no rule for the type.
-
-        Book 4.2.3.
-        """
+        """Light one firework of the type ``type`` on the ground."""
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 
-    def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
+    def light(self, births: Sequence[Birth]) -> None:
         """Light as many new fireworks as the show has room for.
 
         ``births`` describes the new fireworks as tuples (type, count, parent). They are added after
-        the ones that already burn, in the order of these tuples. If there is no room for all of
-        them, the policy ``when_full`` decides. "keep_old" lights only as many as fit, starting with
-        the first. "drop_oldest" puts out the oldest fireworks to make room. If there are more new
-        fireworks than the capacity, it lights only the last of them. A call never creates more
+        the ones that already burn, in the order of these tuples. "keep_old" lights only as many as
+        fit, starting with the first. "drop_oldest" puts out the oldest to make room. If there are
+        more new ones than the capacity, it lights only the last of them. A call never creates more
         fireworks than the capacity, however large the counts are, and leaves ``births`` unchanged.
 
-        Raises:
-            ValueError: if there is no rule for a type, or if a count is negative. In that case
-                nothing is lit.
+        Raises ValueError for an unknown type or a negative count. In that case nothing is lit.
         """
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 
     def update(self, duration: float) -> None:
-        """Advance all fireworks by one time step, and light the payloads of those that burn out.
+        """Advance the show by ``duration`` s, and light the payloads of fireworks that burn out.
 
-        ``duration`` is in s. Each firework moves with one call of ``integrate``, and its age
-        decreases by the duration. A firework has burned out if its age is below 0 (at exactly 0 it
-        still burns), or if it is below the ground (y < 0). When all fireworks have moved, remove
-        the ones that have burned out and light their payloads, starting with the payloads of the
-        oldest firework, in the order of its rule. The parent of a payload is the particle of the
-        firework that burned out.
-
-        Book 4.2.3.
+        Each firework moves with one call of ``integrate``, and its age decreases by the duration. A
+        firework has burned out if its age is below 0 (at exactly 0 it still burns), or if it is
+        below the ground (y < 0). When all fireworks have moved, remove the ones that have burned
+        out and light their payloads, starting with the payloads of the oldest firework, in the
+        order of its rule. The parent of a payload is the particle of the burnt-out firework.
         """
         raise NotImplementedError("Exercise B4.6: The show goes on")

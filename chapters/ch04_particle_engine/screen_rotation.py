@@ -1,8 +1,6 @@
 """Sparks that are drawn as rotating squares (book 4.2.3).
 
-The rotation only makes the picture livelier and has no effect on the motion of the sparks. Its rate
-is constant, so a formula gives the angle at any time, and no time steps are needed. The book refers
-to an exercise about such sparks, but the exercise is missing (erratum E-35).
+The rotation has no effect on the motion of the sparks. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -13,11 +11,8 @@ Point = tuple[float, float]
 def screen_angle(start: float, rate: float, time: float) -> float:
     """Compute the angle of a spark that rotates on the screen at a constant rate.
 
-    The angle is ``start`` at time 0 and grows by ``rate`` per second. All angles are in radians,
-    and ``time`` is in s. Full turns make no difference on the screen, so remove them. The result
-    then lies between -pi and pi.
-
-    Exercise G4.1.
+    The angle is ``start`` at time 0 and grows by ``rate`` per second. Full turns make no difference
+    on the screen, so remove them. The result then lies between -pi and pi.
 
     >>> screen_angle(0.5, 2.0, 0.25)
     1.0
@@ -28,12 +23,8 @@ def screen_angle(start: float, rate: float, time: float) -> float:
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
     """Compute the four corners of a rotated square on the screen, in order.
 
-    The sides of the square have the length ``size``. At an angle of 0 they are horizontal and
-    vertical, and a positive angle rotates the square from X toward Y. Start with the corner that is
-    at the upper right at an angle of 0, and continue in the direction of rotation. The angle is in
-    radians.
-
-    Exercise G4.1.
+    Its sides have the length ``size``. A positive angle rotates the square from X toward Y. Start
+    with the corner that is at the upper right at an angle of 0, and continue in this direction.
 
     >>> screen_corners((10.0, 20.0), 2.0, 0.0)
     [(11.0, 21.0), (9.0, 21.0), (9.0, 19.0), (11.0, 19.0)]

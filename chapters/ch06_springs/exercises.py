@@ -1,9 +1,4 @@
-"""Measure how stiff a spring may be before its oscillations grow (exercise 6.5).
-
-A spring that is too stiff for the time step makes a simulation explode. These functions find the
-largest stable stiffness by experiment. They simulate a particle on a spring, and check whether its
-oscillations grow.
-"""
+"""Measure how stiff a spring may be before its oscillations grow (exercise 6.5)."""
 
 from __future__ import annotations
 
@@ -18,21 +13,15 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
     """Exercise 6.5: return True if the oscillations of a particle on a spring grow.
 
-    If they grow, the spring is too stiff for the integrator. Oscillations of constant amplitude do
-    not count as growing. The steps seldom meet the end of a swing exactly, so the largest distance
-    that you find varies a little. Allow for that when you compare late swings with early ones, for
-    example by 0.1 %.
+    Oscillations of constant amplitude do not count as growing. The steps seldom meet the end of a
+    swing exactly, so the largest distances differ by about 0.1 %, which you should tolerate.
 
-    Simulate a particle with a mass of 1 kg and the given ``damping``, without gravity. A spring
-    with a rest length of 0 and the given ``stiffness`` in N/m pulls the particle toward an anchor.
-    Release the particle at rest, ``START`` m away from the anchor. Let the integrator make
-    ``FRAMES`` steps of ``duration`` s each. If the spring is far too stiff, stop early, before the
-    positions and the forces are too large for a float.
-
-    The answer must be correct if the stiffness differs from the limit by at least 1 % and an
-    oscillation takes at most FRAMES / 6 steps. The only exception is a particle without damping
-    (``damping`` is 1) whose oscillations take nearly 3 or nearly 4 steps. In this case the steps
-    miss the extremes of the oscillation for a long time, so the answer may be wrong.
+    Simulate a particle of 1 kg with the given ``damping``, without gravity, on a spring to an
+    anchor, with rest length 0 and the given ``stiffness`` in N/m. Release the particle at rest,
+    ``START`` m away. Make ``FRAMES`` steps of ``duration`` s each, but stop as soon as the distance
+    is huge. The answer must be correct if the stiffness differs from the limit by at least 1 % and
+    an oscillation takes at most FRAMES / 6 steps. Only without damping (``damping`` is 1) it may be
+    wrong if an oscillation takes nearly 3 or 4 steps, which miss its extremes for a long time.
 
     >>> from ch06_springs.integrators import semi_implicit_euler
     >>> swings_wider(semi_implicit_euler, 14_000.0, 1.0, 1.0 / 60.0)
@@ -46,12 +35,9 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
     """Exercise 6.5: measure the largest stiffness in N/m at which the oscillations do not grow.
 
-    Search the range from SOFTEST / h^2 to STIFFEST / h^2, where h is ``duration`` in s, and call
-    ``swings_wider`` to test a stiffness. If even the softest spring of this range is unstable,
-    return 0 or almost 0. If even the stiffest spring is stable, return STIFFEST / h^2.
-
-    The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
-    from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required. With the book's
-    integrator, the oscillations then grow so slowly that ``FRAMES`` steps do not show the growth.
+    Search from SOFTEST / h^2 to STIFFEST / h^2, where h is ``duration`` in s. If even the softest
+    spring is unstable, return 0 or almost 0. If even the stiffest spring is stable, return STIFFEST
+    / h^2. The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a
+    duration from 1/120 to 1/20 s. Closer to 1, the growth is too slow for ``FRAMES`` steps.
     """
     raise NotImplementedError("Exercise 6.5: How stiff may a spring be? Measured")

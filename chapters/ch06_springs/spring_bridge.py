@@ -1,7 +1,4 @@
-"""Going further: a rope bridge whose planks hang on springs, and a person who walks across.
-
-The book names such a bridge as a use of anchored springs (6.2.2).
-"""
+"""Going further: a rope bridge whose planks hang on springs, and a person who walks across."""
 
 from __future__ import annotations
 
@@ -31,9 +28,8 @@ def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
     """Add the weight of a person to the planks of a bridge, as forces that act for one step.
 
     ``x`` is the person's position in m, and ``weight`` is in N. ``planks`` must be in order along
-    x. The person stands between two planks, and the nearer one carries more of the weight. If the
-    person has covered the fraction s of the way from one plank to the next, these two carry 1 - s
-    and s of the weight. If the person is before the first plank or beyond the last one, the nearest
-    plank carries the whole weight.
+    x. If the person has covered the fraction s of the way from one plank to the next, these two
+    carry 1 - s and s of the weight. If the person is before the first plank or beyond the last one,
+    the nearest plank carries the whole weight.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")

@@ -1,11 +1,7 @@
 """Time division: a time step that stops at each impact to resolve it at the right moment.
 
-An ordinary step finds a collision only after the bodies overlap. Time division instead predicts
-when the next impact happens, moves all particles to that moment, resolves the impact, and continues
-from there. Between impacts, every particle moves with a constant acceleration, for which the motion
-is exact. The results are therefore exact as long as bodies only fly and bounce, as in billiards.
-However, the cost grows with the number of impacts, and a body at rest collides endlessly. So use a
-resolver for resting bodies. Book: section 7.3.2.
+It predicts the next impact, moves all particles to that moment, resolves the impact, and continues
+from there. An ordinary step finds an impact only after the bodies overlap. Book: section 7.3.2.
 """
 
 from __future__ import annotations
@@ -20,8 +16,7 @@ from ch07_constraints.detectors import Detector
 class TooManyImpacts(ArithmeticError):  # noqa: N818
     """Raised when a step has more impacts than allowed, for example if a body has come to rest.
 
-    ``impacts`` is the number of impacts that were resolved. ``contact`` belongs to the next impact,
-    and ``time`` is the time of that impact in s, counted from the start of the step.
+    ``impacts`` have been resolved. The next one has the ``contact``, ``time`` s after the start.
     """
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
@@ -36,32 +31,20 @@ class TooManyImpacts(ArithmeticError):  # noqa: N818
 def time_division_step(
     particles: Sequence[Particle], detector: Detector, duration: float, max_impacts: int = 1000
 ) -> None:
-    """Move ``particles`` by one time step, and stop at each impact to resolve it.
+    """Move ``particles`` by a step of ``duration`` s, and stop at each impact to resolve it.
 
-    ``duration`` is in s. ``particles`` contains every particle of the detector exactly once.
-
-    The acceleration of a particle is constant during the step. It is the particle's own
-    acceleration plus f / m, where f is the sum of the forces added before the step. Clear these
-    forces, as ``Particle.integrate`` does. Store the acceleration in ``last_acceleration`` before
-    you look for impacts, because detectors read it from there.
-
-    Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
-    in the rest of the step, resolve the velocity of its contact with a duration of 0. Do not
-    resolve its penetration, because bodies just touch at an impact. At the end of the step,
-    multiply each velocity once by d^h, where d is the particle's damping and h is ``duration``.
+    Between impacts the motion is exact: p + v t + a t^2 / 2. Here a is the acceleration plus f / m,
+    for the sum f of the forces added before the step. Clear these forces, and store a in
+    ``last_acceleration``, before you look for impacts. At each impact that ``detector`` finds in
+    the rest of the step, resolve the velocity of its contact with a duration of 0. Do not resolve
+    its penetration. If impacts happen at the same time, resolve them in the order in which they are
+    found. At the end, multiply each velocity once by d^h, for the damping d and the duration h.
     Immovable particles do not move.
 
-    Impacts at the same time are resolved one after the other, in the order in which the detector
-    finds them. So if a ball hits a row of touching balls, its motion is passed on to the last ball.
-    If two balls hit a third ball from both sides at once, the result depends on the order.
-
     Raises:
-        ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
-        TypeError: if ``max_impacts`` is not a whole number. In these two cases nothing changes.
+        ValueError, TypeError: if the duration is not positive and finite, or ``max_impacts`` is not
+            a whole number of at least 1. Then nothing changes.
         TooManyImpacts: if there is another impact after ``max_impacts`` impacts. The particles have
-            then moved to the time of this impact, but the impact is not resolved and no damping is
-            applied.
-
-    Book: section 7.3.2.
+            then moved to its time, but it is not resolved and no damping is applied.
     """
     raise NotImplementedError("Exercise B7.12: From impact to impact")

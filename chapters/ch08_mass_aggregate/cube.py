@@ -1,9 +1,8 @@
-"""Find out how many rods make a cube rigid, and which ones (mini-project 8.2).
-
-With too few rods, or with rods between the wrong corners, the cube can change its shape.
-"""
+"""Find out how many rods make a cube rigid, and which ones (mini-project 8.2)."""
 
 from __future__ import annotations
+
+import math
 
 from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
@@ -24,25 +23,16 @@ def fewest_rods(count: int) -> int:
     """Compute the smallest number of rods that can make ``count`` particles rigid in space.
 
     Each particle can move in three independent directions, and each rod prevents at most one
-    independent motion. A rigid body still has six motions, because it can move along three axes and
-    rotate about each of them. So you need enough rods to prevent all other motions. There are two
-    exceptions:
-
-    - Two particles joined by a rod have only five motions left, because a rotation about the rod
-      itself changes nothing.
-    - A single particle has only three motions, because it cannot rotate.
-
-    Mini-project 8.2.
+    motion. A rigid body keeps six motions, along three axes and about them. But two particles keep
+    only five, because a rotation about their rod changes nothing, and one particle keeps three.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Choose rods that make the cube rigid, and return them as pairs of corners.
+    """Choose rods that make the cube rigid, and return them as pairs of indices into ``CORNERS``.
 
-    A pair contains two indices into ``CORNERS``. You may return any set of rods that lets the cube
-    move and rotate only as a whole. You need at least ``fewest_rods(8)`` rods, and they must also
-    join the right corners. Mini-project 8.2.
+    You may return any set of rods that lets the cube move and rotate only as a whole.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
@@ -52,11 +42,8 @@ class Cube:
 
     ``world`` simulates the ``particles``, which are the corners. The cube starts at rest and
     slightly rotated, with its lowest corner ``height`` m above the ground. ``rods`` is a list of
-    pairs of corner indices, or None to use ``cube_rods()``.
-
-    Raises:
-        ValueError: if the height is not positive and finite, or a rod joins a corner to itself.
-        IndexError: if a rod refers to a corner that does not exist.
+    pairs of corners, or None to use ``cube_rods()``. Raises ValueError for a height that is not
+    positive or a rod from a corner to itself, and IndexError for a corner that does not exist.
     """
 
     def __init__(self, height: float = 1.0, rods: list[tuple[int, int]] | None = None) -> None:
@@ -80,11 +67,7 @@ class Cube:
 
 
 def _turned(x: float, y: float, z: float) -> Vector3:
-    """Rotate the point (x, y, z) of the cube by pi / 8 about Z and then by pi / 8 about X.
-
-    Without the rotation, the cube would land on all four lower corners at once and would not
-    tumble.
-    """
-    c, s = 0.9238795325112867, 0.3826834323650898  # of pi / 8
+    """Rotate the point (x, y, z) by pi / 8 about Z and then about X, so that the cube tumbles."""
+    c, s = math.cos(math.pi / 8.0), math.sin(math.pi / 8.0)
     x, y = c * x - s * y, s * x + c * y
     return Vector3(x, c * y - s * z, s * y + c * z)

@@ -1,9 +1,7 @@
 """Going further: particles at rest fall asleep, and cost almost nothing until something wakes them.
 
-Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
-moving bodies. It can save this time, because the rest of the engine already skips immovable
-particles. So the world makes a particle immovable while it sleeps: it stores the particle's inverse
-mass, and restores it when the particle wakes.
+The engine already skips immovable particles. So the world makes a particle immovable while it
+sleeps: it stores the particle's inverse mass, and restores it when the particle wakes.
 """
 
 from __future__ import annotations
@@ -28,15 +26,10 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """A record of a sleeping particle, with the data that the world needs to wake it.
+    """What the world must know about a sleeping particle to wake it."""
 
-    The particle gets ``inverse_mass`` back when it wakes. ``place`` is the position at which it
-    fell asleep, and ``acceleration`` is the acceleration that it had there. If either has changed
-    since then, the particle must wake. Its ``neighbors`` wake with it.
-    """
-
-    inverse_mass: float  # 1/kg
-    place: tuple[float, float, float]  # m
+    inverse_mass: float  # 1/kg, which it gets back
+    position: Vector3  # m, a copy of the position at which it fell asleep
     acceleration: Vector3  # m/s^2: its last_acceleration, which includes forces
     neighbors: tuple[Particle, ...]  # particles that it touched or was joined to
 
@@ -44,20 +37,12 @@ class Sleep:
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A step counts as slow for a particle if its kinetic energy per kg after the step is at most
-    ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired, and
-    when all particles of a group are tired, the group falls asleep. A sleeping particle has no
-    velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each sleeping particle to its
-    ``Sleep`` record.
+    A step is slow for a particle if its kinetic energy per kg after the step is at most
+    ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired. The
+    dict ``asleep`` maps each sleeping particle, whose mass is ``math.inf``, to its ``Sleep``.
 
     The world cannot detect every change. Call ``wake`` yourself before you make a sleeping particle
-    immovable or join something new to it. Also call it before you move the ground or an anchor that
-    supports the particle.
-
-    Raises:
-        ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
-            1.
-        TypeError: if ``sleep_frames`` is not a whole number.
+    immovable, join something to it, or move the ground or an anchor that supports it.
     """
 
     def __init__(
@@ -90,14 +75,11 @@ class SleepingWorld(ParticleWorld):
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def mechanical_energy(self) -> float:
-        """Add up the mechanical energy of all particles in J, whether they are awake or asleep.
-
-        The function ``mechanical_energy`` leaves out immovable particles, and so it leaves out the
-        potential energy of sleeping ones.
-        """
-        asleep = [(one, sleep) for one, sleep in self.asleep.items() if not one.inverse_mass]
+        """Add up the mechanical energy in J, with the potential energy of sleeping particles."""
         return mechanical_energy(self.particles) - sum(
-            one.acceleration.dot(one.position) / sleep.inverse_mass for one, sleep in asleep
+            one.acceleration.dot(one.position) / sleep.inverse_mass
+            for one, sleep in self.asleep.items()
+            if not one.inverse_mass
         )
 
     def wake_moved(self) -> None:
@@ -111,16 +93,13 @@ class SleepingWorld(ParticleWorld):
     def wake_pushed(self, duration: float) -> None:
         """Wake every sleeping particle whose acceleration has changed since it fell asleep.
 
-        Compute the current acceleration a + f / m of each sleeping particle, where f is the sum of
-        the generators' forces. Compare it with the acceleration that the particle had when it fell
-        asleep. The particle wakes if the change is more than ``SAME`` times a reference value. This
-        value is the current |a| + |f / m| or the magnitude of the old acceleration, whichever is
-        larger.
+        Compute a + f / m, where f is the sum of the generators' forces, and compare it with the
+        acceleration in ``Sleep``. The particle wakes if the change is more than ``SAME`` times the
+        current |a| + |f / m| or the magnitude of the old acceleration, whichever is larger.
 
         Call only generators that are registered for sleeping particles. Give each sleeping particle
-        its original mass during these calls, because a generator may use the mass. The accumulators
-        of sleeping particles are empty when this method starts, and must be empty again when it
-        returns.
+        its original mass meanwhile, because a generator may use it. The accumulators of sleeping
+        particles are empty when this method starts, and must be empty again when it returns.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -134,14 +113,12 @@ class SleepingWorld(ParticleWorld):
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
         """Update the counts of slow steps, and put groups of tired particles to sleep.
 
-        Particles that are connected, directly or through other particles, form a group. Two
-        particles are connected if they were in contact in one of the last ``sleep_frames`` steps,
-        or if a generator of the registry joins them. Immovable particles do not connect groups, and
-        they never sleep.
+        Particles that are connected, directly or through others, form a group. Two are connected if
+        they were in contact in one of the last ``sleep_frames`` steps, or if a generator of the
+        registry joins them. Immovable particles do not connect groups, and they never sleep.
 
         A particle is tired if its last ``sleep_frames`` steps were all slow. A group falls asleep
-        only when all of its particles are tired. Otherwise a particle that is still moving would
-        soon push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
+        only when all of its particles are tired. Add each of them to ``asleep``, and set its
         ``velocity`` and ``inverse_mass`` to 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")

@@ -17,25 +17,24 @@ from ch08_mass_aggregate.world import ParticleWorld
 COUNT = 8  # particles of the rim
 RADIUS = 1.0  # m
 MASS = 1.0  # kg, of each of them
+AXIS = Vector3(0.0, 0.0, 1.0)
 ITERATIONS = 200  # per phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
     """Create the rods of a wheel: its spokes, and the rods along its rim.
 
-    ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The rods
-    along the rim join each particle to the next one, and the last particle to the first. The length
-    of each rod is the current distance between its ends. Mini-project 8.3a.
+    ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The other
+    rods join each particle of the rim to the next one, and the last to the first. The length of
+    each rod is the current distance between its ends.
     """
     raise NotImplementedError("Exercise 8.3a: A wheel")
 
 
 class RimDrive:
-    """A force generator that rotates a wheel by pushing the particles of its rim around ``hub``.
+    """A force generator that rotates a wheel by pushing particles of its rim around ``hub``.
 
-    ``force`` is in N, and a positive value pushes counter-clockwise. Register the drive for each
-    particle of the rim that it should push. It pushes each of them with the full force.
-    Mini-project 8.3b.
+    Each particle for which it is registered gets the full ``force`` in N.
     """
 
     def __init__(self, hub: Particle, force: float) -> None:
@@ -45,9 +44,8 @@ class RimDrive:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Push ``particle`` around the hub, in the X-Y plane and at a right angle to its spoke.
 
-        A positive force rotates the wheel counter-clockwise. The force does not depend on the
-        distance from the hub. However, a particle at the hub's position gets no force, because the
-        direction would be undefined there.
+        A positive force rotates the wheel counter-clockwise. It does not depend on the distance
+        from the hub. A particle at the hub's position, where no direction is defined, gets none.
         """
         raise NotImplementedError("Exercise 8.3b: Drive the rim")
 
@@ -55,10 +53,10 @@ class RimDrive:
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Measure how fast a wheel rotates about its hub, in rad/s.
 
-    This angular velocity is the angular momentum of the rim divided by its moment of inertia. The
-    angular momentum is the sum of m (x v_y - y v_x) over all particles of the rim. The moment of
-    inertia is the sum of m (x^2 + y^2). The hub may itself move, so measure positions and
-    velocities relative to the hub. Return 0 if the moment of inertia is zero.
+    This is the angular momentum of the rim divided by its moment of inertia. The angular momentum
+    is the sum of m (x v_y - y v_x), the Z component of m r x v, and the moment of inertia is the
+    sum of m (x^2 + y^2). The hub may itself move, so measure positions and velocities relative to
+    the hub. Return 0 if the moment of inertia is zero.
     """
     raise NotImplementedError("Exercise 8.3b: Drive the rim")
 
@@ -66,8 +64,8 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 def deformation(rods: Sequence[Rod]) -> float:
     """Measure how much a wheel is deformed: the largest relative error in the length of a rod.
 
-    The relative error is the difference between the actual and the intended length, divided by the
-    intended length. Return 0 if there are no rods. Mini-project 8.3c.
+    That is the difference from the intended length, divided by the intended length. Return 0 if
+    there are no rods.
     """
     raise NotImplementedError("Exercise 8.3c: Does it deform?")
 
@@ -76,11 +74,7 @@ class Wheel:
     """A wheel of particles and rods that rotates about an immovable hub.
 
     ``world`` simulates the ``hub``, the particles of the ``rim`` and the ``rods``. A RimDrive with
-    a ``force`` in N pushes each of the first ``driven`` particles of the rim.
-
-    Raises:
-        ValueError: if the force is not finite, or ``driven`` is not a whole number from 0 to
-            ``COUNT``.
+    a ``force`` in N pushes each of the first ``driven`` particles of the rim, from 0 to ``COUNT``.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
@@ -88,10 +82,8 @@ class Wheel:
             raise ValueError(f"driven must be a whole number from 0 to {COUNT}, got {driven!r}")
         self.hub = Particle(mass=math.inf)
         angles = [math.tau * i / COUNT for i in range(COUNT)]
-        self.rim = [
-            Particle(Vector3(RADIUS * math.cos(angle), RADIUS * math.sin(angle)), mass=MASS)
-            for angle in angles
-        ]
+        spokes = [Vector3(math.cos(angle), math.sin(angle)) * RADIUS for angle in angles]
+        self.rim = [Particle(spoke, mass=MASS) for spoke in spokes]
         self.rods = rods_of(self.hub, self.rim)
         self.drive = RimDrive(self.hub, force)
         self.world = ParticleWorld([self.hub, *self.rim], self.rods, iterations=ITERATIONS)

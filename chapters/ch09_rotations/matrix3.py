@@ -1,7 +1,8 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, so every method returns a new object.
+applies b first and then a. Every method returns a new object. An argument of the wrong type raises
+TypeError.
 """
 
 from __future__ import annotations
@@ -24,8 +25,7 @@ ROTATION_TOLERANCE = 1e-5
 class Matrix3:
     """A 3x3 matrix, which can rotate, scale and shear vectors but not move the origin.
 
-    Pass its nine numbers row by row. ``entries`` is the tuple of all nine, and ``m[row, column]``
-    reads one of them, with both indices from 0 to 2.
+    ``entries`` is the tuple of its nine numbers, row by row.
     """
 
     __slots__ = ("entries",)
@@ -68,56 +68,39 @@ class Matrix3:
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Multiply the matrix by the vector ``v``, and return the result as a new vector.
-
-        You can also write ``m @ v``. Book: section 9.4.2.
-        """
+        """Multiply the matrix by the vector ``v``, as ``m @ v`` does (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the product ``self @ m``, a new matrix that applies ``m`` first.
-
-        Book: section 9.4.2.
-        """
+        """Return the product ``self @ m``, a new matrix that applies ``m`` first (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def transpose(self) -> Matrix3:
-        """Swap the rows and columns of the matrix, and return the result as a new matrix.
-
-        The transpose of a rotation is its inverse. Book: section 9.4.3.
-        """
+        """Swap the rows and columns of the matrix. For a rotation, this is its inverse (9.4.3)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Compute the determinant, the factor by which the matrix scales volumes.
+        """Compute the determinant, the factor by which the matrix scales volumes (9.4.3).
 
-        The determinant is negative if the matrix contains a reflection. Book: section 9.4.3.
+        It is negative if the matrix contains a reflection.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def inverse(self) -> Matrix3:
-        """Compute the inverse: a new matrix that undoes the effect of this one.
-
-        A nearly singular matrix has an inverse too, but rounding errors make it useless. So reject
-        a matrix if its determinant is too small compared with the product of its rows' lengths.
-        This ratio does not depend on the scale of the matrix.
+        """Compute the inverse: a new matrix that undoes the effect of this one (9.4.3).
 
         Raises:
             ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
-                rows' lengths.
-
-        Book: section 9.4.3.
+                rows' lengths. Rounding errors then make the inverse useless, at any scale.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def is_rotation(self) -> bool:
         """Return True if the matrix only rotates, without scaling, shear or reflection.
 
-        The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
-        with itself must be 1, and its scalar product with each other row must be 0, both within
-        ``ROTATION_TOLERANCE``. The determinant must also be positive, because it is negative for a
-        reflection. If one of these conditions fails, or if an entry is NaN, infinite or as large as
-        1e200, return False.
+        The scalar product of each row with itself must be 1, and with each other row 0, both within
+        ``ROTATION_TOLERANCE``, and the determinant must be positive. Otherwise, or if an entry is
+        NaN, infinite or as large as 1e200, return False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
@@ -126,17 +109,15 @@ class Matrix3:
         """Create the matrix that rotates vectors in the same way as the quaternion ``q``.
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
-        transpose of this matrix, which rotates in the opposite direction (erratum E-11).
+        transpose (erratum E-11).
         """
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
     def to_quaternion(self) -> Quaternion:
         """Convert a rotation matrix to a unit quaternion q. You may return either q or -q.
 
-        The diagonal determines four numbers: 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
-        component whose number is the largest, which is at least 1, and compute the other components
-        from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
-        r^2 should be 0. The matrix may differ slightly from a rotation, so normalize the quaternion
-        at the end.
+        The diagonal determines 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the component whose number
+        is the largest, because a small one may be only rounding error, and compute the others from
+        it. The matrix may differ slightly from a rotation, so normalize the quaternion at the end.
         """
         raise NotImplementedError("Exercise B9.13: From a matrix to a quaternion")

@@ -37,17 +37,11 @@ FIREWORK_TYPES = (
 def own_types() -> list[FireworkRule]:
     """Design two types of firework of your own, with the numbers 10 and 11.
 
-    Return their rules, which must meet these conditions:
-
     - The two rules must differ from each other, and from the nine rules above, in more than their
-      type.
-    - At least one of them must have payloads, of types 1 to 11.
-    - None of the eleven types may light itself again, not even through other types. Otherwise a
-      show would never end.
+      type. At least one of them must have payloads, of types 1 to 11.
+    - None of the eleven types may light itself again, not even through other types.
     - Each of the two types must burn for at least 0.1 s. Once one of these fireworks has been lit,
       it and everything that comes from it must burn out within 40 s.
-
-    Mini-project 4.2.
     """
     palm = FireworkRule(
         10, 1.0, 1.1, (-1, 24, -1), (1, 26, 1), damping=0.6, payloads=(Payload(11, 9),)

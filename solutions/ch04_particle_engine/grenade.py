@@ -1,8 +1,4 @@
-"""The behavior of a grenade (mini-project 4.1): it bounces, and it bursts when its fuse runs out.
-
-The bounce is a simple rule that works only for this type of shot on level ground. Chapter 7
-replaces such rules with contacts, which work for any particle.
-"""
+"""A grenade (mini-project 4.1), which bounces, and bursts when its fuse runs out."""
 
 from __future__ import annotations
 
@@ -29,34 +25,30 @@ def bounce(particle: Particle) -> None:
 
     Move the particle back to y = 0. If it is also moving down, reverse its vertical velocity and
     multiply it by ``BOUNCE``, and multiply the components along X and Z by ``SLIDE``. A particle on
-    or above the ground does not change. Mini-project 4.1.
+    or above the ground does not change.
     """
     if particle.position.y >= 0.0:
         return
     particle.position.y = 0.0
-    velocity = particle.velocity
-    if velocity.y < 0.0:
-        velocity.x *= SLIDE
-        velocity.y *= -BOUNCE
-        velocity.z *= SLIDE
+    if particle.velocity.y < 0.0:
+        particle.velocity.component_product_update(Vector3(SLIDE, -BOUNCE, SLIDE))
 
 
 def fragments(particle: Particle) -> list[Particle]:
     """Burst a grenade into fragments, and return one new particle for each of them.
 
-    There are ``FRAGMENTS`` pieces, each with an equal part of the grenade's mass. They start at the
-    position of the grenade, with the same acceleration and damping. Relative to the grenade, each
-    piece flies at ``FRAGMENT_SPEED`` in a different direction. These directions add up to zero, so
-    that a burst conserves momentum. The particle of the grenade does not change. Mini-project 4.1.
+    There are ``FRAGMENTS`` pieces, each with an equal part of the grenade's mass. They start at its
+    position, with the same acceleration and damping. Relative to the grenade, each piece flies at
+    ``FRAGMENT_SPEED`` in a different direction. These directions add up to zero, so that a burst
+    conserves momentum. The particle of the grenade does not change.
     """
-    pieces = []
-    for direction in _CORNERS:
-        piece = Particle(
+    return [
+        Particle(
             particle.position,
-            particle.velocity + Vector3(*direction).normalized() * FRAGMENT_SPEED,
+            particle.velocity + Vector3(*corner).normalized() * FRAGMENT_SPEED,
             particle.acceleration,
             mass=particle.mass / FRAGMENTS,
             damping=particle.damping,
         )
-        pieces.append(piece)
-    return pieces
+        for corner in _CORNERS
+    ]

@@ -1,33 +1,20 @@
-"""A particle on which forces act: the particle of chapter 3, with a force accumulator (book 5.1).
-
-Units are SI, so forces are in N.
-"""
+"""A particle on which forces act: the one of chapter 3, with a force accumulator (book 5.1)."""
 
 from __future__ import annotations
-
-from typing import Any, Self
 
 from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
 
-Numbers = tuple[float, float, float]
-NO_FORCE: Numbers = (0.0, 0.0, 0.0)
-
 
 class Particle(particle.Particle):
     """A particle that adds up the forces on it until the next time step uses them.
 
-    It inherits position, velocity, mass and damping from chapter 3. ``_forces`` is a list with two
-    entries: the sum of the forces since the last step, and the sum that the last step used. Each
-    entry is a tuple of three numbers, or None if no force was added. You may store the forces in
-    another way, but then change ``__slots__``, the constructor, ``__copy__``, ``take_forces`` and
-    ``add_force_pair`` to match.
+    ``_force`` is the sum since the last step, and ``_last_force`` the sum that the last step used.
+    Replace them by new vectors, as in ``a = a + b``, because a copy of the particle shares them.
     """
 
-    __slots__ = ("_forces",)
-
-    _forces: list[Numbers | None]
+    __slots__ = ("_force", "_last_force")
 
     def __init__(
         self,
@@ -39,146 +26,43 @@ class Particle(particle.Particle):
         damping: float = 1.0,
     ) -> None:
         super().__init__(position, velocity, acceleration, mass=mass, damping=damping)
-        self._forces = [None, None]
-
-    def __copy__(self) -> Self:
-        """Return a copy of the particle that has a separate force accumulator.
-
-        The copy has the same class and the same attributes, and starts with the same sum of forces.
-        A force that you later add to one of the two particles does not affect the other.
-        """
-        other = self.__new__(type(self))
-        state: Any = object.__getstate__(self)  # the attributes of a subclass, and of __slots__
-        own, slots = state
-        for name, value in {**(own or {}), **slots}.items():
-            setattr(other, name, value)
-        other._forces = [*self._forces]
-        return other
-
-    def take_forces(self) -> Numbers:
-        """Return the sum of the forces in N as three numbers, and clear the sum.
-
-        You get the same result from ``force_accumulator`` followed by ``clear_forces``, but this
-        method takes only a third of the time. The difference matters for an integrator that
-        evaluates the forces several times per step.
-        """
-        forces = self._forces
-        force = forces[0]
-        forces[0] = None
-        return force or NO_FORCE
-
-    def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
-        """Add a force in N to this particle, and the opposite force to the particle ``other``.
-
-        ``x``, ``y`` and ``z`` are the components of the force on this particle. Newton's third law
-        gives the force on ``other``. You could also call ``add_force`` twice, but this method takes
-        half the time, which matters for a cloth with hundreds of springs.
-
-        Raises:
-            ValueError: if a component, or one of the two sums, is not finite. In that case neither
-                sum changes.
-        """
-        mine, others = self._forces, other._forces
-        ax, ay, az = mine[0] or NO_FORCE
-        bx, by, bz = others[0] or NO_FORCE
-        ax += x
-        ay += y
-        az += z
-        bx -= x
-        by -= y
-        bz -= z
-        if 0.0 * (ax + ay + az + bx + by + bz) != 0.0:  # one question for six numbers
-            finite_vector("the force", Vector3(x, y, z))
-            finite_vector("the sum of the forces", Vector3(ax, ay, az))
-            finite_vector("the sum of the forces", Vector3(bx, by, bz))
-        mine[0] = (ax, ay, az)
-        others[0] = (bx, by, bz)
+        self._force, self._last_force = Vector3(), Vector3()
 
     @property
     def force_accumulator(self) -> Vector3:
-        """The sum of the forces added since the last time step, in N, as a new vector.
-
-        If no force was added, the sum is the zero vector. Changing the returned vector does not
-        change the sum.
-        """
-        return Vector3(*(self._forces[0] or ()))
+        """The forces since the last time step in N, as a new vector: zero if no force was added."""
+        return self._force.copy()
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum of the forces that act on the particle in the next time step.
+        """Add a force in N to the sum of the forces. A later change to it does not change the sum.
 
-        The vector ``force`` itself does not change, and a later change to it does not change the
-        sum. The position, the velocity and the acceleration stay the same until the step.
-
-        Raises:
-            ValueError: if a component of the force, or of the sum, is not finite. In that case the
-                sum does not change.
-            TypeError: if the force is not a Vector3. The sum does not change then either.
-
-        Book 5.1.
+        Raises ValueError if a component of the force, or of the sum, is not finite, and TypeError
+        if it is not a Vector3. In both cases the sum does not change.
         """
-        try:
-            x, y, z = force.x, force.y, force.z
-        except AttributeError:
-            raise TypeError(f"force must be a Vector3, got {force!r}") from None
-        forces = self._forces
-        if forces[0] is not None:
-            sum_x, sum_y, sum_z = forces[0]
-            x, y, z = sum_x + x, sum_y + y, sum_z + z
-        if 0.0 * (x + y + z) != 0.0:  # one question for three numbers: infinity * 0 is NaN
-            finite_vector("force", force)
-            finite_vector("the sum of the forces", Vector3(x, y, z))
-        forces[0] = (x, y, z)
+        total = self._force + finite_vector("force", force)
+        self._force = finite_vector("the sum of the forces", total)
 
     def clear_forces(self) -> None:
-        """Discard the forces that were added to the particle since the last time step.
-
-        ``last_acceleration`` does not change. Book 5.1.
-        """
-        self._forces[0] = None
+        """Discard the forces that were added since the last time step."""
+        self._force = Vector3()
 
     @property
     def last_acceleration(self) -> Vector3:
         """The total acceleration of the particle in its last time step, in m/s^2 as a new vector.
 
-        This is the constant acceleration plus f / m, where f is the sum of the forces that the last
-        step used. The mass and the constant acceleration are the current ones, even if they have
-        changed since that step. Before the first step f is zero, so the result is only the constant
-        acceleration. The same is true for an immovable particle, which does not react to forces.
-        Book Eq. 3.2.
+        It is the constant acceleration plus f / m, where f is the sum that the last step used, with
+        the acceleration and the mass of now. Before the first step f is zero.
         """
-        force = Vector3(*(self._forces[1] or ()))
-        return self.acceleration + force * self._inverse_mass
+        return self.acceleration + self._last_force * self.inverse_mass
 
     def kick(self, duration: float) -> None:
         """Apply the acceleration, forces and damping to the velocity over ``duration`` s.
 
-        The new velocity is v' = (v + a h) d^h. Here h is ``duration``, d is the damping, and a is
-        the constant acceleration plus f / m. The force f is the sum of the forces that were added
-        since the last kick. After the update, clear this sum, even for an immovable particle, so
-        that each force acts only once. Keep a copy of it for ``last_acceleration``. The mass and
-        the damping may change between two steps, so use their current values in each step.
-
-        You do not have to write ``integrate`` again. The version from chapter 3 already calls this
-        method after it has moved the particle. As in chapter 3, the duration is not checked.
+        The new velocity is v' = (v + a h) d^h, where a is the constant acceleration plus f / m,
+        with the mass and the damping of now, and f is the sum of the forces that were added since
+        the last kick. Then clear this sum, so that each force acts only once, and keep it for
+        ``last_acceleration``. No force changes the velocity of an immovable particle.
         """
-        forces = self._forces
-        force, last_force = forces
-        if force is not last_force:  # both None: no force acts, and none has to be forgotten
-            forces[0], forces[1] = None, force
-        inverse_mass = self._inverse_mass
-        if not inverse_mass:
-            return
-        keep = self._damping
-        if keep != 1.0:
-            keep **= duration
-        velocity = self.velocity
-        acceleration = self.acceleration
-        if force is None:
-            velocity.x = (velocity.x + acceleration.x * duration) * keep
-            velocity.y = (velocity.y + acceleration.y * duration) * keep
-            velocity.z = (velocity.z + acceleration.z * duration) * keep
-        else:
-            fx, fy, fz = force
-            velocity.x = (velocity.x + (acceleration.x + fx * inverse_mass) * duration) * keep
-            velocity.y = (velocity.y + (acceleration.y + fy * inverse_mass) * duration) * keep
-            velocity.z = (velocity.z + (acceleration.z + fz * inverse_mass) * duration) * keep
+        self._last_force, self._force = self._force, Vector3()
+        self.velocity.add_scaled(self._last_force, self.inverse_mass * duration)
+        super().kick(duration)

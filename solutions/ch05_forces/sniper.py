@@ -1,9 +1,7 @@
 """The rules of a sniper game (project 4.2), in which the wind changes between shots.
 
-This module draws nothing, so it works without a screen. The player shoots at four discs of the same
-size. The Z axis points down the range, Y points up, and X points to the left of an observer who
-faces along Z. The player aims with two angles in radians: the azimuth from Z toward X, and the
-elevation above the horizontal.
+The Z axis points down the range, Y up, and X to the left of an observer who faces along Z. The
+azimuth turns from Z toward X, and the elevation up from the horizontal, both in radians.
 """
 
 from __future__ import annotations
@@ -30,11 +28,7 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A circular target that faces the rifle.
-
-    Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring that it
-    lands in, multiplied by ``factor``. More distant targets have a larger factor.
-    """
+    """A disc that faces the rifle. A hit scores the points of its ring times ``factor``."""
 
     x: float
     y: float
@@ -53,10 +47,7 @@ RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # radius in m and points, from the inn
 
 @dataclass(frozen=True)
 class Hole:
-    """The hole that a bullet makes in a target, and the points that it scores.
-
-    ``x`` and ``y`` are its position in m from the center of the target.
-    """
+    """The hole of a bullet in a target, at (x, y) in m from its center, and the points for it."""
 
     target: Target
     x: float
@@ -65,14 +56,7 @@ class Hole:
 
 
 class Wind:
-    """A force generator for wind: the drag of moving air, which carries a particle along.
-
-    ``velocity`` is the velocity of the air in m/s. ``k1`` is in N s/m and ``k2`` in N s^2/m^2, as
-    in Eq. 5.1.
-
-    Raises:
-        ValueError: if a coefficient is negative or not finite.
-    """
+    """The drag of air that moves at ``velocity`` in m/s, with k1 and k2 as in Eq. 5.1."""
 
     def __init__(self, k1: float, k2: float) -> None:
         self.k1 = not_negative("k1", k1)
@@ -83,17 +67,13 @@ class Wind:
         """Add the drag of the moving air to the particle's other forces.
 
         Compute it with ``drag_force`` from the velocity of the particle relative to the air. A
-        particle that moves with the air therefore feels no force. In still air, the force is the
-        same as with ``Drag``. Project 4.2.
+        particle that moves with the air therefore feels no force.
         """
         particle.add_force(drag_force(particle.velocity - self.velocity, self.k1, self.k2))
 
 
 class SniperRange:
-    """A round of the sniper game: the bullet in flight, the wind, the holes and the score.
-
-    The player has ``SHOTS`` shots in a round.
-    """
+    """A round of the game, in which the player has SHOTS shots."""
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
@@ -106,16 +86,16 @@ class SniperRange:
         self.change_wind()
 
     def is_over(self) -> bool:
-        """Return True once the last shot has been fired and its bullet is no longer in flight."""
+        """Return True once the last bullet is no longer in flight."""
         return self.shots_left == 0 and self.bullet is None
 
     def change_wind(self) -> None:
         """Draw a new horizontal wind at random, with numbers from ``self.random``.
 
-        Draw the component along X first, and then the component along Z, both uniformly from
-        -STRONGEST_WIND to STRONGEST_WIND. The order matters, because the same seed must always give
-        the same winds. Store the result as the velocity of ``self.wind``, and keep this generator,
-        because the registry uses it. Project 4.2.
+        Draw the component along X first, and then the one along Z, both uniformly from
+        -STRONGEST_WIND to STRONGEST_WIND, because the same seed must always give the same winds.
+        Store the result as the velocity of ``self.wind``, and keep this generator, because the
+        registry uses it.
         """
         self.wind.velocity = Vector3(
             self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND),
@@ -129,7 +109,7 @@ class SniperRange:
         The rifle does not fire while another bullet is in flight, or if no shots are left.
         Otherwise a bullet of ``BULLET_MASS`` starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and
         ``shots_left`` decreases by 1. Gravity is the bullet's own acceleration, and the wind acts
-        on it through ``self.forces``. Project 4.2.
+        on it through ``self.forces``.
         """
         finite("azimuth", azimuth)
         finite("elevation", elevation)
@@ -148,12 +128,10 @@ class SniperRange:
         """Advance the bullet by ``duration`` s, and update the score if it hits a target.
 
         If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
-        call ``hit_on_the_way`` to find out whether it has passed through a target. If it has, add
-        the hole to ``holes`` and its points to the score.
-
-        The shot ends with a hit, or when the bullet is below the ground (y < 0) or beyond
-        ``END_OF_RANGE`` in z. To prepare for the next shot, clear the registered forces, set
-        ``bullet`` to None, and change the wind. Project 4.2.
+        call ``hit_on_the_way``. If the bullet has made a hole, add the hole to ``holes`` and its
+        points to the score. The shot ends with a hit, or when the bullet is below the ground (y <
+        0) or beyond ``END_OF_RANGE`` in z. Then clear the registered forces, set ``bullet`` to
+        None, and change the wind.
         """
         positive("duration", duration)
         bullet = self.bullet
@@ -175,10 +153,9 @@ class SniperRange:
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
     """Find the first hole that a bullet makes on its straight path from ``start`` to ``end``.
 
-    A target is a flat disc, and the path crosses its plane if start.z < distance <= end.z. If the
-    crossing point lies inside a ring, the bullet makes a hole there, which earns the points of the
-    ring times the factor of the target. Return None if the bullet hits no target. The vectors
-    ``start`` and ``end`` themselves do not change. Project 4.2.
+    The path crosses the plane of a target if start.z < distance <= end.z. If the crossing point
+    lies inside a ring, the bullet makes a hole there, which earns the points of the ring times the
+    factor of the target. Return None if the bullet hits no target.
     """
     for target in TARGETS:  # the nearest comes first
         if start.z < target.distance <= end.z:
@@ -192,11 +169,9 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 
 
 def ring_points(x: float, y: float) -> int:
-    """Look up the score for a bullet that hits a target at (x, y), in m from the center.
+    """Return the points of a bullet that hits at (x, y), in m from the center of a target.
 
-    The smallest ring in ``RINGS`` that contains (x, y) determines the score. A hit on the edge of a
-    ring counts as inside. If no ring contains it, the bullet has missed the target, so return 0.
-    Project 4.2.
+    The smallest ring in ``RINGS`` that contains (x, y) counts, with its edge. Without one, it is 0.
     """
     for radius, points in RINGS:
         if math.hypot(x, y) <= radius:

@@ -1,32 +1,26 @@
 """Integrators: methods that move particles forward by one time step.
 
 The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
-particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
-particles only, as ``ForceRegistry.update_forces`` does. It may be called several times, always with
-the duration of the whole step. A force may depend on two particles, so move all particles before
-you call it again. Before each call, the accumulators must contain exactly the forces that were
-added by hand before the step. After the step they are empty, and ``Particle.last_acceleration`` is
-the mean acceleration of the step.
+particle once. ``apply_forces(duration)`` adds the current forces to their accumulators, and always
+takes the duration of the whole step. A force may depend on two particles, so move all particles
+before you call it again. Before each call, the accumulators must contain exactly the forces that
+were added by hand before the step. After the step they are empty, and
+``Particle.last_acceleration`` is the mean acceleration of the step.
 
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
 particle's own damping d multiplies its velocity by d^h once, at the end of a step. Immovable
-particles do not move, and keep their velocities. The orders are given for d = 1, because for any
-other d the order is 1. Stability limits apply to k h^2 / m, for a mass m on an undamped spring k,
-and d = 1 unless noted.
-
-If ``apply_forces`` raises an exception, the particles are left in the middle of the step.
+particles do not move, and keep their velocities. A duration or another argument that is out of
+range raises ValueError. reference.md lists the orders, the stability limits and the sources.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
 
 from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch05_forces.particle import NO_FORCE, Particle
-from ch06_springs.adaptive import adaptive as adaptive  # so that it is found with the others
+from ch05_forces.particle import Particle
+from ch06_springs.going_further.adaptive import adaptive as adaptive
 
 ApplyForces = Callable[[float], None]
 Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
@@ -35,12 +29,10 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Make one step of explicit Euler: move each particle first, and then update its velocity.
+    """Make one step of explicit Euler: p' = p + v h, and then v' = (v + a h) d^h.
 
-    The step is p' = p + v h, and then v' = (v + a h) d^h. The method has order 1, is not
-    symplectic, and evaluates the forces once. At d = 1 every undamped spring is unstable. For
-    d < 1, undamped springs below ``max_stable_stiffness`` are stable. With a damper c, a spring is
-    stable if k h < c and 2 c h / m < 4 + k h^2 / m. The book's name differs (3.3.2, E-17).
+    Without damping, every spring is unstable. For d < 1, undamped springs below
+    ``max_stable_stiffness`` are stable. The book gives this step another name (3.3.2, E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -52,14 +44,7 @@ def explicit_euler(
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Make one step of semi-implicit Euler: update each velocity first, and then move the particle.
-
-    The step is v' = (v + a h) d^h, and then p' = p + v' h. The method has order 1 and evaluates the
-    forces once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy of a
-    stable spring does not drift. It is stable for k h^2 / m < 4. With damping d this limit grows to
-    2 (1 + d^h) / d^h. A damper c in the spring lowers it to k h^2 / m + 2 c h / m < 4. Source:
-    Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
-    """
+    """Make one step of semi-implicit Euler: v' = (v + a h) d^h, and then p' = p + v' h."""
     positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
@@ -70,25 +55,15 @@ def semi_implicit_euler(
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Move for half the step, update the velocity for the whole step, and move for the other half.
 
-    A step is p1 = p + v h / 2, then v' = (v + a h) d^h with a at p1, then p' = p1 + v' h / 2. The
-    forces are evaluated only once, in the middle of the step, and the damping acts once.
-
-    If d = 1 and no force depends on the velocity, the order is 2, and the method is symplectic. A
-    force that does depend on it is evaluated with the old velocity, which reduces the order to 1.
-
-    It is stable for k h^2 / m < 4. With damping d and a damper c in the spring, the condition is k
-    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits. After its
-    first half step, leapfrog updates the velocity and the position in turn, just as semi-implicit
-    Euler does. Source: Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
+    A step is p1 = p + v h / 2, then v' = (v + a h) d^h with a at p1, then p' = p1 + v' h / 2.
     """
     positive("duration", duration)
-    half = 0.5 * duration
     for particle in particles:
-        particle.drift(half)
+        particle.drift(duration / 2.0)
     apply_forces(duration)
     for particle in particles:
         particle.kick(duration)
-        particle.drift(half)
+        particle.drift(duration / 2.0)
 
 
 def velocity_verlet(
@@ -98,36 +73,17 @@ def velocity_verlet(
 
     First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. Here a and b are the
     accelerations at the old and the new position. For forces that depend on the velocity, use
-    v + a h in b. Forces that were added by hand before the step count in both a and b.
-
-    The method has order 2. It evaluates the forces twice, because b may change between two steps,
-    for example in a contact. It is symplectic if d = 1 and no force depends on the velocity. It is
-    stable for k h^2 / m < 4, even if d < 1. A damper c in the spring lowers this limit to 4 - 2 r +
-    r^2 with r = c h / m < 2. Source: Swope and others, J. Chem. Phys. 76 (1982), 637.
+    v + a h in b.
     """
-    positive("duration", duration)
-    half = 0.5 * duration
-    starts, by_hand = _starts(particles)
-    apply_forces(duration)
-    for particle, m, a, p, q, x, y, z, u, v, w, forces in starts:
-        fx, fy, fz = force = particle.take_forces()
-        forces.append(force)
-        if m:
-            ax, ay, az = a.x + fx * m, a.y + fy * m, a.z + fz * m
-            p.x = x + (u + ax * half) * duration
-            p.y = y + (v + ay * half) * duration
-            p.z = z + (w + az * half) * duration
-            q.x, q.y, q.z = u + ax * duration, v + ay * duration, w + az * duration
-    _add_again(by_hand)
-    apply_forces(duration)
-    mean = Vector3()
-    for particle, m, _, _, q, _, _, _, u, v, w, [(fx, fy, fz)] in starts:
-        gx, gy, gz = particle.take_forces()
-        if m:
-            q.x, q.y, q.z = u, v, w
-            mean.x, mean.y, mean.z = 0.5 * (fx + gx), 0.5 * (fy + gy), 0.5 * (fz + gz)
-            particle.add_force(mean)
-        particle.kick(duration)
+    h = positive("duration", duration)
+    accelerations = _evaluation(particles, apply_forces, h)
+    starts = [particle.velocity.copy() for particle in particles]
+    old = accelerations()
+    for particle, v, a in zip(particles, starts, old, strict=True):
+        _move(particle, particle.position + v * h + a * (h * h / 2.0), v + a * h)
+    new = accelerations()
+    for particle, v, a, b in zip(particles, starts, old, new, strict=True):
+        _finish(particle, particle.position, v, (a + b) / 2.0, h)
 
 
 def runge_kutta_4(
@@ -137,48 +93,21 @@ def runge_kutta_4(
 
     The step uses a weighted mean of four rates, in which the second and third rates count double. A
     rate consists of the velocity and the acceleration of a particle. Evaluate the first rate at the
-    start of the step. To find each later rate, return to the start, move at the previous rate, and
-    evaluate the rate there. Move for half the step to find the second and third rates, and for the
-    whole step to find the fourth.
-
-    The method has order 4, makes four evaluations, and is not symplectic. An undamped spring loses
-    about (k h^2 / m)^3 / 72 of its energy per step. It is stable for k h^2 / m < 8, or more if d <
-    1. With a damper c, |1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24| must be below 1 for both roots z of
-    z^2 + (c h / m) z + k h^2 / m = 0. Source: Kutta, Zeitschr. Math. Phys. 46 (1901), 435.
+    start of the step. To find each later rate, return to the start, and move at the previous rate:
+    for half the step to find the second and third rates, and for the whole step to find the fourth.
     """
-    positive("duration", duration)
-    half, sixth = 0.5 * duration, duration / 6.0
-    starts, by_hand = _starts(particles)
-    for ahead in (half, half, duration, 0.0):  # 0: back to the start after the fourth rate
-        apply_forces(duration)
-        for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
-            fx, fy, fz = force = particle.take_forces()
-            dx, dy, dz = q.x, q.y, q.z
-            rates.append((dx, dy, dz, force))
-            if m:
-                p.x = x + dx * ahead
-                p.y = y + dy * ahead
-                p.z = z + dz * ahead
-                q.x = u + (a.x + fx * m) * ahead
-                q.y = v + (a.y + fy * m) * ahead
-                q.z = w + (a.z + fz * m) * ahead
-        if by_hand and ahead:
-            _add_again(by_hand)
-    mean = Vector3()
-    for particle, m, _, p, _, x, y, z, _, _, _, rates in starts:
-        u1, v1, w1, (f1, g1, h1) = rates[0]
-        u2, v2, w2, (f2, g2, h2) = rates[1]
-        u3, v3, w3, (f3, g3, h3) = rates[2]
-        u4, v4, w4, (f4, g4, h4) = rates[3]
-        if m:
-            p.x = x + (u1 + 2.0 * (u2 + u3) + u4) * sixth
-            p.y = y + (v1 + 2.0 * (v2 + v3) + v4) * sixth
-            p.z = z + (w1 + 2.0 * (w2 + w3) + w4) * sixth
-            mean.x = (f1 + 2.0 * (f2 + f3) + f4) / 6.0
-            mean.y = (g1 + 2.0 * (g2 + g3) + g4) / 6.0
-            mean.z = (h1 + 2.0 * (h2 + h3) + h4) / 6.0
-            particle.add_force(mean)
-        particle.kick(duration)
+    h = positive("duration", duration)
+    accelerations = _evaluation(particles, apply_forces, h)
+    starts = [(particle.position.copy(), particle.velocity.copy()) for particle in particles]
+    rates = []
+    for ahead in (h / 2.0, h / 2.0, h, 0.0):  # 0: back to the start after the fourth rate
+        velocities = [particle.velocity.copy() for particle in particles]
+        rates.append(list(zip(velocities, accelerations(), strict=True)))
+        for particle, (p, v), (dp, dv) in zip(particles, starts, rates[-1], strict=True):
+            _move(particle, p + dp * ahead, v + dv * ahead)
+    for particle, (p, v), four in zip(particles, starts, zip(*rates, strict=True), strict=True):
+        dp, dv = ((a + (b + c) * 2.0 + d) / 6.0 for a, b, c, d in zip(*four, strict=True))
+        _finish(particle, p + dp * h, v, dv, h)
 
 
 def backward_euler(
@@ -189,10 +118,6 @@ def backward_euler(
     The new values x' and v' solve x' = x + v' h and v' = v + a' h, where m a' = -(k x' + c v'). The
     spring is at rest at x = 0. Positions are in m and velocities in m/s. In the equations, k is
     ``stiffness`` in N/m, c is ``damping`` in N s/m, m is ``mass`` in kg and h is ``duration`` in s.
-
-    The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
-    stiffness, but even without damping it loses energy, and the stiffer the spring, the more.
-    Source: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3.
     """
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     new = (v - h * k * x) / (1.0 + h * c + h * h * k)
@@ -205,11 +130,7 @@ def trapezoidal(
     """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
     The new values solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with m a = -k x - c v.
-    The arguments and units are those of ``backward_euler``.
-
-    The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
-    damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
-    Solving Ordinary Differential Equations II, IV.3.
+    The arguments are those of ``backward_euler``.
     """
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     half = 0.5 * h
@@ -235,10 +156,10 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that also checks the speed of every particle after each step.
 
-    In each step, the new integrator calls ``integrator`` once, with the same arguments. It counts
-    its own steps, and raises SimulationDiverged for the first particle whose speed is NaN or above
-    ``speed_limit`` in m/s. It can be called again after that, and goes on counting. A step in which
-    ``integrator`` raises an exception does not count.
+    In each step, it calls ``integrator`` once, with the same arguments. It counts its own steps,
+    and raises SimulationDiverged for the first particle whose speed is NaN or above ``speed_limit``
+    in m/s. It can be called again after that, and goes on counting. A step in which ``integrator``
+    raises an exception does not count.
     """
     positive("speed_limit", speed_limit)
     steps = 0
@@ -248,39 +169,49 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
         integrator(particles, apply_forces, duration)
         steps += 1
         for i, particle in enumerate(particles):
-            v = particle.velocity
-            speed = math.hypot(v.x, v.y, v.z)
+            speed = particle.velocity.magnitude()
             if not speed <= speed_limit:  # NaN is not below the limit either
                 raise SimulationDiverged(i, steps, speed, speed_limit)
 
     return step
 
 
-def _starts(
-    particles: Iterable[Particle],
-) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return the initial state of each particle, and the forces that were added before the step.
+def _evaluation(
+    particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
+) -> Callable[[], list[Vector3]]:
+    """Return a function that evaluates the accelerations at the current positions and velocities.
 
-    A state is (particle, inverse mass, a, p, v, components of p and v, an empty list for results).
+    Each evaluation starts from the forces that were added by hand before the step.
     """
-    starts: list[tuple[Any, ...]] = []
-    by_hand = []
-    for particle in particles:
+    by_hand = [particle.force_accumulator for particle in particles]
+
+    def accelerations() -> list[Vector3]:
+        for particle, force in zip(particles, by_hand, strict=True):
+            particle.clear_forces()
+            particle.add_force(force)
+        apply_forces(duration)
+        return [p.acceleration + p.force_accumulator * p.inverse_mass for p in particles]
+
+    return accelerations
+
+
+def _move(particle: Particle, position: Vector3, velocity: Vector3) -> None:
+    """Set the state of a particle in its own vectors, unless it is immovable."""
+    if particle.inverse_mass:
         p, v = particle.position, particle.velocity
-        m, a = particle.inverse_mass, particle.acceleration
-        starts.append((particle, m, a, p, v, p.x, p.y, p.z, v.x, v.y, v.z, []))
-        force = particle.take_forces()
-        if force is not NO_FORCE:
-            by_hand.append((particle, Vector3(*force)))
-    if by_hand:
-        _add_again(by_hand)
-    return starts, by_hand
+        p.x, p.y, p.z = position
+        v.x, v.y, v.z = velocity
 
 
-def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Restore the forces from before the step, because each evaluation empties the accumulators."""
-    for particle, force in by_hand:
-        particle.add_force(force)
+def _finish(
+    particle: Particle, position: Vector3, velocity: Vector3, mean: Vector3, duration: float
+) -> None:
+    """End a step at ``position``: kick the initial ``velocity`` by the ``mean`` acceleration."""
+    _move(particle, position, velocity)
+    particle.clear_forces()
+    if particle.inverse_mass:
+        particle.add_force((mean - particle.acceleration) / particle.inverse_mass)
+    particle.kick(duration)
 
 
 def _per_mass(

@@ -1,9 +1,7 @@
 """Force generators for buoyancy, the lift of a balloon, overcrowding and homing bullets.
 
-All of these forces depend on the positions of particles. The units and the argument checks are the
-same as in springs.py, from which you can import these classes, too. ``update_force`` uses the
-current values of the attributes. It adds to the forces that the particle already has, and changes
-nothing else.
+Units, argument checks and ``update_force`` are the same as in springs.py, from which you can import
+these classes, too.
 """
 
 from __future__ import annotations
@@ -16,21 +14,12 @@ from ch05_forces.particle import Particle
 
 
 class Buoyancy:
-    """The upward force of still water on a body that floats or sinks in it.
+    """The upward force of still water on a body that floats or sinks in it (6.2.4).
 
-    - ``max_depth`` is half the height of the body, in m. The body just touches the water when its
-      center is this far above the surface. It is completely submerged when its center is this far
-      below.
-    - ``volume`` is in m^3, and ``gravity`` is in m/s^2.
-    - ``water_height`` is the height of the water surface in m.
-    - ``liquid_density`` is in kg/m^3: 1000 for fresh water, and from 1020 to 1030 for sea water.
-      The example in the book's text is too large by a factor of 1000 (erratum E-21).
-
-    Raises:
-        ValueError: if ``max_depth``, ``volume`` or ``liquid_density`` is not positive, ``gravity``
-            is negative, or one of the arguments is not finite.
-
-    Book: section 6.2.4.
+    ``max_depth`` is half the height of the body in m: the body just touches the water when its
+    center is this far above the surface, which is at ``water_height`` in m. ``volume`` is in m^3,
+    ``gravity`` in m/s^2, and ``liquid_density`` in kg/m^3: 1000 for fresh water, and from 1020 to
+    1030 for sea water. ``max_depth``, ``volume`` and ``liquid_density`` must be positive.
     """
 
     def __init__(
@@ -50,18 +39,14 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force that equals the weight of the displaced water.
 
-        The force is rho V g times the fraction of the body that is under water. Here rho is
-        ``liquid_density``, V is ``volume`` and g is ``gravity``. The fraction is (y_w + s - y) / (2
-        s), limited to the range from 0 to 1. This is exact for an upright box and an approximation
-        for other shapes. In this formula s is ``max_depth``, y_w is the height of the water surface
-        and y is the height of the particle.
-
-        The book's formula has the wrong sign, and its listing lacks parentheses and the factor g
-        (erratum E-5).
+        The force is rho V g times the fraction of the body that is under water. The fraction is
+        (y_w + s - y) / (2 s), limited to the range from 0 to 1. Here rho is ``liquid_density``, V
+        is ``volume``, s is ``max_depth``, and y_w and y are the heights of the water surface and of
+        the particle.
         """
         depth = self.water_height + self.max_depth - particle.position.y
-        share = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
-        lift = share * self.liquid_density * self.volume * self.gravity
+        submerged = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
+        lift = submerged * self.liquid_density * self.volume * self.gravity
         particle.add_force(Vector3(0.0, lift, 0.0))
 
 
@@ -69,12 +54,8 @@ class LighterThanAir:
     """Exercise 6.2: the lift of a balloon, which decreases with height as the air gets thinner.
 
     At the height y, the lift is F e^(-y / H). Here F is ``max_lift`` in N, the lift at ground level
-    (y = 0). H is ``scale_height`` in m. Each time the balloon rises by this height, its lift is
-    divided by e. Below the ground the lift stays at ``max_lift``.
-
-    Raises:
-        ValueError: if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them is
-            not finite.
+    (y = 0), and H is ``scale_height`` in m, which must be positive. Below the ground the lift stays
+    at ``max_lift``.
     """
 
     def __init__(self, max_lift: float, scale_height: float) -> None:
@@ -91,9 +72,8 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: a force that pushes crowded particles apart, like a compressed spring.
 
-    ``particles`` is the list of all particles in the crowd, and may include the particle that is
-    pushed. The list is not copied, so you can add particles to the crowd later. Two particles are
-    too close if they are less than ``distance`` m apart. ``stiffness`` is in N/m.
+    ``particles`` is the list of all particles in the crowd, to which you can add others later. Two
+    particles are too close if they are less than ``distance`` m apart.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -108,24 +88,21 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
-        Let l be the distance to another particle. If l is less than ``distance``, that particle
-        pushes with the force k (``distance`` - l), where k is ``stiffness``. A particle at exactly
-        the same position does not push, because the direction would be undefined.
+        If the distance l to another particle is less than ``distance``, that particle pushes with
+        the force k (``distance`` - l), where k is ``stiffness`` in N/m. A particle at exactly the
+        same position does not push, because the direction would be undefined.
         """
         for other in self.particles:
             away = particle.position - other.position
-            too_near = self.distance - away.magnitude()
-            if too_near > 0.0:
-                particle.add_force(away.normalized() * (self.stiffness * too_near))
+            overlap = self.distance - away.magnitude()
+            if overlap > 0.0:
+                particle.add_force(away.normalized() * (self.stiffness * overlap))
 
 
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    A bullet that steers toward the current position of a moving target always lags behind. So
-    compute where the bullet and the target will be after ``look_ahead`` s if they keep their
-    current velocities. The force on the bullet is the pull of a spring between these two positions.
-    The spring has a rest length of 0 and the given ``stiffness`` in N/m.
+    Their future positions are those after ``look_ahead`` s, if both keep their current velocities.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:
@@ -134,12 +111,11 @@ class HomingBullet:
         self.look_ahead = not_negative("look_ahead", look_ahead)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.4: add the force that steers the bullet toward its target.
+        """Exercise 6.4: add the force that steers the bullet, ``particle``, toward its target.
 
-        The bullet is ``particle``. The force is k d, where k is ``stiffness``, and d points from
-        the future position of the bullet to the future position of the target. Only the bullet
-        feels this force, so the target is not pulled toward it.
+        The force is k d, where k is ``stiffness`` in N/m, and d leads from the future position of
+        the bullet to the future position of the target. The target feels no force.
         """
-        way = self.target.position - particle.position
-        way.add_scaled(self.target.velocity - particle.velocity, self.look_ahead)
-        particle.add_force(way * self.stiffness)
+        here = particle.position + particle.velocity * self.look_ahead
+        there = self.target.position + self.target.velocity * self.look_ahead
+        particle.add_force((there - here) * self.stiffness)

@@ -1,9 +1,4 @@
-"""Write your own integrator that is accurate with only a few force evaluations per step.
-
-Each evaluation computes all forces, which is the most expensive part of a time step. An integrator
-that evaluates the forces more often can be more accurate, but it is also slower. The best
-compromise depends on the scene. In this exercise the scene is an orbit.
-"""
+"""Write your own integrator that is accurate with only a few force evaluations per step."""
 
 from __future__ import annotations
 
@@ -14,26 +9,18 @@ from ch06_springs.integrators import ApplyForces
 
 
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Move ``particles`` by one time step, with a method that you design yourself.
+    """Move ``particles`` by one time step of ``duration`` s, with a method that you design.
 
-    ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
-    ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. So clear the
-    accumulators before the next call, and also at the end of the step. Remember that a particle's
-    own acceleration acts in addition to the forces.
+    You may divide the step into parts. Each call of ``apply_forces(duration)`` evaluates the forces
+    and adds them to the accumulators, so clear these before the next call and at the end.
 
-    Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
-    takes 60 frames, and ``my_step`` is called once per frame. The grade depends on the number of
-    evaluations and on the error. The error is the largest distance from the true position after any
-    frame, in units of the semi-major axis. It must be at most 1e-2. With at most 500 evaluations,
-    an error of 1e-3 is good and 1e-4 is better. The run is stopped after 5000 evaluations.
-
-    A second scene has two particles on a spring, which fall as they swing. One oscillation takes 60
-    frames. After any frame, no particle may be farther from its true position than 0.5 % of the
-    largest distance between the two. After one oscillation, the velocities must be right as well.
-
-    Both scenes are simple. They have no damping, no forces added by hand and no immovable
-    particles. Their forces do not depend on velocities, nor on the duration that you pass to
-    ``apply_forces``.
+    Your method is graded on one revolution of an orbit with an eccentricity of 0.5, in 60 steps.
+    The error is the largest distance from the true position after any step, in semi-major axes. It
+    must be at most 1e-2. With at most 500 evaluations, an error of 1e-3 is good and 1e-4 is better.
+    The run is stopped after 5000. In a second scene, two particles on a spring fall as they swing,
+    once in 60 steps. No particle may be farther from its true position than 0.5 % of the largest
+    distance between the two, and the final velocities must be right as well. The scenes have no
+    damping, no forces added by hand, and no forces that depend on velocities or durations.
     """
     # Drifts and kicks alternate, with fractions of the step that are symmetric:
     # Blanes and Moan, Journal of Computational and Applied Mathematics 142 (2002), 313, their S6.

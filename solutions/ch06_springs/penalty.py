@@ -1,29 +1,19 @@
-"""Going further: use springs to keep particles out of the ground, and see why this fails.
-
-The book says that one of its exercises does this, but the exercise is missing (erratum E-36).
-"""
+"""Going further: use springs to keep particles out of the ground, and see why this fails (E-36)."""
 
 from __future__ import annotations
 
 from ch02_vectors.arguments import finite, not_negative
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch06_springs.springs import spring_force
 
 
 class PenaltyGround:
     """Level ground that pushes particles out as a spring would, but never pulls them.
 
-    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m. You may change them later.
-
-    No stiffness k works well. If the ground is soft, a body of mass m that rests on it sinks in by
-    m g / k. If the ground is hard, it pushes for too long. It starts to push only after a step has
-    ended below the ground, and then it pushes for the whole next step. Without damping, a body can
-    therefore bounce higher than the height from which it fell. To avoid this, k h^2 / m must be far
-    below 1, where h is the length of a step in s. If k h^2 / m is above 4, the ground even throws
-    bodies that rest on it.
-
-    Raises:
-        ValueError: if the height is not finite, or another argument is negative or not finite.
+    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m. They raise ValueError and
+    TypeError as in springs.py. If the ground is soft, a body of mass m that rests on it sinks in by
+    m g / k. If it is hard, it throws bodies back higher than they fell from.
     """
 
     def __init__(self, height: float, stiffness: float, damping: float = 0.0) -> None:
@@ -35,10 +25,9 @@ class PenaltyGround:
         """Push a particle upward if it is below the ground, with the force k depth - c v_y.
 
         Here k is ``stiffness``, c is ``damping``, and v_y is the upward velocity of the particle.
-        Add the force only if it is positive. The damping reduces the push on a particle that is
-        already moving out of the ground, but the ground must not pull this particle back.
+        Add the force only if it is positive. The ground must never pull.
         """
-        depth = self.height - particle.position.y
-        if depth > 0.0:
-            push = self.stiffness * depth - self.damping * particle.velocity.y
-            particle.add_force(Vector3(0.0, max(push, 0.0), 0.0))
+        offset = Vector3(0.0, particle.position.y - self.height, 0.0)  # from the surface
+        if offset.y < 0.0:
+            push = spring_force(offset, particle.velocity, self.stiffness, 0.0, self.damping)
+            particle.add_force(Vector3(0.0, max(push.y, 0.0), 0.0))

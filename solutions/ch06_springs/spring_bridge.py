@@ -1,10 +1,8 @@
-"""Going further: a rope bridge whose planks hang on springs, and a person who walks across.
-
-The book names such a bridge as a use of anchored springs (6.2.2).
-"""
+"""Going further: a rope bridge whose planks hang on springs, and a person who walks across."""
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -43,16 +41,15 @@ def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
     """Add the weight of a person to the planks of a bridge, as forces that act for one step.
 
     ``x`` is the person's position in m, and ``weight`` is in N. ``planks`` must be in order along
-    x. The person stands between two planks, and the nearer one carries more of the weight. If the
-    person has covered the fraction s of the way from one plank to the next, these two carry 1 - s
-    and s of the weight. If the person is before the first plank or beyond the last one, the nearest
-    plank carries the whole weight.
+    x. If the person has covered the fraction s of the way from one plank to the next, these two
+    carry 1 - s and s of the weight. If the person is before the first plank or beyond the last one,
+    the nearest plank carries the whole weight.
     """
     finite("x", x)
     not_negative("weight", weight)
     places = [plank.position.x for plank in planks]
     x = min(max(x, places[0]), places[-1])
-    after = next((i for i, place in enumerate(places) if place >= x), len(places) - 1)
+    after = bisect_left(places, x)  # the first plank at x or beyond
     before = max(after - 1, 0)
     gap = places[after] - places[before]
     share = (x - places[before]) / gap if gap else 1.0

@@ -1,21 +1,17 @@
 """Detectors: objects that find out which particles touch, and predict the next impact.
 
-A detector has two methods. The engine calls ``contacts()`` after each step to find out which
-particles touch. Particles that just touch also have a contact, with a penetration of 0. The
-contacts are always in the order of the particles. A step with time division (``time_division.py``)
-calls ``next_impact(duration)`` before it moves the particles, because it must stop at the next
-impact.
+``contacts()`` finds all particles that touch or overlap now, in the order of the list.
+``next_impact(duration)`` finds the first impact in the coming ``duration`` s, including its end. In
+t seconds a particle moves to p + v t + a t^2 / 2, where a is its ``last_acceleration``.
 
-Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
-particles to the list later. You may also change the attributes of a detector between two calls.
-Constructors raise ValueError for a number that is not finite, a radius that is too small, and a
-restitution outside 0 to 1. They raise TypeError for an argument of the wrong type.
+A detector does not copy its list, so you may add particles to the list later. Lengths are in m. A
+number out of range raises ValueError, and a value of the wrong type raises TypeError.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, product
 from typing import Protocol
 
@@ -29,35 +25,25 @@ from ch07_constraints.contacts import (
     direction_of,
 )
 
-Impact = tuple[float, Contact]
-
-
-# The 13 neighbors of a cell that come after it. With all 26, each pair would be found twice.
-_AFTER = [cell for cell in product((-1, 0, 1), repeat=3) if cell > (0, 0, 0)]
+Impact = tuple[float, Contact]  # the time of the impact in s, and its contact with penetration 0
+UP = Vector3(0.0, 1.0, 0.0)  # the normal of level ground
 
 
 class Detector(Protocol):
-    """The interface of detectors, which have the methods ``contacts`` and ``next_impact``.
-
-    A detector does not have to inherit from this class.
-    """
+    """The interface of detectors. A detector does not have to inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Find the first impact within ``duration`` s, as (time, contact), or return None.
-
-        An impact exactly at the end of the duration counts.
-        """
+        """Find the first impact within ``duration`` s, as (time, contact), or return None."""
 
 
 class GroundPlane:
     """Exercise 7.5: a detector for particles that touch level ground at ``height``.
 
     The particles are points, or spheres that all have the same ``radius``. Everything below
-    ``height`` is ground. A particle that ends a step there is in contact, however deep it is, so
-    even a very fast particle cannot pass through the ground.
+    ``height`` is ground, so even a very fast particle cannot pass through it.
     """
 
     def __init__(
@@ -82,40 +68,26 @@ class GroundPlane:
         for particle in self.particles:
             depth = self.height + self.radius - particle.position.y
             if depth >= 0.0 and particle.inverse_mass:
-                found.append(
-                    Contact(particle, None, Vector3(0.0, 1.0, 0.0), self.restitution, depth)
-                )
+                found.append(Contact(particle, None, UP, self.restitution, depth))
         return found
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Predict the first impact of a particle on the ground within ``duration`` s.
+        """Predict the first impact of a particle on the ground, with ``time_to_close``.
 
-        After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        Use ``time_to_close`` to find out when the gap between the particle and the ground closes. A
-        particle that lies on the ground and is accelerated downward always has an impact at time 0,
-        and an immovable particle has none. If two particles hit the ground at the same time, take
-        the particle that is earlier in the list.
-
-        Returns:
-            The tuple (time, contact), or None if there is no impact. The contact has a penetration
-            of 0.
+        Immovable particles have no impact. Of impacts at the same time, take the first in the list.
         """
         not_negative("duration", duration)
-        first: Impact | None = None
+        impacts = []
         for particle in self.particles:
             gap = particle.position.y - self.height - self.radius
             time = time_to_close(gap, particle.velocity.y, particle.last_acceleration.y)
-            if particle.inverse_mass and time <= duration and (first is None or time < first[0]):
-                normal = Vector3(0.0, 1.0, 0.0)
-                first = time, Contact(particle, None, normal, self.restitution)
-        return first
+            if time <= duration and particle.inverse_mass:
+                impacts.append((time, Contact(particle, None, UP, self.restitution)))
+        return earliest(impacts)
 
 
 class ParticlePairs:
-    """A detector for collisions between spheres that all have the same positive ``radius``.
-
-    The center of each sphere is a particle.
-    """
+    """A detector for collisions between spheres around particles, all with the same ``radius``."""
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0
@@ -131,9 +103,7 @@ class ParticlePairs:
         the list than ``other``. The normal points from ``other`` to ``particle``, or along +Y if
         both positions are equal. Two immovable particles have no contact.
 
-        Do not compare every pair, because the cost would grow with the square of the number of
-        particles. You can, for example, sort the particles into the cells of a grid. If the cells
-        are large enough, only particles in the same cell or in neighboring cells can touch.
+        Do not compare every pair, because the cost grows with the square of the number of spheres.
         """
         found = []
         for i, j in sorted(self._near_pairs()):
@@ -141,69 +111,40 @@ class ParticlePairs:
             offset = a.position - b.position
             depth = 2.0 * self.radius - offset.magnitude()
             if depth >= 0.0 and a.inverse_mass + b.inverse_mass:
-                normal = direction_of(offset)
-                found.append(Contact(a, b, normal, self.restitution, depth))
+                found.append(Contact(a, b, direction_of(offset), self.restitution, depth))
         return found
 
-    def next_impact(self, duration: float) -> Impact | None:
-        """Predict the first impact of two spheres within ``duration`` s.
-
-        After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        Two particles with the same acceleration move in a straight line relative to each other, so
-        the time of their impact is easy to compute. You may assume that the accelerations of all
-        particles are the same, or differ only by rounding errors. Treat the velocity and the
-        acceleration of an immovable particle as zero.
-
-        Two spheres have an impact when they touch or overlap while they approach each other faster
-        than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
-        error of an earlier impact. If the spheres already touch and approach at the start, the time
-        is 0. If several impacts happen at the same time, take the first in the order of
-        ``contacts()``.
-
-        Returns:
-            The tuple (time, contact), or None if there is no impact. The contact has the normal at
-            the time of the impact, and a penetration of 0.
-        """
-        not_negative("duration", duration)
-        first: Impact | None = None
-        for a, b in combinations(self.particles, 2):
-            time = self._time_to_touch(a, b)
-            if time <= duration and (first is None or time < first[0]):
-                offset = a.position - b.position
-                offset.add_scaled(_velocity(a) - _velocity(b), time)
-                first = time, Contact(a, b, offset.normalized(), self.restitution)
-        return first
-
-    def _near_pairs(self) -> list[tuple[int, int]]:
-        """Find the pairs of particles that are close enough to touch, with the help of a grid.
-
-        A pair consists of two indices into the list of particles, the lower one first.
-        """
+    def _near_pairs(self) -> Iterator[tuple[int, int]]:
+        """Sort the particles into a grid one by one, each after meeting its earlier neighbors."""
         size = 2.001 * self.radius  # so that spheres that just touch are never two cells apart
         cells: dict[tuple[int, int, int], list[int]] = {}
-        for i, particle in enumerate(self.particles):
-            x, y, z = particle.position
-            cell = (math.floor(x / size), math.floor(y / size), math.floor(z / size))
-            cells.setdefault(cell, []).append(i)
-        pairs: list[tuple[int, int]] = []
-        for (x, y, z), here in cells.items():
-            pairs += combinations(here, 2)
-            for right, up, front in _AFTER:
-                for j in cells.get((x + right, y + up, z + front), ()):
-                    pairs += [(min(i, j), max(i, j)) for i in here]
-        return pairs
+        for j, particle in enumerate(self.particles):
+            x, y, z = (math.floor(component / size) for component in particle.position)
+            for right, up, front in product((-1, 0, 1), repeat=3):
+                for i in cells.get((x + right, y + up, z + front), ()):
+                    yield i, j
+            cells.setdefault((x, y, z), []).append(j)
 
-    def _time_to_touch(self, a: Particle, b: Particle) -> float:
-        """Compute the time in s until two spheres touch, or return math.inf if they never do."""
-        offset, velocity = a.position - b.position, _velocity(a) - _velocity(b)
-        closing = -offset.dot(velocity)  # the closing speed times the distance
-        if closing <= VELOCITY_TOLERANCE * offset.magnitude():
-            return math.inf
-        gap = offset.squared_magnitude() - (2.0 * self.radius) ** 2
-        if gap <= 0.0:
-            return 0.0
-        root = closing * closing - velocity.squared_magnitude() * gap
-        return gap / (closing + math.sqrt(root)) if root > 0.0 else math.inf
+    def next_impact(self, duration: float) -> Impact | None:
+        """Predict the first impact of two spheres, with its normal at the time of the impact.
+
+        You may assume that the accelerations of all particles are the same, or differ only by
+        rounding errors. Treat the velocity of an immovable particle as zero.
+
+        Two spheres have an impact when they touch or overlap while they approach each other faster
+        than ``VELOCITY_TOLERANCE``. Ignore a slower approach, which may be the rounding error of an
+        earlier impact. If they already touch and approach at the start, the time is 0. Of impacts
+        at the same time, take the first in the order of ``contacts()``.
+        """
+        not_negative("duration", duration)
+        impacts = []
+        for a, b in combinations(self.particles, 2):
+            offset, velocity = a.position - b.position, _velocity(a) - _velocity(b)
+            time = _time_to_touch(offset, velocity, 2.0 * self.radius)
+            if time <= duration:
+                normal = (offset + velocity * time).normalized()
+                impacts.append((time, Contact(a, b, normal, self.restitution)))
+        return earliest(impacts)
 
 
 def _velocity(particle: Particle) -> Vector3:
@@ -211,11 +152,20 @@ def _velocity(particle: Particle) -> Vector3:
     return particle.velocity if particle.inverse_mass else Vector3()
 
 
-class Detectors:
-    """Combines several detectors into one, for example one for the ground and one for spheres.
+def _time_to_touch(d: Vector3, u: Vector3, distance: float) -> float:
+    """Solve |d + u t| = ``distance`` for the time t >= 0 at which the spheres meet, or math.inf."""
+    closing = -d.dot(u)  # the closing speed times the distance
+    if closing <= VELOCITY_TOLERANCE * d.magnitude():
+        return math.inf
+    gap = d.squared_magnitude() - distance**2
+    if gap <= 0.0:
+        return 0.0
+    root = closing**2 - u.squared_magnitude() * gap
+    return gap / (closing + math.sqrt(root)) if root > 0.0 else math.inf
 
-    You can then pass all of them to ``time_division_step``, which takes only one detector.
-    """
+
+class Detectors:
+    """Combines several detectors into one, for example one for the ground and one for spheres."""
 
     def __init__(self, *detectors: Detector) -> None:
         self.detectors = detectors
@@ -225,51 +175,43 @@ class Detectors:
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the earliest impact that any of the detectors finds, or None if there is none.
-
-        If several impacts happen at the same time, return the one from the detector listed first.
-
-        Raises:
-            ValueError: if one of the detectors raises it.
-        """
+        """Return the earliest impact of all detectors. Of equals, take the first detector's."""
         impacts = [detector.next_impact(duration) for detector in self.detectors]
-        return min((impact for impact in impacts if impact), key=lambda i: i[0], default=None)
+        return earliest(impact for impact in impacts if impact)
+
+
+def earliest(impacts: Iterable[Impact]) -> Impact | None:
+    """Return the first of the impacts with the lowest time, or None if there are no impacts."""
+    return min(impacts, key=lambda impact: impact[0], default=None)
 
 
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Compute how long it takes until the gap between a body and the ground closes, in s.
 
-    The result is the first time at which the gap is 0 or negative and still decreasing. After t
-    seconds the gap is g + v t + a t^2 / 2. Here g is ``gap`` in m, v is ``velocity`` in m/s and a
-    is ``acceleration`` in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or
-    negative at the start, the result depends on v:
+    After t seconds the gap is g + v t + a t^2 / 2. The result is the first time at which the gap is
+    0 or negative and still decreasing. That is 0 for a body on or below the ground with v < 0, or
+    with v = 0 and a < 0. If it moves up and a < 0, it is the time at which the gap returns to 0, or
+    at which v reverses if the gap never becomes positive.
 
-    - If v is negative, or if v is 0 and a is negative, the result is 0.
-    - If v is positive and a is negative, the result is the time at which the gap returns to 0. If
-      the gap never becomes positive, the result is the time at which v reverses.
-
-    A very small velocity may be only a rounding error. So if v is between -VELOCITY_TOLERANCE and
-    0, the gap closes only if a is negative. The result must have nine correct digits, even for a
-    fast body just above the ground, so do not subtract nearly equal numbers. Return ``math.inf`` if
-    the gap never closes, and also if the velocity reverses exactly when the gap is 0. The arguments
-    are not checked.
+    Return ``math.inf`` if the gap never closes, or if v reverses exactly when the gap is 0. A v
+    between -VELOCITY_TOLERANCE and 0 may be a rounding error, so it closes the gap only if a < 0.
+    The result must have nine correct digits, even for a fast body just above the ground, so do not
+    subtract nearly equal numbers. The arguments are not checked.
     """
     if acceleration >= 0.0 and velocity >= -VELOCITY_TOLERANCE:
         return math.inf
     if gap <= 0.0 and velocity <= 0.0:
         return 0.0
-    root = velocity * velocity - 2.0 * acceleration * gap
-    if velocity > 0.0:  # up first; a root below 0 means that it never gets out of the ground
-        return (velocity + math.sqrt(max(root, 0.0))) / -acceleration
-    return 2.0 * gap / (math.sqrt(root) - velocity) if root > 0.0 else math.inf
+    squared = velocity**2 - 2.0 * acceleration * gap  # the square of the velocity at the ground
+    if velocity > 0.0:  # up first; if the square is negative, it turns around below the ground
+        return (velocity + math.sqrt(max(0.0, squared))) / -acceleration
+    if squared <= 0.0:  # it turns around before it reaches the ground
+        return math.inf
+    return 2.0 * gap / (math.sqrt(squared) - velocity)  # the gap over the mean of both speeds
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Check that ``particles`` is a list or a tuple of particles, and return it.
-
-    Raises:
-        TypeError: if it is anything else.
-    """
+    """Check that ``particles`` is a list or a tuple of particles, and return it."""
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):

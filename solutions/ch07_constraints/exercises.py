@@ -1,8 +1,6 @@
-"""Functions that solve exercises 7.1, 7.3 and 7.4 of the book.
+"""Functions that solve exercises 7.1, 7.3 and 7.4 of the book, in SI units.
 
-The functions compute the restitution of real balls from measured bounces, and the speed of a ball
-that was dropped on top of another one. They also replace a push that is shorter than a frame with a
-weaker force that acts for the whole frame.
+A number out of range raises ValueError, and a value of the wrong type raises TypeError.
 """
 
 from __future__ import annotations
@@ -15,16 +13,14 @@ from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch07_constraints.contacts import a_restitution
 
-Drop = tuple[str, float, float]
+Drop = tuple[str, float, float]  # a material, the height of the drop, and the height of the bounce
 
 
 def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
     """Exercise 7.1: compute the restitution of a ball from the heights of its drop and its bounce.
 
-    The restitution is the speed after the bounce divided by the speed before it. Each speed is
-    proportional to the square root of the corresponding height, so the restitution is the square
-    root of bounce_height / initial_height. Both heights are in m, measured from the ball's position
-    when it touches the ground.
+    It is the square root of bounce_height / initial_height, which are measured from the position
+    of the ball when it touches the ground. The initial height must be positive.
 
     >>> restitution_of_drop(1.0, 0.64)
     0.8
@@ -37,12 +33,9 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
     """Exercise 7.1: make a table of the restitutions that were measured for several materials.
 
-    Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height, both in
-    m. The table has a row for each material: (material, number of drops, mean restitution, standard
-    error of the mean). For n drops the standard error is s / sqrt(n), where s is the sample
-    standard deviation (with n - 1) of the restitutions. A single drop has no standard deviation, so
-    the standard error is then None. The rows are in the order in which the materials first appear.
-    Without drops, the table is empty.
+    The table has a row for each material, in the order in which the materials first appear:
+    (material, number of drops, mean restitution, standard error of the mean). For n drops the error
+    is s / sqrt(n), with the sample standard deviation s (with n - 1), or None for a single drop.
     """
     measured: dict[str, list[float]] = {}
     for material, initial_height, bounce_height in drops:
@@ -66,11 +59,10 @@ def top_ball_speed(
 ) -> float:
     """Exercise 7.3: compute how fast the upper of two dropped balls flies up after the bounce.
 
-    Both balls are dropped from ``height`` in m, one directly above the other and almost touching
-    it. The lower ball bounces off the ground first, and before it has risen noticeably, it hits the
-    upper ball, which is still falling. The result is the upward velocity of the upper ball in m/s
-    after this impact. It is negative if the ball still moves down. Gravity is in m/s^2 and masses
-    are in kg. Without height or gravity, the result is 0.
+    Both balls fall from ``height``, one almost touching the other. The lower ball bounces off the
+    ground first, and before it has risen noticeably, it hits the upper ball, which is still
+    falling. The result is the upward velocity of the upper ball in m/s after this impact. Without
+    height or gravity, the result is 0.
     """
     not_negative("height", height)
     not_negative("gravity", gravity)
@@ -86,9 +78,8 @@ def top_ball_speed(
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
     """Exercise 7.4: replace a short, strong push by a weaker force that acts for a whole frame.
 
-    ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s, but the engine
-    applies every force for the whole frame. So return a smaller force in N, as a new vector, which
-    has the same direction and produces the same impulse in the longer time. Don't change ``force``.
+    ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s. Return a new
+    vector, the force that produces the same impulse in the longer time. Don't change ``force``.
     """
     force = finite_vector("force", force)
     positive("frame", frame)

@@ -1,8 +1,7 @@
 """A game in which a ball bounces over the rope bridge, from row to row (project 8.1).
 
-The ball jumps automatically whenever it lands on a row of planks, and the player steers it in the
-air. Only the first landing on each row scores points. The player wins by landing on every row, and
-loses a life whenever the ball touches the ground.
+The ball jumps automatically whenever it lands on a row of planks, and the player steers it. The
+player wins by landing on every row, and loses a life whenever the ball touches the ground.
 """
 
 from __future__ import annotations
@@ -29,13 +28,8 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 class Rules:
     """The rules of the bridge game, which keep the score and count the lives.
 
-    ``rows`` is the number of rows of planks on the bridge, and ``visited`` is the set of rows on
-    which the ball has landed. The rules do not depend on the particles. The game calls ``landed``
-    whenever the ball lands on a row, and ``fell`` whenever it touches the ground.
-
-    Raises:
-        ValueError: if ``rows`` is less than 1.
-        TypeError: if ``rows`` is not a whole number.
+    ``rows`` is the number of rows of the bridge, which must be at least 1. ``visited`` is the set
+    of rows on which the ball has landed. The game calls ``landed`` and ``fell``.
     """
 
     def __init__(self, rows: int) -> None:
@@ -46,20 +40,20 @@ class Rules:
 
     @property
     def won(self) -> bool:
-        """True if the ball has landed on every row of the bridge (project 8.1a)."""
+        """True if the ball has landed on every row of the bridge."""
         return len(self.visited) == self.rows
 
     @property
     def over(self) -> bool:
-        """True if the game is won or lost. From then on, the score and the lives do not change."""
+        """True if the game is won, or no lives are left. Then score and lives do not change."""
         return self.won or self.lives == 0
 
     def landed(self, row: int) -> None:
         """Count a landing of the ball on the row of planks with the index ``row``.
 
-        The first landing on a row gives ``POINTS``. If this landing wins the game, the player also
-        gets ``BONUS`` for each life that is left. Later landings on the same row change nothing,
-        and neither does a landing after the game is over.
+        The first landing on a row gives ``POINTS``. If it wins the game, it also gives ``BONUS``
+        for each life that is left. Later landings on the same row change nothing, and neither does
+        a landing after the game is over.
         """
         if self.over or row in self.visited:
             return
@@ -77,9 +71,8 @@ class Rules:
 class Landings:
     """A contact generator that returns the contacts of ``deck`` and records where the ball lands.
 
-    The world calls ``contacts`` once per step, so the game can read afterward where the ball has
-    landed. If the ball touched the deck on its way down, ``row`` is the index of the row nearest to
-    the ball. Otherwise ``row`` is None.
+    The world calls ``contacts`` once per step. If the ball then touched the deck on its way down,
+    ``row`` is the index of the row nearest to the ball. Otherwise ``row`` is None.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -91,19 +84,17 @@ class Landings:
 
         ``row`` is set to None if the ball does not touch the planks or is not moving toward them.
         """
-        found = self.deck.contacts()
+        found, nearest = self.deck.contacts(), self.deck.nearest()
         self.row = None
-        if found and found[0].separating_velocity() < 0.0:
-            nearest = self.deck.nearest()
-            self.row = nearest[0] if nearest else None
+        if nearest and found and found[0].separating_velocity() < 0.0:
+            self.row, _ = nearest
         return found
 
 
 class BallGame:
-    """The bridge game, which combines the rules with a simulation of the ball and the bridge.
+    """The bridge game: ``rules``, and a ``world`` that moves the ``ball`` and the ``rows``.
 
-    ``rules`` keeps the score, and ``world`` moves the ``ball`` and the ``rows`` of planks. Set
-    ``direction`` to steer the ball: -1 means left, 1 means right, and 0 means neither.
+    Set ``direction`` to steer the ball: -1 means left, 1 means right, and 0 means neither.
     """
 
     def __init__(self) -> None:
@@ -120,10 +111,7 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Place the ball at rest above the first row of the bridge.
-
-        The ball's x is the current x of the first row, and its height is ``HEIGHT + DROP``.
-        """
+        """Place the ball at rest above the first row of the bridge, at ``HEIGHT + DROP``."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
@@ -131,10 +119,10 @@ class BallGame:
         """Advance the game by one time step of ``duration`` s, or do nothing if the game is over.
 
         First push the ball in the player's direction so that it gets an acceleration of ``PUSH``,
-        and step the world. Then check where the ball is.
+        and step the world. Then:
 
-        - If it has landed on a row, report the landing to the rules. Make the ball jump by setting
-          its vertical velocity to ``JUMP``. Its velocity along X stays the same.
+        - If the ball has landed on a row, report the landing to the rules. Make the ball jump by
+          setting its vertical velocity to ``JUMP``, and leave its velocity along X as it is.
         - Otherwise, if its lowest point is at most ``TOUCH`` above the ground, report the fall to
           the rules. Then put the ball back at its start, unless the player has no lives left.
         """

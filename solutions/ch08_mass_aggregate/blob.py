@@ -1,7 +1,6 @@
 """A blob of particles, held together by bonds that can weaken, break and heal (book 8.2.3).
 
-A bond is a soft spring between two particles. It breaks when it is stretched too far, and heals
-when its ends come close again. A blob can therefore split in two and merge later.
+Lengths are in m. Constructors raise ValueError for a number that is out of range.
 """
 
 from __future__ import annotations
@@ -32,17 +31,10 @@ class Bond:
     """A soft spring between two particles that has an elastic limit, can break, and can heal.
 
     Up to the length ``limit``, the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
-    this length, stretching it further adds less force: the stiffness is multiplied by the fraction
-    ``share``, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
-    exerts no force until it heals. It heals when the distance between its ends is ``rest_length``
-    or less. ``holds`` is False while the bond is broken.
-
-    All lengths are in m. Register the bond for both particles, because each call to
-    ``update_force`` pulls on one end only.
-
-    Raises:
-        ValueError: if rest_length <= limit <= break_length does not hold, or ElasticLimitSpring
-            rejects an argument.
+    it, the stiffness is multiplied by the fraction ``share``, as in exercise 6.1. If the bond gets
+    longer than ``break_length``, it breaks and exerts no force until it heals. It heals when the
+    distance between its ends is ``rest_length`` or less. ``holds`` is False while it is broken.
+    Register the bond for both particles: each call to ``update_force`` pulls on one end only.
     """
 
     def __init__(
@@ -68,8 +60,8 @@ class Bond:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Break or heal the bond if necessary, and pull on ``particle`` if the bond is intact.
 
-        The registry calls this method once for each end. Check the length before you compute the
-        force, so that the bond breaks or heals for both ends in the same step.
+        The registry calls this method once for each end. Break or heal before you compute the
+        force, so that both ends do so in the same step.
         """
         length = (self.b.position - self.a.position).magnitude()
         if self.holds:
@@ -82,16 +74,13 @@ class Bond:
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Measure the size of a blob in m, for example while it falls and spreads.
+    """Measure the size of a blob in m.
 
-    The result is the root mean square distance of the particles from their center of mass. Each
-    particle is weighted by its mass. You may assume that there is at least one particle, and that
-    all of them can move. Don't change them.
+    The result is the root mean square distance of the particles from their center of mass, weighted
+    by mass. There is at least one particle, all of them can move, and none of them is changed.
     """
     total = math.fsum(positive("mass", particle.mass) for particle in particles)
-    center = Vector3()
-    for particle in particles:
-        center.add_scaled(particle.position, particle.mass / total)
+    center = sum((particle.position * particle.mass for particle in particles), Vector3()) / total
     squares = [
         particle.mass * (particle.position - center).squared_magnitude() for particle in particles
     ]
@@ -99,30 +88,22 @@ def spread(particles: Sequence[Particle]) -> float:
 
 
 class Blob:
-    """A blob of particles, joined by bonds, that falls to the ground.
+    """A flat blob of ``particles`` that falls to the ground from ``height``.
 
-    ``world`` simulates the blob, which consists of ``particles`` and ``bonds``. The blob is flat,
-    so all particles start at z = 0. Its center starts ``height`` m above the ground. A bond joins
-    every pair of particles. If ``cables`` is True, a cable also joins every pair and keeps the bond
-    from breaking. The length of the cable is the ``break_length`` of the bond.
-
+    ``world`` simulates it. ``bonds`` join every pair of particles. If ``cables`` is True, a cable
+    as long as the ``break_length`` of the bond also joins every pair, so that no bond breaks.
     ``push`` is a force in N that acts on each particle in every step. Set it to push the blob.
-
-    Raises:
-        ValueError: if the height is not finite, or is less than ``RADIUS``. The blob would then
-            start inside the ground.
     """
 
     def __init__(self, height: float = 2.0, cables: bool = False) -> None:
         if finite("height", height) < RADIUS:
             raise ValueError(f"height must be {RADIUS:g} or more, got {height!r}")
+        angles = [math.tau * i / (COUNT - 1) for i in range(COUNT - 1)]
+        ring = [Vector3(math.cos(angle), math.sin(angle)) * RADIUS for angle in angles]
         middle = Vector3(0.0, height)
-        places = [middle]
-        for i in range(COUNT - 1):
-            angle = math.tau * i / (COUNT - 1)
-            places.append(middle + Vector3(math.cos(angle), math.sin(angle)) * RADIUS)
         self.particles = [
-            Particle(place, acceleration=GRAVITY, mass=MASS, damping=DAMPING) for place in places
+            Particle(middle + offset, acceleration=GRAVITY, mass=MASS, damping=DAMPING)
+            for offset in [Vector3(), *ring]
         ]
         self.push = Vector3()
         self.world = ParticleWorld(self.particles, [GroundPlane(self.particles)])
@@ -137,13 +118,9 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Apply the force ``push`` to every particle, and advance the blob by one time step.
+        """Push every particle, and advance the blob by one time step of ``duration`` s.
 
-        ``duration`` is in s. A push that is not finite is rejected by ``add_force``.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
-            TypeError: if the duration is not a number. In that case nothing changes.
+        If the duration is invalid, nothing changes.
         """
         positive("duration", duration)
         self.world.start_frame()

@@ -1,6 +1,7 @@
 """A rope bridge made of planks and cables, and a heavy ball that rolls over it (book 8.2.1).
 
-The dimensions of the bridge are in bridge_plan.py.
+The dimensions of the bridge are in bridge_plan.py. Lengths are in m. Constructors raise ValueError
+for a number that is out of range.
 """
 
 from __future__ import annotations
@@ -31,43 +32,42 @@ from ch08_mass_aggregate.world import ParticleWorld
 RADIUS = 0.5  # m, of the ball
 # Per phase. With the default, a bridge at 30 steps per second never comes to rest.
 ITERATIONS = 200
+UP = Vector3(0.0, 1.0, 0.0)
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
     """Create the rods and cables that hold the ``rows`` of planks of a rope bridge together.
 
-    The planks must be at their start positions, because the positions of the anchors depend on
-    them. The result is a list of these links:
+    The planks must be at their start positions, which determine the anchors. The links are:
 
     - A Rod of length ``WIDTH`` joins the two ends of each row.
     - A Cable of ``CABLE_LENGTH`` joins each end to the end on the same side of the next row.
     - An AnchoredCable joins each end to its anchor, ``anchor_of(end)``. Its length is
       ``support_length(row)``, where ``row`` is the index of the row.
 
-    All cables have a restitution of 0. Import the classes from ``ch07_constraints.links``, and
-    ``WIDTH``, ``CABLE_LENGTH``, ``anchor_of`` and ``support_length`` from
-    ``ch08_mass_aggregate.bridge_plan``.
+    All cables have a restitution of 0. Import the three classes from ``ch07_constraints.links``,
+    and the names from the plan from ``ch08_mass_aggregate.bridge_plan``.
     """
-    links: list[ContactGenerator] = [Rod(a, b, WIDTH) for a, b in rows]
-    for row, following in pairwise(rows):
-        for a, b in zip(row, following, strict=True):
-            links.append(Cable(a, b, CABLE_LENGTH))
-    for i, row in enumerate(rows):
-        for plank in row:
-            links.append(AnchoredCable(plank, anchor_of(plank), support_length(i)))
-    return links
+    rods = [Rod(a, b, WIDTH) for a, b in rows]
+    cables = [
+        Cable(end, following_end, CABLE_LENGTH)
+        for row, following in pairwise(rows)
+        for end, following_end in zip(row, following, strict=True)
+    ]
+    supports = [
+        AnchoredCable(end, anchor_of(end), support_length(i))
+        for i, row in enumerate(rows)
+        for end in row
+    ]
+    return [*rods, *cables, *supports]
 
 
 class Deck:
-    """A contact generator for a ball that rolls over rows of planks.
+    """A contact generator for a ball of a given ``radius`` that rolls over rows of planks.
 
     A row has particles only at its two ends, so a ball would fall through between them. The deck is
-    a surface that connects the rows and carries the ball. ``radius`` is the radius of the ball in
-    m, and ``rows`` must be in order along X.
-
-    Raises:
-        ValueError: if the radius is not positive and finite, the restitution is not between 0 and
-            1, or there are no rows.
+    a surface that connects the rows and carries the ball. ``rows`` must be in order along X, and
+    there must be at least one.
     """
 
     def __init__(
@@ -83,34 +83,31 @@ class Deck:
     def nearest(self) -> tuple[int, float] | None:
         """Find the row of planks nearest to the ball, and the height of the deck below the ball.
 
-        The result is the index of the row, and the height in m directly below the ball. Treat each
-        row as a point, the midpoint of its two ends. The nearest row is the one whose midpoint is
-        nearest along X. The deck is a line of straight segments that connect these midpoints. It
-        continues at the same height before the first row and after the last one.
-
-        If two rows are equally near, return the first one. Return None if the ball is more than
-        half a ``SPACING`` beyond the first or last row.
+        Return the index of the row, and the height in m. Treat each row as a point, the midpoint of
+        its two ends. The nearest row is the one whose midpoint is nearest along X. If two rows are
+        equally near, return the first one. The deck is a line of straight segments that connect
+        these midpoints, and continues at the same height before the first row and after the last.
+        Return None if the ball is more than half a ``SPACING`` beyond the first or last row.
         """
         x = self.ball.position.x
-        places = [(a.position + b.position) * 0.5 for a, b in self.rows]
-        if not places[0].x - 0.5 * SPACING <= x <= places[-1].x + 0.5 * SPACING:
+        middles = [(a.position + b.position) / 2.0 for a, b in self.rows]
+        first, last = middles[0], middles[-1]
+        if not first.x - 0.5 * SPACING <= x <= last.x + 0.5 * SPACING:
             return None
-        height = places[0].y if x < places[0].x else places[-1].y
-        for a, b in pairwise(places):
+        height = first.y if x < first.x else last.y
+        for a, b in pairwise(middles):
             if a.x <= x < b.x:
                 height = a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)
-        row = min(range(len(places)), key=lambda i: abs(places[i].x - x))
+        row = min(range(len(middles)), key=lambda i: abs(middles[i].x - x))
         return row, height
 
     def contacts(self) -> list[Contact]:
         """Return the ball's contacts with both ends of the nearest row, if it touches the deck.
 
         In each contact, ``particle`` is the ball, ``other`` is one end of the row, and the normal
-        is +Y. The penetration is the depth of the ball's lowest point below the deck.
-
-        Return an empty list if the ball is above the deck or beyond the ends of the bridge. Also
-        return an empty list if the penetration is more than the ball's diameter, because the ball
-        has then already fallen through the deck.
+        is +Y. The penetration is the depth of the ball's lowest point below the deck. Return an
+        empty list if the ball is above the deck or beyond the ends of the bridge. Do the same if
+        the penetration is more than the ball's diameter, because it has then fallen through.
         """
         found = self.nearest()
         if found is None:
@@ -119,25 +116,21 @@ class Deck:
         depth = height + self.radius - self.ball.position.y
         if not 0.0 <= depth <= 2.0 * self.radius:
             return []
-        up = Vector3(0.0, 1.0, 0.0)
-        return [Contact(self.ball, end, up, self.restitution, depth) for end in self.rows[row]]
+        return [Contact(self.ball, end, UP, self.restitution, depth) for end in self.rows[row]]
 
 
 class Bridge:
     """A rope bridge above the ground, with a heavy ball that rolls over it.
 
     ``world`` simulates the ``rows`` of planks and the ``ball``. ``ball_mass`` is in kg, and ``x``
-    is the start position of the ball along X in m. The bridge moves the ball along X at the speed
-    ``pace`` in m/s, which is 0 at first.
-
-    Raises:
-        ValueError: if the ball's mass is not positive and finite, or x is not finite.
+    is where the ball starts along X in m. It moves along X at the speed ``pace`` in m/s, which is 0
+    at first.
     """
 
     def __init__(self, ball_mass: float = 5.0, x: float = 0.0) -> None:
-        place = Vector3(finite("x", x), HEIGHT + RADIUS)
+        start = Vector3(finite("x", x), HEIGHT + RADIUS)
         mass = positive("ball_mass", ball_mass)
-        self.ball = Particle(place, acceleration=GRAVITY, mass=mass, damping=DAMPING)
+        self.ball = Particle(start, acceleration=GRAVITY, mass=mass, damping=DAMPING)
         self.rows = make_rows()
         self.pace = 0.0
         planks = [end for row in self.rows for end in row]
@@ -152,9 +145,7 @@ class Bridge:
     def step(self, duration: float) -> None:
         """Advance the bridge by a time step of ``duration`` s. The ball moves along X at ``pace``.
 
-        Raises:
-            ValueError: if the duration is not positive and finite, or the pace is not finite. In
-                that case nothing changes.
+        Raises ValueError, and changes nothing, if the duration or the pace is invalid.
         """
         positive("duration", duration)
         pace = finite("pace", self.pace)

@@ -1,20 +1,17 @@
 """Going further: particles at rest fall asleep, and cost almost nothing until something wakes them.
 
-Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
-moving bodies. It can save this time, because the rest of the engine already skips immovable
-particles. So the world makes a particle immovable while it sleeps: it stores the particle's inverse
-mass, and restores it when the particle wakes.
+The engine already skips immovable particles. So the world makes a particle immovable while it
+sleeps: it stores the particle's inverse mass, and restores it when the particle wakes.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ch02_vectors.arguments import not_negative, positive, whole
 from ch02_vectors.vector import Vector3
-from ch05_forces.particle import NO_FORCE, Particle
+from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
 from ch08_mass_aggregate.joints import Pair, joined, touching
@@ -29,15 +26,10 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """A record of a sleeping particle, with the data that the world needs to wake it.
+    """What the world must know about a sleeping particle to wake it."""
 
-    The particle gets ``inverse_mass`` back when it wakes. ``place`` is the position at which it
-    fell asleep, and ``acceleration`` is the acceleration that it had there. If either has changed
-    since then, the particle must wake. Its ``neighbors`` wake with it.
-    """
-
-    inverse_mass: float  # 1/kg
-    place: tuple[float, float, float]  # m
+    inverse_mass: float  # 1/kg, which it gets back
+    position: Vector3  # m, a copy of the position at which it fell asleep
     acceleration: Vector3  # m/s^2: its last_acceleration, which includes forces
     neighbors: tuple[Particle, ...]  # particles that it touched or was joined to
 
@@ -45,20 +37,12 @@ class Sleep:
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A step counts as slow for a particle if its kinetic energy per kg after the step is at most
-    ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired, and
-    when all particles of a group are tired, the group falls asleep. A sleeping particle has no
-    velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each sleeping particle to its
-    ``Sleep`` record.
+    A step is slow for a particle if its kinetic energy per kg after the step is at most
+    ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired. The
+    dict ``asleep`` maps each sleeping particle, whose mass is ``math.inf``, to its ``Sleep``.
 
     The world cannot detect every change. Call ``wake`` yourself before you make a sleeping particle
-    immovable or join something new to it. Also call it before you move the ground or an anchor that
-    supports the particle.
-
-    Raises:
-        ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
-            1.
-        TypeError: if ``sleep_frames`` is not a whole number.
+    immovable, join something to it, or move the ground or an anchor that supports it.
     """
 
     def __init__(
@@ -99,14 +83,11 @@ class SleepingWorld(ParticleWorld):
                 waking += [other for other in sleep.neighbors if other in self.asleep]
 
     def mechanical_energy(self) -> float:
-        """Add up the mechanical energy of all particles in J, whether they are awake or asleep.
-
-        The function ``mechanical_energy`` leaves out immovable particles, and so it leaves out the
-        potential energy of sleeping ones.
-        """
-        asleep = [(one, sleep) for one, sleep in self.asleep.items() if not one.inverse_mass]
+        """Add up the mechanical energy in J, with the potential energy of sleeping particles."""
         return mechanical_energy(self.particles) - sum(
-            one.acceleration.dot(one.position) / sleep.inverse_mass for one, sleep in asleep
+            one.acceleration.dot(one.position) / sleep.inverse_mass
+            for one, sleep in self.asleep.items()
+            if not one.inverse_mass
         )
 
     def wake_moved(self) -> None:
@@ -115,28 +96,37 @@ class SleepingWorld(ParticleWorld):
         A sleeping particle keeps its position and its infinite mass, has no velocity, and has no
         force in its accumulator. Wake the particle if any of this is no longer true.
         """
-        moved = [one for one, sleep in self.asleep.items() if _was_moved(one, sleep)]
-        for particle in moved:
-            self.wake(particle)
+        for particle, sleep in [*self.asleep.items()]:
+            if (
+                particle.position != sleep.position
+                or particle.velocity != Vector3()
+                or particle.force_accumulator != Vector3()
+                or particle.inverse_mass
+            ):
+                self.wake(particle)
 
     def wake_pushed(self, duration: float) -> None:
         """Wake every sleeping particle whose acceleration has changed since it fell asleep.
 
-        Compute the current acceleration a + f / m of each sleeping particle, where f is the sum of
-        the generators' forces. Compare it with the acceleration that the particle had when it fell
-        asleep. The particle wakes if the change is more than ``SAME`` times a reference value. This
-        value is the current |a| + |f / m| or the magnitude of the old acceleration, whichever is
-        larger.
+        Compute a + f / m, where f is the sum of the generators' forces, and compare it with the
+        acceleration in ``Sleep``. The particle wakes if the change is more than ``SAME`` times the
+        current |a| + |f / m| or the magnitude of the old acceleration, whichever is larger.
 
         Call only generators that are registered for sleeping particles. Give each sleeping particle
-        its original mass during these calls, because a generator may use the mass. The accumulators
-        of sleeping particles are empty when this method starts, and must be empty again when it
-        returns.
+        its original mass meanwhile, because a generator may use it. The accumulators of sleeping
+        particles are empty when this method starts, and must be empty again when it returns.
         """
-        self._ask_for_sleepers(duration)
+        for particle, generator in self.registry.pairs():
+            if particle in self.asleep:
+                particle.inverse_mass = self.asleep[particle].inverse_mass
+                generator.update_force(particle, duration)
+                particle.inverse_mass = 0.0
         for particle, sleep in [*self.asleep.items()]:
-            push = particle.take_forces()
-            if _is_pushed_otherwise(particle, push, sleep):
+            push = particle.force_accumulator * sleep.inverse_mass
+            particle.clear_forces()
+            change = particle.acceleration + push - sleep.acceleration
+            acts = particle.acceleration.magnitude() + push.magnitude()
+            if change.magnitude() > SAME * max(acts, sleep.acceleration.magnitude()):
                 self.wake(particle)
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
@@ -158,22 +148,18 @@ class SleepingWorld(ParticleWorld):
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
         """Update the counts of slow steps, and put groups of tired particles to sleep.
 
-        Particles that are connected, directly or through other particles, form a group. Two
-        particles are connected if they were in contact in one of the last ``sleep_frames`` steps,
-        or if a generator of the registry joins them. Immovable particles do not connect groups, and
-        they never sleep.
+        Particles that are connected, directly or through others, form a group. Two are connected if
+        they were in contact in one of the last ``sleep_frames`` steps, or if a generator of the
+        registry joins them. Immovable particles do not connect groups, and they never sleep.
 
         A particle is tired if its last ``sleep_frames`` steps were all slow. A group falls asleep
-        only when all of its particles are tired. Otherwise a particle that is still moving would
-        soon push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
+        only when all of its particles are tired. Add each of them to ``asleep``, and set its
         ``velocity`` and ``inverse_mass`` to 0.
         """
         awake = [particle for particle in self.particles if particle.inverse_mass]
-        self._count_slow_frames(awake)
+        self._count_slow_steps(awake)
         self._note_contacts(contacts)
         restless = [particle for particle in awake if self._slow[particle] < self.sleep_frames]
-        if len(restless) == len(awake):
-            return
         neighbors = _neighbors([*self._touched, *joined(self.registry)])
         kept_awake = _connected(restless, neighbors)
         for particle in awake:
@@ -208,7 +194,7 @@ class SleepingWorld(ParticleWorld):
             self.resolver.resolve_contacts(contacts, duration)
         self.fall_asleep(contacts)
 
-    def _count_slow_frames(self, awake: Iterable[Particle]) -> None:
+    def _count_slow_steps(self, awake: Iterable[Particle]) -> None:
         """For each particle, count how many steps in a row it has been slow."""
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy * particle.mass
@@ -217,8 +203,7 @@ class SleepingWorld(ParticleWorld):
     def _note_contacts(self, contacts: Iterable[Contact]) -> None:
         """Record which particles touch in this step, and drop contacts that ended some steps ago.
 
-        A body that rests on another body sometimes loses its contact for one step because of
-        rounding errors. That is why each contact is remembered for several steps.
+        A body at rest on another one sometimes loses its contact for a step because of rounding.
         """
         for pair in touching(contacts):
             self._touched[pair] = self._frame
@@ -227,50 +212,14 @@ class SleepingWorld(ParticleWorld):
 
     def _put_to_sleep(self, particle: Particle, neighbors: Iterable[Particle]) -> None:
         """Stop a particle, make it immovable, and store what is needed to wake it."""
-        x, y, z = particle.position
-        acceleration = particle.last_acceleration
-        sleep = Sleep(particle.inverse_mass, (x, y, z), acceleration, tuple(neighbors))
-        self.asleep[particle] = sleep
+        self.asleep[particle] = Sleep(
+            particle.inverse_mass,
+            particle.position.copy(),
+            particle.last_acceleration,
+            tuple(neighbors),
+        )
         particle.velocity.clear()
         particle.inverse_mass = 0.0
-
-    def _ask_for_sleepers(self, duration: float) -> None:
-        """Call the generators of each sleeping particle, and restore its mass during each call."""
-        for particle, generator in self.registry.pairs():
-            sleep = self.asleep.get(particle)
-            if sleep is not None:
-                particle.inverse_mass = sleep.inverse_mass
-                generator.update_force(particle, duration)
-                particle.inverse_mass = 0.0
-
-
-def _was_moved(particle: Particle, sleep: Sleep) -> bool:
-    """Return True if code outside the world has changed a sleeping particle."""
-    v, p = particle.velocity, particle.position
-    if v.x or v.y or v.z or (p.x, p.y, p.z) != sleep.place or particle.inverse_mass:
-        return True
-    force = particle.take_forces()  # force_accumulator would take twice as long
-    if force == NO_FORCE:
-        return False
-    particle.add_force(Vector3(*force))
-    return True
-
-
-def _is_pushed_otherwise(
-    particle: Particle, force: tuple[float, float, float], sleep: Sleep
-) -> bool:
-    """Return True if a particle's acceleration a + f / m has changed since it fell asleep.
-
-    Relative changes of up to SAME are ignored. A world whose particles are asleep spends most of
-    its time here, so the sum uses plain numbers, which are three times as fast as vectors.
-    """
-    mass, own, old = sleep.inverse_mass, particle.acceleration, sleep.acceleration
-    x, y, z = force[0] * mass, force[1] * mass, force[2] * mass
-    change = math.hypot(own.x + x - old.x, own.y + y - old.y, own.z + z - old.z)
-    if not change:
-        return False
-    acts = math.hypot(own.x, own.y, own.z) + math.hypot(x, y, z)
-    return change > SAME * max(acts, old.magnitude())
 
 
 def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:

@@ -1,9 +1,7 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.1, mini-project 8.1).
 
 Seen from the side, the platform is a V made of rods, and the tip of the V is the pivot on the
-ground. The right end is farther from the pivot than the left end. The platform consists of two such
-Vs, one at z = -1 and one at z = 1, with rods between them. Arguments of the wrong type raise
-TypeError.
+ground. There are two such Vs, one at z = -1 and one at z = 1, with rods between them.
 """
 
 from __future__ import annotations
@@ -37,50 +35,43 @@ ITERATIONS = 100  # per phase
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     """Create rods that make the platform rigid, so that it can tilt but not move in any other way.
 
-    ``particles`` are in the order of ``PLACES``, so the first two are the pivot, which is
-    immovable. You choose which particles to join, and you may use more rods than necessary. The
-    length of each rod is the current distance between its ends.
+    ``particles`` are in the order of ``PLACES``, so the first two are the immovable pivot. You may
+    use more rods than necessary. The length of each is the current distance between its ends.
     """
-    rods: list[Rod] = []
-    for a, b in combinations(particles, 2):
-        if a.inverse_mass + b.inverse_mass:
-            # Two-sided rods (G7.1). With others it never stops shaking at 30 steps per second.
-            rods.append(TwoSidedRod(a, b, (b.position - a.position).magnitude()))
-    return rods
+    # Two-sided rods (G7.1). With others it never stops shaking at 30 steps per second.
+    return [
+        TwoSidedRod(a, b, (b.position - a.position).magnitude())
+        for a, b in combinations(particles, 2)
+        if a.inverse_mass + b.inverse_mass
+    ]
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
     """Compute the mass in kg that you must place at ``x`` to balance the platform.
 
-    The platform already carries other masses: ``masses`` in kg, at the positions ``places`` in m.
-    Positions are measured along the platform from the pivot, and are negative to the left of it.
-    The torque of each mass is proportional to the mass times its position. The platform is balanced
-    if all torques add up to zero.
+    The platform already carries ``masses`` in kg at the positions ``places`` in m, which are
+    negative to the left of the pivot. It is balanced if the torques, the sum of m x, add up to
+    zero. If they already do, return 0 for any x, even for 0. Otherwise only a mass on the side that
+    rises can balance the platform.
 
-    If they already do, return 0 for any x, even for 0. Otherwise, a mass of 0 or more can balance
-    the platform only on the side that rises.
-
-    Raises:
-        ValueError: if no mass of 0 or more at x balances the platform.
+    Raises ValueError if no mass of 0 or more at x balances it, or if an argument is invalid.
     """
-    turns = [
+    torque = math.fsum(
         not_negative(f"masses[{i}]", mass) * finite(f"places[{i}]", place)
         for i, (mass, place) in enumerate(zip(masses, places, strict=True))
-    ]
-    turn = math.fsum(turns)
+    )
     finite("x", x)
-    if not turn:
+    if not torque:
         return 0.0
-    if x == 0.0 or (x > 0.0) == (turn > 0.0):
+    if x == 0.0 or (x > 0.0) == (torque > 0.0):
         raise ValueError(f"x must be on the side of the pivot that rises, got {x!r}")
-    return finite("the balancing mass", -turn / x)
+    return finite("the balancing mass", -torque / x)
 
 
 class TiltingPlatform:
-    """A platform of particles and rods that tilts on an immovable pivot.
+    """A platform that tilts on an immovable pivot.
 
-    ``world`` simulates the platform. Its ``particles`` are in the same order as their start
-    positions in ``PLACES``.
+    ``world`` simulates its ``particles``, which are in the order of ``PLACES``, and its ``rods``.
     """
 
     def __init__(self) -> None:
@@ -99,10 +90,9 @@ class TiltingPlatform:
         """Make the pivot movable, so that it rests on the ground without being fixed to it.
 
         Give each of the pivot's two particles the mass ``MASS``. A rod must now keep them the same
-        distance apart, because they are no longer immovable. If no rod joins them yet, add one to
-        ``self.rods`` and to the contact generators of the world. The pivot can then slide, because
-        the ground has no friction. You may assume that this method is called only once.
-        Mini-project 8.1.
+        distance apart. If no rod joins them yet, add one to ``self.rods`` and to the contact
+        generators of the world. The pivot can then slide, because the ground has no friction. The
+        method is called only once.
         """
         a, b = self.particles[:2]
         for pivot in (a, b):
@@ -114,24 +104,20 @@ class TiltingPlatform:
     def put_weight(self, mass: float, x: float) -> None:
         """Put a weight of ``mass`` kg on the platform at ``x``, in place of the current weight.
 
-        ``x`` is the position along the platform in m, from ``LEFT`` to ``RIGHT``. There is no
-        particle at this position, so the two ends of the platform carry the weight. Divide the mass
-        between the ends so that the torque about the pivot is the same as with the weight at ``x``.
-        Each end consists of two particles. Each of these carries half of the mass at its end, in
-        addition to its own ``MASS``.
+        ``x`` is in m, from ``LEFT`` to ``RIGHT``. There is no particle at this position, so divide
+        the mass between the two ends so that the torque about the pivot is the same. Each of the
+        two particles of an end carries half of the mass at its end, in addition to its own
+        ``MASS``.
         """
         not_negative("mass", mass)
         finite("x", x)
         right = mass * (x - LEFT) / (RIGHT - LEFT)
-        for i, share in ((2, mass - right), (4, right)):
+        for i, load in ((2, mass - right), (4, right)):
             for end in self.particles[i : i + 2]:
-                end.mass = MASS + 0.5 * share
+                end.mass = MASS + load / 2.0
 
     def tilt(self) -> float:
-        """Measure how far the platform is tilted, as an angle in radians.
-
-        The angle is 0 at the start, and positive when the right end is higher.
-        """
+        """Measure the tilt in radians, which is positive when the right end is higher."""
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)
 

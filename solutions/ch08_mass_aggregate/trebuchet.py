@@ -1,8 +1,8 @@
 """A trebuchet: a heavy counterweight throws a projectile from a sling (project 8.2).
 
 Everything is in the X-Y plane, and the projectile flies toward positive X. A beam rotates on an
-immovable pivot. Its short arm carries the counterweight, and the sling hangs from the tip of its
-long arm. Because the beam is bent at the pivot, three rods are enough to make it rigid.
+immovable pivot, at which it is bent. Its short arm carries the counterweight, and the sling hangs
+from the tip of its long arm.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from ch07_constraints.links import Cable, TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
 
 G = 9.81  # m/s^2
+GRAVITY = Vector3(0.0, -G, 0.0)
 PIVOT_HEIGHT = 5.0  # m above the ground
 PROJECTILE_MASS = 5.0  # kg
 TIP_MASS = 5.0  # kg, stands for the mass of the beam
@@ -33,12 +34,8 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 class Design:
     """The design of a trebuchet, with masses in kg, lengths in m, and angles in degrees.
 
-    The sling releases the projectile while it flies forward above the pivot. This happens as soon
-    as its direction of flight is at most ``release_angle`` above the horizontal.
-
-    Raises:
-        ValueError: if a number is not finite, a mass or length is not positive, the release angle
-            is not between -90 and 90, or the projectile would not hang above the ground.
+    The masses and lengths must be positive, the release angle must be between -90 and 90, and the
+    projectile must hang above the ground. Otherwise the constructor raises ValueError.
     """
 
     counterweight: float
@@ -62,10 +59,9 @@ class Design:
 class Throw:
     """The result of a throw: its range, and the fraction of the energy that reached the projectile.
 
-    ``range`` is in m, measured from the pivot. ``share`` is a fraction, such as 0.4 for 40 %. To
-    compute it, divide the kinetic and potential energy that the projectile gained by the potential
-    energy that the counterweight lost. Both energies are measured from the start to the release. If
-    the projectile was never released, ``range`` and ``share`` are 0.
+    ``range`` is in m, measured from the pivot. ``share`` is the kinetic and potential energy that
+    the projectile gained, divided by the potential energy that the counterweight lost, both from
+    the start to the release.
     """
 
     range: float
@@ -75,11 +71,9 @@ class Throw:
 def my_design() -> Design:
     """Return your own design for a trebuchet that throws far.
 
-    The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
-    ``LONGEST_BEAM``. Your grade depends on the range and on the fraction of the energy that reaches
-    the projectile. A range of 60 m and a fraction of 40 % are good, and 80 m and 50 % are better.
-    The checks simulate the throw themselves, so only the numbers in your design count. Project
-    8.2b.
+    The counterweight may be at most ``MOST_WEIGHT``, and the two arms together at most
+    ``LONGEST_BEAM``. A range of 60 m and a fraction of 40 % are good, and 80 m and 50 % are better.
+    The checks simulate the throw themselves, so only the numbers in your design count.
     """
     return Design(400.0, 0.8, 4.2, 3.0, 27.0)
 
@@ -87,22 +81,20 @@ def my_design() -> Design:
 class Trebuchet:
     """A trebuchet that is built from ``design``, and the ``world`` that simulates it.
 
-    The particles are ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile``, and
-    they all start at rest. ``flies`` is False until the sling has released the projectile.
+    The particles ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile`` start at
+    rest. ``flies`` is False until the sling has released the projectile.
     """
 
     def __init__(self, design: Design) -> None:
-        down = Vector3(0.0, -G, 0.0)
         self.design = design
-        pivot = Vector3(0.0, PIVOT_HEIGHT, 0.0)
-        long_arm = Vector3(math.cos(START), math.sin(START)) * design.long_arm
-        short_arm = Vector3(math.cos(START - BEND), math.sin(START - BEND)) * design.short_arm
+        pivot = Vector3(0.0, PIVOT_HEIGHT)
+        tip = pivot + Vector3(math.cos(START), math.sin(START)) * design.long_arm
+        weight = pivot + Vector3(math.cos(START - BEND), math.sin(START - BEND)) * design.short_arm
+        projectile = tip - Vector3(0.0, design.sling)
         self.pivot = Particle(pivot, mass=math.inf)
-        self.weight = Particle(pivot + short_arm, acceleration=down, mass=design.counterweight)
-        self.tip = Particle(pivot + long_arm, acceleration=down, mass=TIP_MASS)
-        self.projectile = Particle(
-            self.tip.position - Vector3(0.0, design.sling), acceleration=down, mass=PROJECTILE_MASS
-        )
+        self.weight = Particle(weight, acceleration=GRAVITY, mass=design.counterweight)
+        self.tip = Particle(tip, acceleration=GRAVITY, mass=TIP_MASS)
+        self.projectile = Particle(projectile, acceleration=GRAVITY, mass=PROJECTILE_MASS)
         self.flies = False
         self.sling = Cable(self.tip, self.projectile, design.sling)
         particles = [self.pivot, self.weight, self.tip, self.projectile]
@@ -111,8 +103,8 @@ class Trebuchet:
     def beam(self) -> list[ContactGenerator]:
         """Create the rods that join the pivot, the counterweight and the tip into a rigid beam.
 
-        You may use any set of rods that makes the beam rigid. The length of each rod is the current
-        distance between its ends.
+        You may use any set of rods that makes the beam rigid. Their lengths are the current
+        distances between their ends.
         """
         ends = ((self.pivot, self.weight), (self.pivot, self.tip), (self.weight, self.tip))
         return [TwoSidedRod(a, b, (b.position - a.position).magnitude()) for a, b in ends]
@@ -120,9 +112,9 @@ class Trebuchet:
     def lets_go(self) -> bool:
         """Return True if the sling should release the projectile now.
 
-        The projectile must be above the pivot and moving forward. Its direction of flight must be
-        at most ``design.release_angle`` above the horizontal. Do not release it below the pivot,
-        where it swings forward once before the actual throw.
+        The projectile must be above the pivot and moving forward, and its direction of flight at
+        most ``design.release_angle`` above the horizontal. Below the pivot it swings forward once
+        before the actual throw.
         """
         velocity = self.projectile.velocity
         if velocity.x <= 0.0 or self.projectile.position.y <= PIVOT_HEIGHT:
@@ -131,11 +123,9 @@ class Trebuchet:
         return angle <= self.design.release_angle
 
     def step(self, duration: float) -> None:
-        """Advance the throw by one time step, and release the projectile if ``lets_go()`` is True.
+        """Advance the throw by ``duration`` s, and release the projectile if ``lets_go()`` is True.
 
-        ``duration`` is in s. Call ``lets_go`` after the step. To release the projectile, set
-        ``flies`` to True and remove the sling's cable from the generators of the world. This can
-        happen only once.
+        The sling is then no longer among the contact generators of the world.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -143,13 +133,12 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Simulate the throw, and return the result as a ``Throw``.
+        """Simulate the throw, and return the result. A trebuchet can throw only once.
 
         Call ``step`` with ``STEP`` until the sling releases the projectile. From then on the
         projectile flies without drag until it reaches the ground, which is at a height of 0. The
         throw fails if the projectile reaches the ground while it is still in the sling, or if it
-        has not been released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call this
-        method only on a new trebuchet, because a trebuchet can throw only once. Project 8.2a.
+        has not been released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0).
         """
         weight, projectile = self.weight, self.projectile
         high, low = weight.position.y, projectile.position.y
@@ -159,9 +148,8 @@ class Trebuchet:
                 break
         if not self.flies:
             return Throw(0.0, 0.0)
-        place, velocity = projectile.position, projectile.velocity
-        gained = projectile.mass * G * (place.y - low) + projectile.kinetic_energy()
+        position, velocity = projectile.position, projectile.velocity
+        gained = projectile.mass * G * (position.y - low) + projectile.kinetic_energy()
         lost = weight.mass * G * (high - weight.position.y)
-        root = velocity.y * velocity.y + 2.0 * G * place.y
-        time = (velocity.y + math.sqrt(root)) / G
-        return Throw(place.x + velocity.x * time, gained / lost)
+        time = (velocity.y + math.sqrt(velocity.y**2 + 2.0 * G * position.y)) / G
+        return Throw(position.x + velocity.x * time, gained / lost)

@@ -17,15 +17,16 @@ from ch08_mass_aggregate.world import ParticleWorld
 COUNT = 8  # particles of the rim
 RADIUS = 1.0  # m
 MASS = 1.0  # kg, of each of them
+AXIS = Vector3(0.0, 0.0, 1.0)
 ITERATIONS = 200  # per phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
     """Create the rods of a wheel: its spokes, and the rods along its rim.
 
-    ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The rods
-    along the rim join each particle to the next one, and the last particle to the first. The length
-    of each rod is the current distance between its ends. Mini-project 8.3a.
+    ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The other
+    rods join each particle of the rim to the next one, and the last to the first. The length of
+    each rod is the current distance between its ends.
     """
     ends = [(hub, particle) for particle in rim]
     ends += [(particle, rim[(i + 1) % len(rim)]) for i, particle in enumerate(rim)]
@@ -33,11 +34,9 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that rotates a wheel by pushing the particles of its rim around ``hub``.
+    """A force generator that rotates a wheel by pushing particles of its rim around ``hub``.
 
-    ``force`` is in N, and a positive value pushes counter-clockwise. Register the drive for each
-    particle of the rim that it should push. It pushes each of them with the full force.
-    Mini-project 8.3b.
+    Each particle for which it is registered gets the full ``force`` in N.
     """
 
     def __init__(self, hub: Particle, force: float) -> None:
@@ -47,39 +46,35 @@ class RimDrive:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Push ``particle`` around the hub, in the X-Y plane and at a right angle to its spoke.
 
-        A positive force rotates the wheel counter-clockwise. The force does not depend on the
-        distance from the hub. However, a particle at the hub's position gets no force, because the
-        direction would be undefined there.
+        A positive force rotates the wheel counter-clockwise. It does not depend on the distance
+        from the hub. A particle at the hub's position, where no direction is defined, gets none.
         """
         spoke = particle.position - self.hub.position
-        length = math.hypot(spoke.x, spoke.y)
-        if length > 0.0:
-            share = self.force / length
-            particle.add_force(Vector3(-spoke.y * share, spoke.x * share, 0.0))
+        particle.add_force(AXIS.cross(spoke).normalized() * self.force)
 
 
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Measure how fast a wheel rotates about its hub, in rad/s.
 
-    This angular velocity is the angular momentum of the rim divided by its moment of inertia. The
-    angular momentum is the sum of m (x v_y - y v_x) over all particles of the rim. The moment of
-    inertia is the sum of m (x^2 + y^2). The hub may itself move, so measure positions and
-    velocities relative to the hub. Return 0 if the moment of inertia is zero.
+    This is the angular momentum of the rim divided by its moment of inertia. The angular momentum
+    is the sum of m (x v_y - y v_x), the Z component of m r x v, and the moment of inertia is the
+    sum of m (x^2 + y^2). The hub may itself move, so measure positions and velocities relative to
+    the hub. Return 0 if the moment of inertia is zero.
     """
-    turning, inertia = 0.0, 0.0
+    momentum, inertia = 0.0, 0.0
     for particle in rim:
-        place = particle.position - hub.position
-        velocity = particle.velocity - hub.velocity
-        turning += particle.mass * (place.x * velocity.y - place.y * velocity.x)
-        inertia += particle.mass * (place.x * place.x + place.y * place.y)
-    return turning / inertia if inertia else 0.0
+        r = particle.position - hub.position
+        v = particle.velocity - hub.velocity
+        momentum += particle.mass * r.cross(v).z
+        inertia += particle.mass * (r.x**2 + r.y**2)
+    return momentum / inertia if inertia else 0.0
 
 
 def deformation(rods: Sequence[Rod]) -> float:
     """Measure how much a wheel is deformed: the largest relative error in the length of a rod.
 
-    The relative error is the difference between the actual and the intended length, divided by the
-    intended length. Return 0 if there are no rods. Mini-project 8.3c.
+    That is the difference from the intended length, divided by the intended length. Return 0 if
+    there are no rods.
     """
     return max(
         (abs((rod.b.position - rod.a.position).magnitude() / rod.length - 1.0) for rod in rods),
@@ -91,11 +86,7 @@ class Wheel:
     """A wheel of particles and rods that rotates about an immovable hub.
 
     ``world`` simulates the ``hub``, the particles of the ``rim`` and the ``rods``. A RimDrive with
-    a ``force`` in N pushes each of the first ``driven`` particles of the rim.
-
-    Raises:
-        ValueError: if the force is not finite, or ``driven`` is not a whole number from 0 to
-            ``COUNT``.
+    a ``force`` in N pushes each of the first ``driven`` particles of the rim, from 0 to ``COUNT``.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
@@ -103,10 +94,8 @@ class Wheel:
             raise ValueError(f"driven must be a whole number from 0 to {COUNT}, got {driven!r}")
         self.hub = Particle(mass=math.inf)
         angles = [math.tau * i / COUNT for i in range(COUNT)]
-        self.rim = [
-            Particle(Vector3(RADIUS * math.cos(angle), RADIUS * math.sin(angle)), mass=MASS)
-            for angle in angles
-        ]
+        spokes = [Vector3(math.cos(angle), math.sin(angle)) * RADIUS for angle in angles]
+        self.rim = [Particle(spoke, mass=MASS) for spoke in spokes]
         self.rods = rods_of(self.hub, self.rim)
         self.drive = RimDrive(self.hub, force)
         self.world = ParticleWorld([self.hub, *self.rim], self.rods, iterations=ITERATIONS)

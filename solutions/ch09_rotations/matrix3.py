@@ -1,7 +1,8 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, so every method returns a new object.
+applies b first and then a. Every method returns a new object. An argument of the wrong type raises
+TypeError.
 """
 
 from __future__ import annotations
@@ -25,8 +26,7 @@ ROTATION_TOLERANCE = 1e-5
 class Matrix3:
     """A 3x3 matrix, which can rotate, scale and shear vectors but not move the origin.
 
-    Pass its nine numbers row by row. ``entries`` is the tuple of all nine, and ``m[row, column]``
-    reads one of them, with both indices from 0 to 2.
+    ``entries`` is the tuple of its nine numbers, row by row.
     """
 
     __slots__ = ("entries",)
@@ -69,79 +69,53 @@ class Matrix3:
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Multiply the matrix by the vector ``v``, and return the result as a new vector.
-
-        You can also write ``m @ v``. Book: section 9.4.2.
-        """
+        """Multiply the matrix by the vector ``v``, as ``m @ v`` does (9.4.2)."""
         instance_of("v", v, Vector3)
-        x, y, z = v.x, v.y, v.z
-        a, b, c, d, e, f, g, h, i = self.entries
-        return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+        return Vector3(*(row.dot(v) for row in _rows(self)))
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the product ``self @ m``, a new matrix that applies ``m`` first.
-
-        Book: section 9.4.2.
-        """
+        """Return the product ``self @ m``, a new matrix that applies ``m`` first (9.4.2)."""
         instance_of("m", m, Matrix3)
-        a, b, c, d, e, f, g, h, i = self.entries
-        j, k, l, n, o, p, q, r, s = m.entries  # noqa: E741
-        return Matrix3(
-            *(a * j + b * n + c * q, a * k + b * o + c * r, a * l + b * p + c * s),
-            *(d * j + e * n + f * q, d * k + e * o + f * r, d * l + e * p + f * s),
-            *(g * j + h * n + i * q, g * k + h * o + i * r, g * l + h * p + i * s),
-        )
+        columns = [Vector3(*m.entries[column::3]) for column in range(3)]
+        return Matrix3(*(row.dot(column) for row in _rows(self) for column in columns))
 
     def transpose(self) -> Matrix3:
-        """Swap the rows and columns of the matrix, and return the result as a new matrix.
-
-        The transpose of a rotation is its inverse. Book: section 9.4.3.
-        """
-        a, b, c, d, e, f, g, h, i = self.entries
-        return Matrix3(a, d, g, b, e, h, c, f, i)
+        """Swap the rows and columns of the matrix. For a rotation, this is its inverse (9.4.3)."""
+        return Matrix3(*(self[row, column] for column in range(3) for row in range(3)))
 
     def determinant(self) -> float:
-        """Compute the determinant, the factor by which the matrix scales volumes.
+        """Compute the determinant, the factor by which the matrix scales volumes (9.4.3).
 
-        The determinant is negative if the matrix contains a reflection. Book: section 9.4.3.
+        It is negative if the matrix contains a reflection.
         """
         first, second, third = _rows(self)
         return first.dot(second.cross(third))
 
     def inverse(self) -> Matrix3:
-        """Compute the inverse: a new matrix that undoes the effect of this one.
-
-        A nearly singular matrix has an inverse too, but rounding errors make it useless. So reject
-        a matrix if its determinant is too small compared with the product of its rows' lengths.
-        This ratio does not depend on the scale of the matrix.
+        """Compute the inverse: a new matrix that undoes the effect of this one (9.4.3).
 
         Raises:
             ValueError: if |determinant| is at most ``SINGULAR`` (1e-13) times the product of the
-                rows' lengths.
-
-        Book: section 9.4.3.
+                rows' lengths. Rounding errors then make the inverse useless, at any scale.
         """
         rows = _rows(self)
-        lengths = [row.magnitude() for row in rows]
-        first, second, third = (row.normalized() for row in rows)
-        share = first.dot(second.cross(third))  # of the product of the lengths
-        if not abs(share) > SINGULAR:  # "not >" refuses NaN too
+        a, b, c = (row.normalized() for row in rows)
+        determinant = a.dot(b.cross(c))  # of the unit vectors along the rows, so at most 1
+        if not abs(determinant) > SINGULAR:  # "not >" refuses NaN too
             raise ValueError(
                 f"the matrix must have an inverse, got determinant {self.determinant()!r}, which "
-                f"is {share!r} times the product of the lengths of its rows (limit: {SINGULAR})"
+                f"is {determinant!r} times the product of the lengths of its rows"
             )
-        columns = (second.cross(third), third.cross(first), first.cross(second))
-        scaled = [column / share / length for column, length in zip(columns, lengths, strict=True)]
+        columns = [column / determinant for column in (b.cross(c), c.cross(a), a.cross(b))]
+        scaled = [column / row.magnitude() for column, row in zip(columns, rows, strict=True)]
         return Matrix3(*(number for row in zip(*scaled, strict=True) for number in row))
 
     def is_rotation(self) -> bool:
         """Return True if the matrix only rotates, without scaling, shear or reflection.
 
-        The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
-        with itself must be 1, and its scalar product with each other row must be 0, both within
-        ``ROTATION_TOLERANCE``. The determinant must also be positive, because it is negative for a
-        reflection. If one of these conditions fails, or if an entry is NaN, infinite or as large as
-        1e200, return False.
+        The scalar product of each row with itself must be 1, and with each other row 0, both within
+        ``ROTATION_TOLERANCE``, and the determinant must be positive. Otherwise, or if an entry is
+        NaN, infinite or as large as 1e200, return False.
         """
         products = self.product(self.transpose())
         identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -155,7 +129,7 @@ class Matrix3:
         """Create the matrix that rotates vectors in the same way as the quaternion ``q``.
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
-        transpose of this matrix, which rotates in the opposite direction (erratum E-11).
+        transpose (erratum E-11).
         """
         r, i, j, k = instance_of("q", q, Quaternion)
         return Matrix3(
@@ -167,11 +141,9 @@ class Matrix3:
     def to_quaternion(self) -> Quaternion:
         """Convert a rotation matrix to a unit quaternion q. You may return either q or -q.
 
-        The diagonal determines four numbers: 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
-        component whose number is the largest, which is at least 1, and compute the other components
-        from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
-        r^2 should be 0. The matrix may differ slightly from a rotation, so normalize the quaternion
-        at the end.
+        The diagonal determines 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the component whose number
+        is the largest, because a small one may be only rounding error, and compute the others from
+        it. The matrix may differ slightly from a rotation, so normalize the quaternion at the end.
         """
         a, b, c, d, e, f, g, h, i = self.entries
         candidates = (
@@ -187,5 +159,4 @@ class Matrix3:
 
 def _rows(m: Matrix3) -> tuple[Vector3, Vector3, Vector3]:
     """Return the rows of a matrix as three new vectors."""
-    a, b, c, d, e, f, g, h, i = m.entries
-    return Vector3(a, b, c), Vector3(d, e, f), Vector3(g, h, i)
+    return Vector3(*m.entries[:3]), Vector3(*m.entries[3:6]), Vector3(*m.entries[6:])

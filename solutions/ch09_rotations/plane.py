@@ -1,7 +1,6 @@
 """Angles, directions and points in the plane, and the center of mass (book 9.1).
 
-A point or direction is a tuple (x, y). Angles are in radians, counter-clockwise from the X axis
-toward the Y axis. The functions do not change their arguments.
+Points are tuples (x, y). Angles are in radians, counter-clockwise from the X axis.
 """
 
 from __future__ import annotations
@@ -17,9 +16,8 @@ Point = tuple[float, float]
 def wrap_angle(angle: float) -> float:
     """Convert an angle to the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
-    Angles that differ by a full turn point in the same direction, so wrap them before you compare
-    them. The angles pi and -pi are the same direction too, and both give pi. An angle may contain
-    hundreds of thousands of turns, so remove them all at once and not one by one.
+    The angles pi and -pi are the same direction too, and both give pi. An angle may contain many
+    turns, so remove them all at once and not one by one.
     """
     wrapped = math.remainder(finite("angle", angle), math.tau)
     return wrapped if wrapped > -math.pi else math.pi
@@ -34,13 +32,8 @@ def angle_to_vector(angle: float) -> Point:
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
     """Convert a point from the coordinates of an object to world coordinates (Eq. 9.2).
 
-    ``point`` is given relative to the object, for example the headlight of a car. ``angle`` is the
-    object's orientation in the world, and ``origin`` is its position. Rotate ``point`` first and
-    then add ``origin``, because in the other order the position would rotate too.
-
-    >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
-    >>> round(x, 2), round(y, 2)
-    (5.27, 4.95)
+    ``angle`` is the object's orientation, and ``origin`` its position. Rotate ``point`` first and
+    then add ``origin``.
     """
     x, y = finite("point[0]", point[0]), finite("point[1]", point[1])
     across, up = finite("origin[0]", origin[0]), finite("origin[1]", origin[1])
@@ -51,8 +44,7 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
     """Compute the center of mass of several bodies: their mean position, weighted by their masses.
 
-    ``masses`` are in kg. ``positions`` are in m, in the same order as the masses. Both may be
-    lists or tuples, and several masses may be equal. Book: section 9.1.3.
+    Both may be lists or tuples, and several masses may be equal. Book 9.1.3.
     """
     total = math.fsum(positive("masses", mass) for mass in masses)
     shares = [mass / total for mass in masses]

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import Integrator, explicit_euler
 from studies.runs.stability import INTEGRATORS
 

@@ -18,10 +18,10 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import ParticlePairs
-from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Cable, Rod
+from studies.models.direct_net import DirectNet
+from studies.models.heap_resolver import HeapResolver
 from studies.runs.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
 from studies.timing import Measurement, Target, Timer, timer, versus
 

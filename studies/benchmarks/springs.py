@@ -10,7 +10,7 @@ import math
 
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.cloth import (
+from ch06_springs.going_further.cloth import (
     KNOTS,
     MASS,
     REST_LENGTH,

@@ -13,9 +13,9 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.detectors import GroundPlane
-from ch07_constraints.heap_resolver import HeapResolver
 from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.models.heap_resolver import HeapResolver
 from studies.runs.constraints import FRAME, GRAVITY, no_forces
 from studies.runs.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
 from studies.timing import Measurement, Target, timer, versus

@@ -24,6 +24,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
+from autograder.commands import TUNED, find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
 from studies.reason import shown
@@ -53,7 +54,7 @@ def main(arguments: list[str]) -> int:
         "--out", type=Path, default=ROOT / "build" / "charts", help="the folder for the charts"
     )
     options = parser.parse_args(arguments)
-    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
     from studies.accuracy import chart, measure, results
     from studies.accuracy.catalog import scenes_with

@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from autograder.manifest import ROOT
+from autograder.commands import TUNED, find_engine
 from autograder.text.wrapping import plain_console, print_wrapped
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if not 0.0 < options.tolerance < math.inf:
         parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
-    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
     if options.scene.endswith(".py"):
         from studies.choose.report import choose

@@ -17,15 +17,15 @@ from dataclasses import dataclass
 from typing import Any
 
 from ch04_particle_engine.closed_form import state_after
-from ch06_springs.adaptive import adaptive
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import Integrator
 from ch07_constraints.detectors import Detectors
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.net import LINKS
-from ch07_constraints.smooth_net import SmoothNet
 from ch07_constraints.time_division import time_division_step
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, TOLERANCES
+from studies.models.direct_net import DirectNet
+from studies.models.net import LINKS
+from studies.models.smooth_net import SmoothNet
 from studies.runs.stability import INTEGRATORS
 
 Step = Callable[[float], object]

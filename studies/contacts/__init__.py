@@ -17,6 +17,7 @@ from rich.box import SIMPLE_HEAD
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
+from autograder.commands import TUNED, find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
 from studies.reason import shown
@@ -41,7 +42,7 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if options.out.exists() and not options.out.is_dir():
         parser.error(f"--out must be a folder, got the file {options.out}")
-    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
     from studies.accuracy import measure
     from studies.contacts import chart, kept, scenes

@@ -27,13 +27,13 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
+from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import Rod, TwoSidedRod
-from ch07_constraints.sequential_impulses import SequentialImpulses
-from ch07_constraints.small_steps import SmallSteps
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.models.direct_net import DirectNet
+from studies.models.heap_resolver import HeapResolver
 
 FRAMES = 60
 COUNT = 10  # spheres, or rods

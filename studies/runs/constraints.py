@@ -18,7 +18,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import ApplyForces, Integrator, explicit_euler, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator, ContactResolver
 from ch07_constraints.detectors import GroundPlane
-from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from studies.readings import Numbers, numbers, stopped

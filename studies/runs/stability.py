@@ -14,7 +14,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceGenerator
 from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
-from ch06_springs.cloth import make_cloth
+from ch06_springs.going_further.cloth import make_cloth
 from ch06_springs.integrators import (
     ApplyForces,
     Integrator,

@@ -331,7 +331,7 @@ def test_one_interval_of_constant_acceleration(rng: Random) -> None:
     expect_close(motions, [*v, *fast], then="; the velocities", tolerance=SMALL)
 
 
-@pytest.mark.exercise("B2.13", asks="Each interval starts with the position")
+@pytest.mark.exercise("B2.13", asks="Return both lists, which begin with")
 def test_each_interval_starts_where_the_last_one_ended(rng: Random) -> None:
     p, v = components(rng), components(rng)
     times = draw_times(rng, 5)

@@ -28,7 +28,7 @@ ZERO = (0.0, 0.0, 0.0)
 # 2.1 Magnitude and direction
 
 
-@pytest.mark.exercise("2.1", asks="Split a vector into its magnitude and its direction")
+@pytest.mark.exercise("2.1", asks="takes a vector and returns these two parts")
 def test_split_the_vector_of_the_book() -> None:
     about.call = "split(Vector3(2, -2, -2))"
     about.cause = (
@@ -79,7 +79,7 @@ def test_split_the_vector_of_the_book() -> None:
     expect_close(xyz(unit), wanted, then="; the second result, the direction")
 
 
-@pytest.mark.exercise("2.1", asks="The direction is a new unit vector")
+@pytest.mark.exercise("2.1", asks="its magnitude and its direction: a unit vector")
 def test_split_returns_the_length_and_the_direction(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -101,7 +101,7 @@ def test_split_returns_the_length_and_the_direction(rng: Random) -> None:
     expect_unchanged("v", xyz(v), a, read="the docstring of split")
 
 
-@pytest.mark.exercise("2.1", asks="return 0 and a new zero vector")
+@pytest.mark.exercise("2.1", asks="or zero for zero")
 def test_split_the_zero_vector() -> None:
     about.call = "split(Vector3(0, 0, 0))"
     about.cause = (
@@ -117,7 +117,7 @@ def test_split_the_zero_vector() -> None:
 # 2.4 The component that makes two vectors perpendicular
 
 
-@pytest.mark.exercise("2.4", asks="Find the component z that makes the vector")
+@pytest.mark.exercise("2.4", asks="Find the z that makes the vector")
 def test_the_perpendicular_vector_of_the_book() -> None:
     about.call = "make_perpendicular(Vector3(1, 2, 3), x=7, y=-2)"
     about(
@@ -159,7 +159,7 @@ def test_the_perpendicular_vector_of_the_book() -> None:
     expect_close(got, -1.0)
 
 
-@pytest.mark.exercise("2.4", asks="perpendicular if their scalar product is zero")
+@pytest.mark.exercise("2.4", asks="the vector (x, y, z) perpendicular to a")
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     about.read = "book 2.1.7"
@@ -187,7 +187,7 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
         expect_close(got, wanted, tolerance=tolerance)
 
 
-@pytest.mark.exercise("2.4", asks="if a.z is zero, because then no choice")
+@pytest.mark.exercise("2.4", asks="if a.z is zero, because then z changes nothing")
 @pytest.mark.robust
 def test_a_z_component_of_zero_is_refused(rng: Random) -> None:
     x, y, _ = components(rng)
@@ -343,7 +343,7 @@ def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
 # 2.7 A position that changes with a velocity
 
 
-@pytest.mark.exercise("2.7", asks="after it has moved at a constant velocity")
+@pytest.mark.exercise("2.7", asks="the position after a motion at constant velocity")
 def test_ten_seconds_with_the_velocity_of_the_book() -> None:
     about.call = "position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), duration=10)"
     about(
@@ -372,7 +372,7 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
     expect_close(xyz(got), (13.0, -5.0, 16.0))
 
 
-@pytest.mark.exercise("2.7", asks="p' = p + v t, as a new vector")
+@pytest.mark.exercise("2.7", asks="None of these changes its arguments")
 def test_the_new_position_is_a_new_vector(rng: Random) -> None:
     start, velocity, duration = components(rng), components(rng), rng.uniform(0.1, 20.0)
     p, v = Vector3(*start), Vector3(*velocity)

@@ -32,7 +32,7 @@ def vector_product(a: Components, b: Components) -> Components:
 # B2.6 Add a scaled vector
 
 
-@pytest.mark.exercise("B2.6", asks="Add a multiple of another vector, v * scale, to this one")
+@pytest.mark.exercise("B2.6", asks="to this vector, in place")
 def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     a, b, scale = components(rng), components(rng), number(rng)
     v, w = Vector3(*a), Vector3(*b)
@@ -67,7 +67,7 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b)
 
 
-@pytest.mark.exercise("B2.6", asks="It must also work if v is the vector itself")
+@pytest.mark.exercise("B2.6", asks="if the other vector is the vector itself")
 def test_add_scaled_with_itself(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -81,7 +81,7 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     expect_close(xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]), then="; v")
 
 
-@pytest.mark.exercise("B2.6", asks="Use this method to update a vector")
+@pytest.mark.exercise("B2.6", asks="in place, as in p' = p + v h")
 def test_add_scaled_frame_after_frame(rng: Random) -> None:
     start, velocity = components(rng), components(rng)
     wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
@@ -143,7 +143,7 @@ def test_the_component_product_in_place(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B2.7", asks="This must also work if v is the vector itself")
+@pytest.mark.exercise("B2.7", asks="if the other vector is the vector itself")
 def test_the_component_product_with_itself(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
@@ -217,7 +217,7 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12)
 
 
-@pytest.mark.exercise("B2.8", asks="|a| |b| cos t, where t is the angle")
+@pytest.mark.exercise("B2.8", asks="|a| |b| cos t, with the angle t")
 def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None:
     angle, first, second = rng.uniform(1.8, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     a = (0.0, first, 0.0)
@@ -362,7 +362,7 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("B2.9", asks="is the vector itself. The product is then zero")
+@pytest.mark.exercise("B2.9", asks="if the other vector is the vector itself")
 def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)

@@ -28,7 +28,7 @@ def expect_refusal(value: Any, error: type[Exception], cause: str) -> None:
     )
 
 
-@pytest.mark.exercise("B2.11", asks="and return it as a float")
+@pytest.mark.exercise("B2.11", asks="the duration of a time step as a float")
 def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
     about.read = READ
     for duration in (round(rng.uniform(0.1, 5.0), 3), 1e-300, 1e300, rng.randint(1, 9)):

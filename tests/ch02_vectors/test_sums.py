@@ -124,7 +124,7 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     expect_same_object(made, step, v, before)
 
 
-@pytest.mark.exercise("B2.5", asks="This must also work if v is the vector itself")
+@pytest.mark.exercise("B2.5", asks="if the other vector is the vector itself")
 def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)

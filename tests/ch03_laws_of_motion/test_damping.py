@@ -32,7 +32,7 @@ def combined(v: Components, a: Components, kept: float, gained: float) -> Compon
 # B3.3 Two equations for damping
 
 
-@pytest.mark.exercise("B3.3", asks="multiplies the velocity by d, however long the step")
+@pytest.mark.exercise("B3.3", asks="every step keeps the fraction d")
 def test_damping_per_frame_does_not_depend_on_the_duration(rng: Random) -> None:
     v, a = components(rng), components(rng)
     about.read = "book 3.3, Eq. 3.5"
@@ -86,7 +86,7 @@ def test_damping_per_frame_does_not_depend_on_the_duration(rng: Random) -> None:
         expect_close(xyz(got), wanted, tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.3", asks="so in a step of h s it keeps d^h")
+@pytest.mark.exercise("B3.3", asks="every second keeps the fraction d")
 def test_damping_per_second_depends_on_the_duration(rng: Random) -> None:
     v, drawn = components(rng), draw_damping(rng)
     about.read = "book 3.3, Eq. 3.6"
@@ -129,7 +129,7 @@ def test_damping_per_second_depends_on_the_duration(rng: Random) -> None:
         expect_close(xyz(got), wanted, tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.3", asks="The result is v' = v d^h + a h")
+@pytest.mark.exercise("B3.3", asks="Compute v' = v d^h + a h")
 def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> None:
     v, a = components(rng), components(rng)
     about.read = "book 3.3, Eq. 3.6, and errata.md"

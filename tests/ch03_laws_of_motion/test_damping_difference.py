@@ -92,7 +92,7 @@ def apart(
     return math.fsum(found) / len(found)
 
 
-@pytest.mark.exercise("3.5b", asks="So both lose equally much if all steps")
+@pytest.mark.exercise("3.5b", asks="damping ** mean per step (Eq. 3.5)")
 def test_equal_frames_make_no_difference(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     h = rng.choice((0.0125, 0.025, 0.05))

@@ -186,7 +186,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
-@pytest.mark.exercise("B3.4", asks="split a step into several drifts")
+@pytest.mark.exercise("B3.4", asks="a step may consist of several drifts")
 def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     words, p = a_particle(x, v, a)

@@ -70,7 +70,7 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
         expect_exactly(got, True)
 
 
-@pytest.mark.exercise("B3.1", asks="The particle stores this number instead of the mass")
+@pytest.mark.exercise("B3.1", asks="the engine stores the inverse mass")
 def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
@@ -110,7 +110,7 @@ def test_the_mass_is_returned(rng: Random) -> None:
         expect_close(got, value)
 
 
-@pytest.mark.exercise("B3.1", asks="Set the inverse of the mass, 1 / mass")
+@pytest.mark.exercise("B3.1", asks="The inverse of the mass in 1/kg")
 def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
     about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse:.6g}"
@@ -135,7 +135,7 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     expect_exactly(p.has_finite_mass, True)
 
 
-@pytest.mark.exercise("B3.1", asks="Use math.inf to make the particle immovable")
+@pytest.mark.exercise("B3.1", asks="Infinity makes the particle immovable")
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
@@ -160,7 +160,7 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     expect_exactly(p.has_finite_mass, False)
 
 
-@pytest.mark.exercise("B3.1", asks="which means that its inverse mass is 0")
+@pytest.mark.exercise("B3.1", asks="which is 0 if the particle is immovable")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
@@ -230,7 +230,7 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
 
-@pytest.mark.exercise("B3.1", asks="if the mass is not positive")
+@pytest.mark.exercise("B3.1", asks="Set the mass in kg, which must be positive")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
@@ -241,7 +241,7 @@ def test_a_mass_must_be_positive(bad: float) -> None:
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
 
-@pytest.mark.exercise("B3.1", asks="if the inverse mass is negative or not finite")
+@pytest.mark.exercise("B3.1", asks="which must be finite and not negative")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
@@ -253,7 +253,7 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
 
 
-@pytest.mark.exercise("B3.1", asks="if the damping is negative or not finite")
+@pytest.mark.exercise("B3.1", asks="Set the damping, which must be finite and not negative")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:

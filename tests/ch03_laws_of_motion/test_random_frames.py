@@ -52,7 +52,7 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
     return list(frames)
 
 
-@pytest.mark.exercise("3.5a", asks="so that the sum equals total, except for rounding")
+@pytest.mark.exercise("3.5a", asks="so that the sum equals total")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
     about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
@@ -70,7 +70,7 @@ def test_the_frames_fill_the_total_time(rng: Random) -> None:
         expect_close(got, total, tolerance=1e-11, unit="s")
 
 
-@pytest.mark.exercise("3.5a", asks="Each duration is drawn uniformly between mean")
+@pytest.mark.exercise("3.5a", asks="Each lies uniformly between mean")
 def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
     seed, mean = rng.randrange(1000), 0.02
     about.read = "the docstring of random_frames"
@@ -93,7 +93,7 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         expect_between(last, 0.0, most, then="; the last duration in s", tolerance=1e-9)
 
 
-@pytest.mark.exercise("3.5a", asks="Each duration is drawn uniformly between mean")
+@pytest.mark.exercise("3.5a", asks="Each lies uniformly between mean")
 def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     seed, mean, jitter = rng.randrange(1000), 0.02, 0.5
     about.read = "the docstring of random_frames"
@@ -139,7 +139,7 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
-@pytest.mark.exercise("3.5a", asks="A rest below 1e-12 of the total is only")
+@pytest.mark.exercise("3.5a", asks="A rest below 1e-12 of the total is a rounding error")
 def test_without_jitter_all_frames_are_equal() -> None:
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):

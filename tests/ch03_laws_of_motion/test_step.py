@@ -128,7 +128,9 @@ def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
         expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
-@pytest.mark.exercise("B3.4", asks="fraction of the velocity that the particle keeps per second")
+@pytest.mark.exercise(
+    "B3.4", asks="The fraction d of the velocity that the particle keeps per second"
+)
 def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
     v, drawn = components(rng), round(rng.uniform(0.2, 0.8), 3)
     about.read = "book 3.3, Eq. 3.6"
@@ -170,7 +172,7 @@ def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
         expect_close(got, wanted, then=f"{frames}; p.velocity", tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4", asks="the acceleration is applied first, and the damping then")
+@pytest.mark.exercise("B3.4", asks="Apply the acceleration and then the damping")
 def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     damping = round(rng.uniform(0.2, 0.8), 3)
@@ -237,7 +239,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     expect_close(xyz(p.position), wanted, then="; p.position", tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4", asks="does not depend on the mass, because the acceleration")
+@pytest.mark.exercise("B3.4", asks="The result does not depend on the mass")
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
     about.cause = (
@@ -302,7 +304,7 @@ def test_a_step_does_not_change_an_immovable_particle(rng: Random) -> None:
     expect_close(xyz(p.position), wanted, tolerance=1e-13)
 
 
-@pytest.mark.exercise("B3.4", asks="in its last time step, in m/s^2 as a new vector")
+@pytest.mark.exercise("B3.4", asks="in the last time step, in m/s^2 as a new vector")
 def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> None:
     a = components(rng)
     about.call = (

@@ -30,9 +30,9 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
         "The number of fireworks is wrong after several generations. Check that update lights "
         "each payload of a burned-out firework exactly once."
     )
-    seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
-    last = seen[-1]
-    got = {type: last.count(type) for type in (1, 3, 5)}
+    last = probes.show_after(rules, [1, 1], rng.randrange(10**6), 0.05, 80)
+    types = [firework[0] for firework in last]
+    got = {type: types.count(type) for type in (1, 3, 5)}
     wanted = {1: 0, 3: 0, 5: 2 * (2 + 3 * many)}
     expect_exactly(got, wanted)
 

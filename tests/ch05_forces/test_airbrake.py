@@ -103,7 +103,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
 
 
-@pytest.mark.exercise("5.2", asks="Its force is -k v")
+@pytest.mark.exercise("5.2", asks="A brake with the force -k v")
 def test_a_weak_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
@@ -171,7 +171,7 @@ def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> 
         expect_close(got, ZERO, cause=why, then=then, tolerance=1e-9, unit="m/s")
 
 
-@pytest.mark.exercise("5.2", asks="Keep the forces that were added before")
+@pytest.mark.exercise("5.2", asks="Add the force to the others on particle")
 def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
     about.read = READ
     v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)

@@ -63,7 +63,7 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
     }
 
 
-@pytest.mark.exercise("B5.5", asks="The vector velocity itself does not change")
+@pytest.mark.exercise("B5.5", asks="(k1 |v| + k2 |v|^2), as a new vector")
 def test_the_drag_at_one_velocity(rng: Random) -> None:
     about.read = READ
     v = components(rng)
@@ -133,7 +133,7 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
         expect_close(got, wanted, unit="N")
 
 
-@pytest.mark.exercise("B5.5", asks="k1 times the speed and k2 times the speed squared")
+@pytest.mark.exercise("B5.5", asks="-v^ (k1 |v| + k2 |v|^2)")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
     about.cause = "The drag does not increase with the speed as it should. Multiply k1 by the "
@@ -172,7 +172,7 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     expect_close(got, wanted, unit="N")
 
 
-@pytest.mark.exercise("B5.5", asks="add it to the particle's other forces")
+@pytest.mark.exercise("B5.5", asks="to the particle's other forces")
 def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     v, f = components(rng), components(rng)
     k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
@@ -222,7 +222,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12, unit="N")
 
 
-@pytest.mark.exercise("B5.5", asks="The drag is -v^ (k1 |v| + k2 |v|^2)")
+@pytest.mark.exercise("B5.5", asks="the drag, -v^ (k1 |v| + k2 |v|^2)")
 def test_a_fall_reaches_its_terminal_speed() -> None:
     about(
         "p = Particle(acceleration=Vector3(0, -9.81, 0), mass=2); for 60 s, in steps of h = 1/60 "
@@ -252,7 +252,7 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
     )
 
 
-@pytest.mark.exercise("B5.5", asks="The drag is -v^ (k1 |v| + k2 |v|^2)")
+@pytest.mark.exercise("B5.5", asks="the drag, -v^ (k1 |v| + k2 |v|^2)")
 def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
     about(
         "p = Particle(acceleration=Vector3(0, -9.81, 0), mass=2); for 3 s: Drag(k1=0, "
@@ -269,7 +269,7 @@ def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
     expect_first_order((distances[0], distances[1]), 0.06, what="the distance")
 
 
-@pytest.mark.exercise("B5.5", asks="The drag is -v^ (k1 |v| + k2 |v|^2)")
+@pytest.mark.exercise("B5.5", asks="the drag, -v^ (k1 |v| + k2 |v|^2)")
 def test_coasting_is_more_accurate_with_shorter_steps() -> None:
     about(
         "p = Particle(velocity=Vector3(20, 0, 0), mass=2); for 2 s: Drag(k1=0.3, "

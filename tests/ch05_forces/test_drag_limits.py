@@ -16,7 +16,7 @@ from expect import about, expect_close, expect_exactly, named
 LIMITS = "the docstring of drag_limits"
 
 
-@pytest.mark.exercise("B5.8", asks="Return two limits in s")
+@pytest.mark.exercise("B5.8", asks="Return the durations in s above which")
 def test_the_limits_by_their_formula(rng: Random) -> None:
     about.read = LIMITS
     k1, k2, mass, speed = (
@@ -99,7 +99,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     expect_close(got, (mass / k1, 2.0 * mass / k1))
 
 
-@pytest.mark.exercise("B5.8", asks="Without drag, both limits are math.inf")
+@pytest.mark.exercise("B5.8", asks="Both are math.inf without drag")
 def test_without_drag_no_step_is_too_long() -> None:
     about.read = LIMITS
     about.cause = "There is no drag here, so no time step is too long. Return math.inf for both "
@@ -122,7 +122,7 @@ def test_without_drag_no_step_is_too_long() -> None:
     )
 
 
-@pytest.mark.exercise("B5.8", asks="In a step longer than the first limit")
+@pytest.mark.exercise("B5.8", asks="above which a step reverses the motion")
 def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
     about.read = LIMITS
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)

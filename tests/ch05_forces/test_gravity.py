@@ -17,7 +17,7 @@ from expect import about, blame, expect_close, expect_unchanged, xyz
 ZERO = (0.0, 0.0, 0.0)
 
 
-@pytest.mark.exercise("B5.4", asks="Add the weight m g to the forces")
+@pytest.mark.exercise("B5.4", asks="which adds the weight m g")
 def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     g = components(rng)
     about.read = "book 3.2, Eq. 3.4"
@@ -67,7 +67,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         expect_unchanged("gravity.acceleration", got, g)
 
 
-@pytest.mark.exercise("B5.4", asks="Keep the forces that were added before")
+@pytest.mark.exercise("B5.4", asks="Add the force to the others on particle")
 def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
@@ -134,7 +134,7 @@ def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     expect_close(got, (0.0, -1e301, 0.0), then="; p.force_accumulator", unit="N")
 
 
-@pytest.mark.exercise("B5.4", asks="Setting Particle.acceleration then has the same effect")
+@pytest.mark.exercise("B5.4", asks="has the same effect at no extra cost")
 def test_gravity_has_the_same_effect_as_a_constant_acceleration(rng: Random) -> None:
     g, mass, damping = components(rng), round(rng.uniform(2.0, 90.0), 3), 0.75
     h, frames = 1.0 / 64.0, 192

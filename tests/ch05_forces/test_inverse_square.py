@@ -25,7 +25,7 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
     return Vector3(*(center[i] + way[i] * distance for i in range(3)))
 
 
-@pytest.mark.exercise("5.4", asks="toward the center with the force m mu / r^2")
+@pytest.mark.exercise("5.4", asks="Add the force m mu / r^2 toward the center")
 def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
@@ -148,7 +148,7 @@ def test_a_finite_force_is_correct_at_any_distance() -> None:
         expect_close(got, (0.0, force, 0.0), unit="N", cause=wrong)
 
 
-@pytest.mark.exercise("5.4", asks="because its force would be infinite")
+@pytest.mark.exercise("5.4", asks="Skip an immovable particle")
 def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     about.read = READ
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
@@ -174,7 +174,7 @@ def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     expect_close(xyz(p.force_accumulator), (0, -10.0, 0), unit="N")
 
 
-@pytest.mark.exercise("5.4", asks="the center pushes particles away")
+@pytest.mark.exercise("5.4", asks="or away from it if mu is negative")
 def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     about.read = READ
     force = components(rng)
@@ -207,7 +207,7 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     expect_close(got, (0.5, 0, 0), then="; p.force_accumulator", unit="N")
 
 
-@pytest.mark.exercise("5.4", asks="Use this generator for orbits")
+@pytest.mark.exercise("5.4", asks="Gravity that falls with 1 / r^2, as for orbits")
 def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
     about.read = READ
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)

@@ -23,7 +23,7 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
     return Vector3(*(center[i] + way[i] * distance for i in range(3)))
 
 
-@pytest.mark.exercise("5.3", asks="with the same strength at every distance")
+@pytest.mark.exercise("5.3", asks="gravity has the same strength at every distance")
 def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
@@ -114,7 +114,7 @@ def test_a_distance_whose_square_rounds_to_zero() -> None:
     expect_full_strength(1e-170, about.cause)
 
 
-@pytest.mark.exercise("5.3", asks="because its force would be infinite")
+@pytest.mark.exercise("5.3", asks="Skip an immovable particle")
 def test_point_gravity_skips_an_immovable_particle() -> None:
     about(
         "p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(center=Vector3(), ", read=READ
@@ -133,7 +133,7 @@ def test_point_gravity_skips_an_immovable_particle() -> None:
     expect_close(xyz(p.force_accumulator), (0, -40.0, 0), unit="N")
 
 
-@pytest.mark.exercise("5.3", asks="the point pushes particles away")
+@pytest.mark.exercise("5.3", asks="or away from it if it is negative")
 def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     about.read = READ
     force, center = components(rng), (7.0, 0.0, 0.0)

@@ -296,7 +296,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
-@pytest.mark.exercise("P4.2b", asks="The player has SHOTS shots in a round")
+@pytest.mark.exercise("P4.2b", asks="in which the player has SHOTS shots")
 def test_a_whole_round_is_ten_shots() -> None:
     about.read = UPDATE
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)

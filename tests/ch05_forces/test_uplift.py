@@ -34,7 +34,7 @@ def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[st
     return f"{about.call}; p.force_accumulator", xyz(p.force_accumulator)
 
 
-@pytest.mark.exercise("5.1", asks="its horizontal distance (in X and Z)")
+@pytest.mark.exercise("5.1", asks="if the horizontal distance (in X and Z)")
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
@@ -99,7 +99,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         expect_close(got, force if acts else ZERO, cause=why, unit="N")
 
 
-@pytest.mark.exercise("5.1", asks="The column has no upper or lower end")
+@pytest.mark.exercise("5.1", asks="without an upper or lower end")
 def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
@@ -117,7 +117,7 @@ def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
         expect_close(got, ZERO, unit="N", cause="Your force acts outside the column as well.")
 
 
-@pytest.mark.exercise("5.1", asks="from the origin is at most the radius")
+@pytest.mark.exercise("5.1", asks="from the axis is at most radius")
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
@@ -132,7 +132,7 @@ def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     expect_close(got, force, unit="N")
 
 
-@pytest.mark.exercise("5.1", asks="Keep the forces that were added before")
+@pytest.mark.exercise("5.1", asks="Add the force to the others on particle")
 def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     about.read = READ
     first, force, moved = components(rng), components(rng), components(rng)

@@ -142,7 +142,7 @@ def test_the_ends_of_the_damping() -> None:
     expect_close(got, 0.75)
 
 
-@pytest.mark.exercise("6.6b", asks="d^-h is too large for a float, the result is math.inf")
+@pytest.mark.exercise("6.6b", asks="d^-h is too large for a float, it is math.inf")
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(damping=1e-300, duration=1000.0), in N/m", read=READ)

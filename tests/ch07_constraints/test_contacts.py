@@ -192,7 +192,7 @@ def test_a_separating_contact_does_not_bounce(rng: Random) -> None:
     expect_close(got, 0.0, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="Return c (a h - v_s), but never less than 0")
+@pytest.mark.exercise("B7.2", asks="return c (a h - v_s), but never less than 0")
 def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
     about.read = REST
     n, h, c = direction(rng), 0.02, round(rng.uniform(0.3, 0.9), 3)

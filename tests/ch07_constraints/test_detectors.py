@@ -357,7 +357,7 @@ def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4], then=INDICES)
 
 
-@pytest.mark.exercise("B7.9", asks="same cell or in neighboring cells can touch")
+@pytest.mark.exercise("B7.9", asks="in the same cell or in neighboring cells")
 def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)

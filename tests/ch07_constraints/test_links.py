@@ -233,7 +233,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         expect_contacts(about.call, link, pair, wanted)
 
 
-@pytest.mark.exercise("B7.8", asks="use +Y as the direction from a to b")
+@pytest.mark.exercise("B7.8", asks="use +Y as the direction to the other end")
 def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)

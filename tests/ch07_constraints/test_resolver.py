@@ -287,7 +287,7 @@ def test_many_contacts_are_resolved(rng: Random) -> None:
     expect_between(now / before, 0.0, 1.0, call=name)
 
 
-@pytest.mark.exercise("B7.5", asks="the time step in s, on to resolve_velocity")
+@pytest.mark.exercise("B7.5", asks="Pass duration on to resolve_velocity")
 def test_each_resolution_gets_the_duration() -> None:
     about.read = FASTEST
     setup = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); both "

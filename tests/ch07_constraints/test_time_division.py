@@ -197,7 +197,7 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         expect_close(velocity[1], speed, then=name, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.12", asks="its motion is passed on to the last ball")
+@pytest.mark.exercise("B7.12", asks="in the order in which they are found")
 def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
     about.read = "book 7.3.2; simultaneous impacts are resolved one after the other"
     speed = positive_number(rng, 0.5, 3.0)  # slow enough that a late exchange shows

@@ -308,7 +308,7 @@ def test_a_sling_that_never_lets_go_throws_nothing() -> None:
         "The projectile hits the ground while it is still in the sling. Stop when the projectile's "
         "height is 0 or less, and return Throw(0.0, 0.0)."
     )
-    got = throw(heavy)
+    got = throw(heavy, "first")
     expect_close(got[:2], (0.0, 0.0), then="; the range and the share", tolerance=0.0)
     if got[2] >= 100 and throw(design, "ground")[2] == 1:
         about.cause = (

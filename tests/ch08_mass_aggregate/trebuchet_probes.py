@@ -42,8 +42,9 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
 
     And how many contacts the student's resolver says that it has resolved, if it does.
 
-    Instead of the physics a frame may do "nothing", put the projectile on the "ground", or let go
-    of it, "up" or "down", at a place and a speed that are given, the counterweight 4 m lower.
+    Instead of the physics a frame may do "nothing", or nothing after the "first" hundred frames. Or
+    it may put the projectile on the "ground", or let go of it, "up" or "down", at a place and a
+    speed that are given, the counterweight 4 m lower.
     """
     made = machine(numbers)
     times: list[float] = []
@@ -53,7 +54,7 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
     def counted(duration: float) -> None:
         nonlocal resolved
         times.append(duration)
-        if not instead:
+        if not instead or (instead == "first" and len(times) <= 100):
             step(duration)
             resolved += getattr(made.world.resolver, "iterations_used", 0)
         if instead == "ground":

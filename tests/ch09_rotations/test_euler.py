@@ -69,7 +69,7 @@ def map_to_own(x: float, y: float, z: float) -> tuple[float, ...]:
     return tuple(column[row] for row in range(3) for column in columns)
 
 
-@pytest.mark.exercise("B9.17", asks="The object rotates by x about the world's X axis first")
+@pytest.mark.exercise("B9.17", asks="by x about X, by y about Y, then by z about Z")
 def test_one_turn_after_another(rng: Random) -> None:
     about.read = ANGLES
     x, y, z = draw_angles(rng)

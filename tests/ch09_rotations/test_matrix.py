@@ -325,7 +325,7 @@ def expect_no_inverse(m: Nine) -> None:
     )
 
 
-@pytest.mark.exercise("B9.5", asks="reject a matrix if its determinant is too small")
+@pytest.mark.exercise("B9.5", asks="Rounding errors then make the inverse useless")
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause = (

@@ -37,7 +37,7 @@ OFF = "the docstring of read_off"
 EASY = "the docstring of easy_inverse"
 
 
-@pytest.mark.exercise("9.5", asks="The rotation consists of the first three columns")
+@pytest.mark.exercise("9.5", asks="into rotation, the first three columns, and position")
 def test_rotation_and_position_are_read_off(rng: Random) -> None:
     about.read = OFF
     m, p = draw_slight_turn(rng), components(rng)

@@ -66,7 +66,8 @@ def break_function(monkeypatch: pytest.MonkeyPatch, chapter: str, name: str, idl
     found = inspect.getattr_static(owner, path[-1])
     function: Any = getattr(found, "fget", None) or getattr(found, "__func__", found)
     assert isinstance(function, FunctionType), name
-    monkeypatch.setattr(function, "__code__", broken.__code__)
+    free = function.__code__.co_freevars  # __class__, if the function calls super()
+    monkeypatch.setattr(function, "__code__", broken.__code__.replace(co_freevars=free))
     monkeypatch.setattr(function, "__defaults__", None)
     monkeypatch.setattr(function, "__kwdefaults__", None)
 

@@ -8,8 +8,8 @@ from ch06_springs.integrators import explicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
+from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
-from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
 from lab.scenes.ch07_constraints.ropes import Ropes
 from studies.contacts.chart import time_within

@@ -12,7 +12,6 @@ from ch08_mass_aggregate.blob import Bond, spread
 from ch08_mass_aggregate.bridge import Bridge, Deck, links_of
 from ch08_mass_aggregate.bridge_plan import PLANK_MASS, make_rows
 from ch08_mass_aggregate.cube import ITERATIONS, Cube, cube_rods, fewest_rods
-from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.friction import FrictionContact, FrictionGround
 from ch08_mass_aggregate.planks import Planks, nearest_on_segment
@@ -20,6 +19,7 @@ from ch08_mass_aggregate.tilting_platform import TiltingPlatform, balancing_mass
 from ch08_mass_aggregate.trebuchet import STEP, Trebuchet, my_design
 from ch08_mass_aggregate.wheel import Wheel, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
+from studies.models.equilibrium import equilibrium
 
 
 def gained_in_free_fall(step: Integrator) -> float:

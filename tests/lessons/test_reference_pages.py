@@ -13,7 +13,7 @@ from autograder.manifest import ROOT
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import (
     Integrator,
     explicit_euler,
@@ -23,12 +23,12 @@ from ch06_springs.integrators import (
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
 from ch07_constraints.links import Rod, TwoSidedRod
-from ch07_constraints.rod_tensions import RodTensions
-from ch07_constraints.sequential_impulses import SequentialImpulses
 from lessons.lesson import agrees
 from studies.accuracy.scenes.links import double_pendulum
 from studies.accuracy.scenes.nets import swinging
+from studies.models.rod_tensions import RodTensions
 from studies.runs.constraints import (
     Link,
     Resolve,

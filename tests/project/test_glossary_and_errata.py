@@ -24,6 +24,8 @@ ENTRY = re.compile(
     rf"Book: (not covered|{SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. Code: (`.+)\."
 )
 
+NAMED = r"`([^`]+)`(?: \(`((?:going_further/)?\w+\.py)`\))?"  # a name, and the module it is in
+
 
 def entries() -> list[str]:
     text = (ROOT / "glossary.md").read_text(encoding="utf-8")
@@ -53,12 +55,12 @@ def faults_of(entry: str) -> Iterator[str]:
         return
     if not parts[3].endswith((".", ")")):
         yield f"{term(entry)}: not whole sentences"
-    where = r"((?:`[^`]+`(?: \(`\w+\.py`\))?(?:, )?)+), chapter (\d)(?:, and |$)"
+    where = r"((?:`[^`]+`(?: \(`(?:going_further/)?\w+\.py`\))?(?:, )?)+), chapter (\d)(?:, and |$)"
     if re.sub(where, "", parts[5]):
         yield f"{term(entry)}: not in the form of places: {parts[5]}"
     for places, chapter in re.findall(where, parts[5]):
         waiting = []
-        for name, module in re.findall(r"`([^`]+)`(?: \(`(\w+\.py)`\))?", places):
+        for name, module in re.findall(NAMED, places):
             waiting.append(name)
             if module or name.endswith(".py"):
                 file = source(int(chapter), module or name)

@@ -14,6 +14,7 @@ import pytest
 
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict, with_needs
+from autograder.commands import TUNED, find_engine
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import results_of, total
@@ -107,6 +108,11 @@ def test_the_second_solution_earns_every_point(
     copy_tree(second, tmp_path / chapter.name)
     engine = engine_with(tmp_path)
     assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_the_tuned_engine_earns_every_point(chapter: Chapter) -> None:
+    assert lost(run_checks(chapter, find_engine(TUNED), seed=SEED)) == {}
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)

@@ -7,7 +7,6 @@ import math
 from typing import Any
 
 import pytest
-from hypothesis import given
 from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
@@ -93,50 +92,6 @@ def test_a_copy_of_a_subclass_has_its_class_and_attributes(how: Any) -> None:
         assert (type(twin), twin.name) == (kind, "ball")
         twin.name = "twin"
         assert named.name == "ball"
-
-
-def test_forces_that_are_taken_leave_none_and_keep_the_last_step() -> None:
-    particle = Particle(mass=2.0)
-    particle.add_force(Vector3(4.0))
-    particle.kick(1.0)
-    particle.add_force(Vector3(1.0, 2.0, 3.0))
-    assert particle.take_forces() == (1.0, 2.0, 3.0)
-    assert particle.take_forces() == tuple(particle.force_accumulator) == (0.0, 0.0, 0.0)
-    assert tuple(particle.last_acceleration) == (2.0, 0.0, 0.0)
-
-
-@given(vector, vector, vector)
-def test_a_pair_of_forces_is_two_forces(
-    first: tuple[float, float, float],
-    second: tuple[float, float, float],
-    force: tuple[float, float, float],
-) -> None:
-    a, b = Particle(), Particle()
-    a.add_force(Vector3(*first))
-    b.add_force(Vector3(*second))
-    a.add_force_pair(b, *force)
-    assert a.take_forces() == tuple(Vector3(*first) + Vector3(*force))
-    assert b.take_forces() == tuple(Vector3(*second) - Vector3(*force))
-
-
-@pytest.mark.parametrize(
-    ("on_a", "on_b", "x", "complaint"),
-    [
-        (0.0, 0.0, NAN, "the force must have"),
-        (0.0, 0.0, -INF, "the force must have"),
-        (1e308, 0.0, 1e308, "the sum of the forces must have"),
-        (0.0, -1e308, 1e308, "the sum of the forces must have"),
-    ],
-)
-def test_a_pair_of_forces_that_is_refused_changes_neither_sum(
-    on_a: float, on_b: float, x: float, complaint: str
-) -> None:
-    a, b = Particle(), Particle()
-    a.add_force(Vector3(on_a))
-    b.add_force(Vector3(on_b))
-    with pytest.raises(ValueError, match=complaint):
-        a.add_force_pair(b, x, 0.0, 0.0)
-    assert (a.force_accumulator.x, b.force_accumulator.x) == (on_a, on_b)
 
 
 def test_the_sum_can_only_be_changed_by_adding() -> None:

@@ -12,9 +12,9 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Rod, TwoSidedRod
+from studies.models.heap_resolver import HeapResolver
 
 GRAVITY = Vector3(0.0, -10.0, 0.0)
 

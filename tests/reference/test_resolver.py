@@ -16,8 +16,8 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
-from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import AnchoredRod, Cable, Rod, TwoSidedRod
+from studies.models.heap_resolver import HeapResolver
 
 FRAME = 1.0 / 60.0
 UP = Vector3(0.0, 1.0, 0.0)

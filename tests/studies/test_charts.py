@@ -14,7 +14,7 @@ import numpy
 import pytest
 from scipy.integrate import solve_ivp
 
-from ch07_constraints.angle_pendulum import AnglePendulum
+from ch07_constraints.going_further.angle_pendulum import AnglePendulum
 from studies import charts, choose
 from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with

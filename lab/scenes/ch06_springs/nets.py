@@ -7,7 +7,7 @@ from itertools import pairwise
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.cloth import KNOTS, G, make_cloth, neighbors
+from ch06_springs.going_further.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider

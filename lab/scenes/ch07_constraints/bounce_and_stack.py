@@ -9,9 +9,9 @@ from itertools import pairwise
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import explicit_euler, semi_implicit_euler
-from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen

@@ -9,7 +9,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
-from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod
 from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.free_box import FreeBox
+from ch09_rotations.going_further.free_box import FreeBox
 from lab.drawing.box import draw_box
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from operator import add, eq, mul, neg, sub
 
 _PARALLEL_SINE = 1e-12
+_ORIGIN = (0.0, 0.0, 0.0)
 
 
 class Vector3:
@@ -63,7 +64,7 @@ class Vector3:
 
     def copy(self) -> Vector3:
         """Return an equal vector."""
-        return Vector3(*self)
+        return _of(self._xyz)
 
     def clear(self) -> None:
         """Become the zero vector."""
@@ -75,12 +76,11 @@ class Vector3:
 
     def __neg__(self) -> Vector3:
         """Return the opposite vector."""
-        return Vector3(*map(neg, self))
+        return _of(map(neg, self._xyz))
 
     def magnitude(self) -> float:
-        """Return the length, worked out near 1, where squares neither overflow nor vanish."""
-        scale = self._scale()
-        return math.sqrt((self / scale).squared_magnitude()) * scale
+        """Return the length: the distance from the origin, which no square can overflow."""
+        return math.dist(self._xyz, _ORIGIN)
 
     def squared_magnitude(self) -> float:
         """Return the scalar product of the vector with itself."""
@@ -89,7 +89,8 @@ class Vector3:
     def __mul__(self, scale: float) -> Vector3:
         """Return the vector scaled by a number."""
         _refuse_vector(scale)
-        return Vector3(*(component * scale for component in self))
+        x, y, z = self._xyz
+        return _of((x * scale, y * scale, z * scale))
 
     __rmul__ = __mul__
 
@@ -100,7 +101,8 @@ class Vector3:
     def __truediv__(self, divisor: float) -> Vector3:
         """Return the vector divided by a number, which floats refuse to be zero."""
         _refuse_vector(divisor)
-        return Vector3(*(component / divisor for component in self))
+        x, y, z = self._xyz
+        return _of((x / divisor, y / divisor, z / divisor))
 
     def __itruediv__(self, divisor: float) -> Vector3:
         """Become the vector divided by a number."""
@@ -112,12 +114,11 @@ class Vector3:
 
     def normalized(self) -> Vector3:
         """Return the unit vector of the same direction, or zero where there is none."""
-        scaled = self / self._scale()
-        return scaled / (scaled.magnitude() or 1.0)
+        return self / (self.magnitude() or 1.0)
 
     def __add__(self, v: Vector3) -> Vector3:
         """Return the sum."""
-        return Vector3(*map(add, self, _require_vector(v)))
+        return _of(map(add, self._xyz, _require_vector(v)._xyz))
 
     def __iadd__(self, v: Vector3) -> Vector3:
         """Become the sum."""
@@ -125,7 +126,7 @@ class Vector3:
 
     def __sub__(self, v: Vector3) -> Vector3:
         """Return the difference."""
-        return Vector3(*map(sub, self, _require_vector(v)))
+        return _of(map(sub, self._xyz, _require_vector(v)._xyz))
 
     def __isub__(self, v: Vector3) -> Vector3:
         """Become the difference."""
@@ -137,7 +138,7 @@ class Vector3:
 
     def component_product(self, v: Vector3) -> Vector3:
         """Return the products of the components."""
-        return Vector3(*map(mul, self, _require_vector(v)))
+        return _of(map(mul, self._xyz, _require_vector(v)._xyz))
 
     def component_product_update(self, v: Vector3) -> None:
         """Become the products of the components."""
@@ -145,7 +146,7 @@ class Vector3:
 
     def dot(self, v: Vector3) -> float:
         """Return the scalar product: the sum of the component product."""
-        x, y, z = self.component_product(v)
+        x, y, z = map(mul, self._xyz, _require_vector(v)._xyz)
         return z + y + x
 
     def __matmul__(self, v: Vector3) -> float:
@@ -153,10 +154,9 @@ class Vector3:
         return self.dot(v)
 
     def cross(self, v: Vector3) -> Vector3:
-        """Return the vector product, from two turns of the ring x, y, z in either direction."""
-        forth = self._turned(1).component_product(_require_vector(v)._turned(2))
-        back = self._turned(2).component_product(v._turned(1))
-        return forth - back
+        """Return the vector product, with the components as a ring: index -1 is that of Z."""
+        a, b = self._xyz, _require_vector(v)._xyz
+        return _of(a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3))
 
     def cross_update(self, v: Vector3) -> None:
         """Become the vector product."""
@@ -166,18 +166,6 @@ class Vector3:
         """Take over the components of v; return this vector, as the forms in place have to."""
         self._xyz = v._xyz
         return self
-
-    def _turned(self, steps: int) -> Vector3:
-        """Return the vector with its components moved on in their ring: y, z, x for one step."""
-        return Vector3(*self._xyz[steps:], *self._xyz[:steps])
-
-    def _scale(self) -> float:
-        """Return a power of two near the largest component, so that dividing by it is exact.
-
-        It is one half where the largest is zero, infinite or (as a first NaN is to max) NaN.
-        """
-        _, exponent = math.frexp(max(map(abs, self)))
-        return math.ldexp(1.0, exponent - 1)
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
@@ -197,6 +185,13 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
 def _floats(*numbers: float) -> tuple[float, ...]:
     """Return the numbers as floats. An array, unlike float, refuses text, with a TypeError."""
     return tuple(array("d", numbers))
+
+
+def _of(components: Iterable[float]) -> Vector3:
+    """Return the vector with components that are known to be three floats."""
+    made = object.__new__(Vector3)
+    made._xyz = tuple(components)
+    return made
 
 
 def _require_vector(v: object) -> Vector3:

@@ -42,10 +42,9 @@ class Contact:
 
     def separating_velocity(self) -> float:
         """Return how fast the two part along the normal, in m/s: negative while they close."""
-        seen = self.particle.velocity.copy()
-        if self.other is not None:
-            seen -= self.other.velocity
-        return seen @ self.normal
+        n = self.normal
+        away = self.particle.velocity @ n
+        return away if self.other is None else away - self.other.velocity @ n
 
     def velocity_after(self, duration: float = 0.0) -> float:
         """Return the separating velocity in m/s that the contact should have once it is resolved.
@@ -105,7 +104,7 @@ class Contact:
             (b, -1.0 / (1.0 + a.inverse_mass / b.inverse_mass)),
         ]
 
-    def _total_inverse_mass(self) -> float:
+    def total_inverse_mass(self) -> float:
         """Return 1 / ma + 1 / mb: 0 where nothing can be moved."""
         return sum(body.inverse_mass for body, _ in self._movable())
 
@@ -132,7 +131,7 @@ class ContactResolver:
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
         """Resolve the contacts of a frame of a duration in s: all velocities, then all depths."""
         positive("duration", duration)
-        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
         used = self.resolve_velocities(movable, limit, duration)
         self.iterations_used = used + self.resolve_penetrations(movable, limit)
@@ -156,17 +155,16 @@ class ContactResolver:
             worst = max(contacts, key=lambda contact: contact.penetration)  # of equals, the first
             if worst.penetration <= DEPTH_TOLERANCE:
                 break
-            moves = dict(
-                zip((id(worst.particle), id(worst.other)), worst.resolve_penetration(), strict=True)
-            )
+            moves = worst.resolve_penetration()
             used += 1
-            for contact in contacts:
-                if contact is worst:
-                    continue
-                into = moves.get(id(contact.other)) if contact.other is not None else None
-                out = moves.get(id(contact.particle))
-                contact.penetration += into @ contact.normal if into is not None else 0.0
-                contact.penetration -= out @ contact.normal if out is not None else 0.0
+            for body, move in zip((worst.particle, worst.other), moves, strict=True):
+                for contact in contacts:
+                    if contact is worst or body is None:
+                        continue
+                    if contact.particle is body:
+                        contact.penetration -= move @ contact.normal
+                    elif contact.other is body:
+                        contact.penetration += move @ contact.normal
         return used
 
 

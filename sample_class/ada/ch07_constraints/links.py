@@ -1,6 +1,6 @@
 """Links between two particles, or between a particle and an anchor: cables, rods and limits.
 
-Every link asks one function how far too long it is, and along which way.
+A cable and a rod each have a function that asks how far too long they are, and along which way.
 """
 
 from __future__ import annotations
@@ -51,8 +51,7 @@ class Rod:
 
     def contacts(self) -> list[Contact]:
         """Return a contact where the rod is too long or too short, and none where it is neither."""
-        pull, push = _both(self.a, self.b, self.b.position, self.length)
-        return [contact for contact in (pull, push) if contact.penetration > 0.0]
+        return _held(self.a, self.b, self.b.position, self.length)
 
 
 class AnchoredRod:
@@ -65,8 +64,7 @@ class AnchoredRod:
 
     def contacts(self) -> list[Contact]:
         """Return a contact with no other, as a Rod does: to the anchor where it is too long."""
-        pull, push = _both(self.particle, None, self.anchor, self.length)
-        return [contact for contact in (pull, push) if contact.penetration > 0.0]
+        return _held(self.particle, None, self.anchor, self.length)
 
 
 class Limits:
@@ -91,10 +89,11 @@ class Limits:
     def contacts(self) -> list[Contact]:
         """Exercise 7.6: return a contact for each limit that is reached or passed."""
         a, b, c = self.a, self.b, self.restitution
+        offset = b.position - a.position
+        distance = offset.magnitude()
         reached = _taut(a, b, b.position, self.max_length, c)
-        if self.min_length:
-            _, push = _both(a, b, b.position, self.min_length, c)
-            reached += [push] * (push.penetration >= 0.0)
+        if 0.0 < self.min_length >= distance:
+            reached.append(Contact(a, b, -direction_of(offset), c, self.min_length - distance))
         return reached
 
 
@@ -103,7 +102,10 @@ class TwoSidedRod(Rod):
 
     def contacts(self) -> list[Contact]:
         """G7.1: return two contacts, always: one that pulls the ends together, one that pushes."""
-        return [*_both(self.a, self.b, self.b.position, self.length)]
+        a, b = self.a, self.b
+        offset = b.position - a.position
+        way, too_long = direction_of(offset), offset.magnitude() - self.length
+        return [Contact(a, b, way, 0.0, too_long), Contact(a, b, -way, 0.0, -too_long)]
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
@@ -114,26 +116,22 @@ def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
     return a, b
 
 
-def _both(
-    particle: Particle,
-    other: Particle | None,
-    end: Vector3,
-    length: float,
-    restitution: float = 0.0,
-) -> tuple[Contact, Contact]:
-    """Return what pulls a particle to an end, and what pushes it away, if it is to be so far."""
-    offset = end - particle.position
-    way = direction_of(offset)
-    too_long = offset.magnitude() - length
-    return (
-        Contact(particle, other, way, restitution, too_long),
-        Contact(particle, other, -way, restitution, 0.0 - too_long),
-    )
-
-
 def _taut(
     particle: Particle, other: Particle | None, end: Vector3, length: float, restitution: float
 ) -> list[Contact]:
     """Return the contact of a cable, in a list, if there is one."""
-    pull, _ = _both(particle, other, end, length, restitution)
-    return [pull] if pull.penetration >= 0.0 else []
+    offset = end - particle.position
+    too_long = offset.magnitude() - length
+    if too_long < 0.0:
+        return []
+    return [Contact(particle, other, direction_of(offset), restitution, too_long)]
+
+
+def _held(particle: Particle, other: Particle | None, end: Vector3, length: float) -> list[Contact]:
+    """Return the contact of a rod, in a list, if there is one."""
+    offset = end - particle.position
+    too_long = offset.magnitude() - length
+    way = direction_of(offset)
+    if too_long < 0.0:
+        way.invert()
+    return [Contact(particle, other, way, 0.0, abs(too_long))] if too_long else []

@@ -39,7 +39,7 @@ class FrictionContact(Contact):
     def friction_impulse(self, normal_impulse: float) -> Vector3:
         """Return the impulse that stops the sliding, made shorter if it is more than mu j."""
         most = self.friction * not_negative("normal_impulse", normal_impulse)
-        heavy = self._total_inverse_mass()
+        heavy = self.total_inverse_mass()
         if not heavy:
             return Vector3()
         stop = self.sliding_velocity() * (-1.0 / heavy)
@@ -50,7 +50,7 @@ class FrictionContact(Contact):
         """Bounce, and then rub."""
         closing = self.separating_velocity()
         super().resolve_velocity(duration)
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         change = self.separating_velocity() - closing
         if change > 0.0 and total:
             impulse = self.friction_impulse(change / total)

@@ -52,7 +52,7 @@ class Contact:
     def resolve_velocity(self, duration=0.0):
         new = self.velocity_after(duration)
         vs = self.separating_velocity()
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if vs >= 0 or total <= 0:
             return
         impulse_per_mass = self.normal * ((new - vs) / total)
@@ -61,7 +61,7 @@ class Contact:
             self.other.velocity -= impulse_per_mass * self.other.inverse_mass
 
     def resolve_penetration(self):
-        total = self._total_inverse_mass()
+        total = self.total_inverse_mass()
         if self.penetration <= 0 or total <= 0:
             return Vector3(), Vector3()
         move_per_mass = self.normal * (self.penetration / total)
@@ -79,7 +79,7 @@ class Contact:
         self.resolve_velocity(duration)
         self.resolve_penetration()
 
-    def _total_inverse_mass(self):
+    def total_inverse_mass(self):
         other = 0.0 if self.other is None else self.other.inverse_mass
         return self.particle.inverse_mass + other
 
@@ -101,7 +101,7 @@ class ContactResolver:
 
     def resolve_contacts(self, contacts, duration):
         positive("duration", duration)
-        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
         used = self.resolve_velocities(movable, limit, duration)
         self.iterations_used = used + self.resolve_penetrations(movable, limit)

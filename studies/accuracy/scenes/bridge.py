@@ -24,8 +24,6 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch07_constraints.contacts import ContactGenerator, ContactResolver
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
 from ch08_mass_aggregate.bridge import ITERATIONS, links_of
 from ch08_mass_aggregate.bridge_plan import (
@@ -40,10 +38,12 @@ from ch08_mass_aggregate.bridge_plan import (
     make_rows,
     support_length,
 )
-from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.models.direct_net import DirectNet
+from studies.models.equilibrium import equilibrium
+from studies.models.heap_resolver import HeapResolver
 
 FRAMES = 60  # errors do not grow after this second
 LONG = 600  # frames of sleep

@@ -25,14 +25,14 @@ from ch06_springs.integrators import (
     runge_kutta_4,
     semi_implicit_euler,
 )
-from ch07_constraints.angle_chain import AngleChain
-from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
-from ch07_constraints.rod_tensions import RodTensions
-from ch07_constraints.smooth_net import hermite
 from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
+from studies.models.angle_chain import AngleChain
+from studies.models.angle_rope import AngleRope
+from studies.models.rod_tensions import RodTensions
+from studies.models.smooth_net import hermite
 from studies.runs.constraints import resolving
 
 LONG = 12  # frames; the number of long steps is given per this many frames

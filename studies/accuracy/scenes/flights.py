@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine.closed_form import state_after
-from ch04_particle_engine.exact_frames import places_in_frames
 from ch05_forces.closed_form import quadratic_fall
 from ch05_forces.forces import Drag, Gravity, InverseSquareGravity
 from ch05_forces.particle import Particle
@@ -32,6 +31,7 @@ from studies.accuracy.scene import (
     by_pymunk,
     space_with,
 )
+from studies.models.exact_frames import places_in_frames
 from studies.runs.drag_flight import PROJECTILE, make_particle, make_space
 
 if TYPE_CHECKING:

@@ -20,9 +20,9 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
-from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
+from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import time_division_step
 from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, Scene, in_frames
 from studies.runs.constraints import resolving

@@ -15,7 +15,7 @@ from scipy.special import ellipj  # type: ignore[import-untyped]
 
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
-from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum
+from ch07_constraints.going_further.angle_pendulum import AnglePendulum, DoublePendulum
 from ch07_constraints.links import TwoSidedRod
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 from studies.accuracy.scenes.chains import COUNTED, Chain, by_resolver, flat, models_of

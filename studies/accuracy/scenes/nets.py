@@ -18,10 +18,7 @@ import numpy
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.smooth_net import SmoothNet
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
-from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
 from studies.accuracy.scenes.bridge import MASSES, cables, hanging
@@ -35,6 +32,9 @@ from studies.accuracy.scenes.planes import (
     by_slide_joints,
 )
 from studies.accuracy.scenes.taut import Tie
+from studies.models.direct_net import DirectNet
+from studies.models.equilibrium import equilibrium
+from studies.models.smooth_net import SmoothNet
 
 FINE = 8  # steps per frame of our own run, with which the truth is compared
 

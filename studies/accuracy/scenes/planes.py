@@ -21,12 +21,12 @@ import numpy
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.links import AnchoredCable, Cable
-from ch07_constraints.net import Strut
-from ch07_constraints.smooth_net import SmoothNet, hermite
 from studies.accuracy.scene import RATE, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
+from studies.models.direct_net import DirectNet
+from studies.models.net import Strut
+from studies.models.smooth_net import SmoothNet, hermite
 
 COUNTED = "links solved for"
 LONG = 12  # frames; the number of long steps is given per this many frames

@@ -118,7 +118,7 @@ def test_misspelt_attributes_and_names(messages: Messages) -> None:
         "ch03_laws_of_motion/particle.py",
         {
             whole("momentum"): "    def momentum(self):\n        return Vecotr3()\n",
-            "position = self.position": "position = self.positon",
+            r"self\.position\.add_scaled\(self\.velocity": "self.positon.add_scaled(self.velocity",
         },
     )
     assert "Did you mean Vector3?" in likely(failed["B3.2"])

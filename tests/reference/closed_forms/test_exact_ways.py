@@ -8,8 +8,8 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from ch04_particle_engine.exact_frames import places_in_frames
-from ch07_constraints.bouncing_ball import heights_in_frames
+from ch07_constraints.going_further.bouncing_ball import heights_in_frames
+from studies.models.exact_frames import places_in_frames
 
 
 @pytest.mark.parametrize("damping", [0.3, 0.99, 1.0])

@@ -17,30 +17,30 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine.display import Display, tick
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, Payload
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive
-from ch06_springs.camera import SpringCamera
+from ch06_springs.going_further.adaptive import adaptive
+from ch06_springs.going_further.camera import SpringCamera
 from ch06_springs.integrators import ApplyForces
-from ch07_constraints.angle_chain import AngleChain
-from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum
-from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
-from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.going_further.angle_pendulum import AnglePendulum, DoublePendulum
+from ch07_constraints.going_further.direct_chain import DirectChain
+from ch07_constraints.going_further.rewinding import rewinding_step
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
+from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable
-from ch07_constraints.rewinding import rewinding_step
-from ch07_constraints.sequential_impulses import SequentialImpulses
-from ch07_constraints.small_steps import SmallSteps
-from ch07_constraints.smooth_net import SmoothNet
 from ch08_mass_aggregate.ball_game import BallGame
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from ch09_rotations.angular import integrate_rotation
-from ch09_rotations.free_box import FreeBox
+from ch09_rotations.going_further.free_box import FreeBox
 from ch09_rotations.quaternion import Quaternion
+from studies.models.angle_chain import AngleChain
+from studies.models.angle_rope import AngleRope
+from studies.models.direct_net import DirectNet
+from studies.models.heap_resolver import HeapResolver
+from studies.models.smooth_net import SmoothNet
 
 FRAME = 1.0 / 60.0
 Entry = tuple[object, Callable[[Any], object]]  # the state, and a function of the duration

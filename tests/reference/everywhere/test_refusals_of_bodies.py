@@ -9,28 +9,22 @@ from typing import Any
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch04_particle_engine.exact_frames import places_in_frames
 from ch05_forces.particle import Particle
-from ch07_constraints.angle_chain import AngleChain
-from ch07_constraints.angle_pendulum import DoublePendulum
-from ch07_constraints.angle_rope import AngleRope
-from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
-from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.exercises import (
     force_for_frame,
     restitution_of_drop,
     table_of_drops,
     top_ball_speed,
 )
+from ch07_constraints.going_further.angle_pendulum import DoublePendulum
+from ch07_constraints.going_further.bouncing_ball import heights_in_frames
+from ch07_constraints.going_further.direct_chain import DirectChain
+from ch07_constraints.going_further.reaction import ReactionForce
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
+from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
-from ch07_constraints.reaction import ReactionForce
-from ch07_constraints.rod_tensions import RodTensions
-from ch07_constraints.sequential_impulses import SequentialImpulses
-from ch07_constraints.small_steps import SmallSteps
-from ch07_constraints.smooth_net import SmoothNet
 from ch08_mass_aggregate.ball_game import BallGame, Rules
 from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.bridge import Bridge, Deck
@@ -47,11 +41,17 @@ from ch08_mass_aggregate.world import ParticleWorld
 from ch09_rotations import exercises as rotation_exercises
 from ch09_rotations.angular import first_order_drift, integrate_rotation, velocity_of_point
 from ch09_rotations.euler import euler_rates, rate_map
-from ch09_rotations.free_box import FreeBox
+from ch09_rotations.going_further.free_box import FreeBox
 from ch09_rotations.matrix import Matrix3, Matrix4, change_basis
 from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, wrap_angle
 from ch09_rotations.quaternion import Quaternion
 from refused import Refused, cases, ids, names_the_argument
+from studies.models.angle_chain import AngleChain
+from studies.models.angle_rope import AngleRope
+from studies.models.direct_net import DirectNet
+from studies.models.exact_frames import places_in_frames
+from studies.models.rod_tensions import RodTensions
+from studies.models.smooth_net import SmoothNet
 
 NAN, INF = math.nan, math.inf
 UP, ONES, NOWHERE = Vector3(0.0, 1.0), Vector3(1.0, 1.0, 1.0), Vector3(NAN)

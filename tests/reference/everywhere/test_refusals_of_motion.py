@@ -37,10 +37,10 @@ from ch05_forces.forces import (
 )
 from ch05_forces.particle import Particle
 from ch05_forces.sniper import SniperRange, Wind
-from ch06_springs.adaptive import adaptive
-from ch06_springs.camera import SpringCamera
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.exercises import largest_stable_stiffness, swings_wider
+from ch06_springs.going_further.adaptive import adaptive
+from ch06_springs.going_further.camera import SpringCamera
 from ch06_springs.integrators import (
     backward_euler,
     explicit_euler,

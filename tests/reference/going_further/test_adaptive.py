@@ -14,7 +14,7 @@ from scipy.linalg import expm
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import Drag, ForceGenerator, ForceRegistry, InverseSquareGravity
 from ch05_forces.particle import Particle
-from ch06_springs.adaptive import adaptive
+from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import ApplyForces, Integrator, runge_kutta_4, watched
 from ch06_springs.springs import AnchoredSpring, connect
 from ch07_constraints.detectors import GroundPlane

@@ -13,8 +13,8 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, InverseSquareGravity
 from ch05_forces.particle import Particle
-from ch06_springs import adaptive as module
-from ch06_springs.adaptive import AdaptiveStep, adaptive
+from ch06_springs.going_further import adaptive as module
+from ch06_springs.going_further.adaptive import AdaptiveStep, adaptive
 from ch06_springs.integrators import ApplyForces, Integrator
 from ch06_springs.springs import AnchoredSpring
 
@@ -45,11 +45,10 @@ def test_a_fall_into_a_center_stops_with_a_clear_error() -> None:
     particle, registry = Particle(Vector3(1.0)), ForceRegistry()
     registry.add(particle, InverseSquareGravity(Vector3(), 1.0))
     step = adaptive(1e-6)
-    words = r"adaptive\(1e-06\) needs steps shorter than .* s at (.*) s of a call of 2 s"
-    words += ": .* particle 0 at"
+    words = r"adaptive\(1e-06\) cannot go on at (.*) s of a call of 2 s, with steps of"
     with pytest.raises(ArithmeticError, match=words) as raised:
         step([particle], registry.update_forces, 2.0)
-    reached = float(str(raised.value).split(" s at ")[1].split()[0])
+    reached = float(str(raised.value).split(" at ")[1].split()[0])
     assert reached == pytest.approx(math.pi / math.sqrt(8.0), abs=1e-4)
     assert 0.0 < particle.position.magnitude() < 1e-3  # the position after the last good step
     assert tuple(particle.force_accumulator) == (0.0, 0.0, 0.0)
@@ -86,8 +85,9 @@ def test_forces_that_fail_where_the_motion_has_to_go_are_named() -> None:
         if particle.position.x > 0.5:
             raise ValueError("there is no force beyond 0.5 m")
 
-    with pytest.raises(ArithmeticError, match=r"at 0\.5 s of a call of 1 s: there is no force"):
+    with pytest.raises(ArithmeticError, match=r"at 0\.5 s of a call of 1 s") as raised:
         adaptive(1e-6)([particle], wall, 1.0)
+    assert str(raised.value.__cause__) == "there is no force beyond 0.5 m"
     assert particle.position.x == pytest.approx(0.5, abs=1e-13)
     particle.position.x = 0.6
     with pytest.raises(ValueError, match="there is no force"):  # at the start of the call
@@ -106,8 +106,7 @@ class Unchecked(Particle):
 def test_a_force_that_is_not_a_number_ends_in_an_error() -> None:
     bullet = Unchecked(velocity=Vector3(1.0))
     step = adaptive(1e-6)
-    words = r"at 0\.5 s of a call of 1 s: the force on particle 1 at .* is not finite"
-    with pytest.raises(ArithmeticError, match=words):
+    with pytest.raises(ArithmeticError, match=r"at 0\.5 s of a call of 1 s"):
         step([Particle(mass=math.inf), bullet], lambda _: None, 1.0)
     assert step.evaluations < 1000
     checked = Particle()
@@ -118,7 +117,7 @@ def test_a_force_that_is_not_a_number_ends_in_an_error() -> None:
 def test_a_call_ends_after_the_most_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MOST_STEPS", 50)
     particle, apply_forces = sprung(1e4)
-    words = r"adaptive\(1e-09\) has only reached .* s of a call of 10 s after 50 steps"
+    words = r"adaptive\(1e-09\) cannot go on at .* s of a call of 10 s"
     with pytest.raises(ArithmeticError, match=words):
         adaptive(1e-9)([particle], apply_forces, 10.0)
     assert abs(particle.position.x) <= 1.0

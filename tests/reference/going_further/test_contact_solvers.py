@@ -16,9 +16,9 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
+from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, AnchoredRod, TwoSidedRod
-from ch07_constraints.sequential_impulses import SequentialImpulses
-from ch07_constraints.small_steps import SmallSteps
 from ch08_mass_aggregate.world import mechanical_energy
 from studies.runs.piles import pile
 

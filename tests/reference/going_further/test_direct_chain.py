@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.going_further.direct_chain import DirectChain
 
 Array = NDArray[numpy.float64]
 H = 1.0 / 240.0  # s

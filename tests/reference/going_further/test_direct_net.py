@@ -13,14 +13,14 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.direct_net import DirectNet
-from ch07_constraints.elimination import Elimination
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
-from ch07_constraints.net import Strut
-from ch07_constraints.smooth_net import SmoothNet, hermite
 from studies.accuracy.catalog import scenes_with
 from studies.drawing import slope
+from studies.models.direct_net import DirectNet
+from studies.models.elimination import Elimination
+from studies.models.net import Strut
+from studies.models.smooth_net import SmoothNet, hermite
 
 DOWN = Vector3(0.0, -10.0)
 H = 1.0 / 240.0  # s

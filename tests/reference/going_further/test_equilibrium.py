@@ -14,10 +14,10 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import AnchoredCable, Cable
 from ch08_mass_aggregate.bridge import Bridge, links_of
 from ch08_mass_aggregate.bridge_plan import make_rows
-from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scenes.bridge import MASSES, hanging
+from studies.models.equilibrium import equilibrium
 
 DOWN = Vector3(0.0, -10.0)
 

@@ -20,7 +20,7 @@ from ch06_springs.integrators import (
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
-from ch07_constraints.reaction import ReactionForce
+from ch07_constraints.going_further.reaction import ReactionForce
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 
 FRAME = 1.0 / 60.0

@@ -25,8 +25,8 @@ from ch06_springs.integrators import (
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.going_further.rewinding import HALVINGS, rewinding_step
 from ch07_constraints.links import AnchoredCable
-from ch07_constraints.rewinding import HALVINGS, rewinding_step
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 
 G, DROP, RESTITUTION, SECONDS = 9.81, 2.0, 0.8, 2.0

@@ -9,7 +9,7 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.runs.ropes import catenary_sag, polygon_sag

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch06_springs.camera import SpringCamera
+from ch06_springs.going_further.camera import SpringCamera
 
 FRAME = 1.0 / 60.0
 

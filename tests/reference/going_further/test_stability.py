@@ -15,7 +15,7 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch06_springs.cloth import make_cloth
+from ch06_springs.going_further.cloth import make_cloth
 from ch06_springs.integrators import (
     Integrator,
     SimulationDiverged,

@@ -22,11 +22,11 @@ from ch06_springs.integrators import (
     semi_implicit_euler,
     velocity_verlet,
 )
-from ch07_constraints.angle_chain import AngleChain
-from ch07_constraints.angle_pendulum import DoublePendulum
-from ch07_constraints.angle_rope import AngleRope
-from ch07_constraints.rod_tensions import RodTensions
+from ch07_constraints.going_further.angle_pendulum import DoublePendulum
 from studies.drawing import slope
+from studies.models.angle_chain import AngleChain
+from studies.models.angle_rope import AngleRope
+from studies.models.rod_tensions import RodTensions
 
 G = 9.81
 INF = math.inf

@@ -17,7 +17,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import velocity_verlet
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
-from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Rod, TwoSidedRod
 from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform, balancing_mass

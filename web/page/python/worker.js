@@ -68,7 +68,11 @@ async function start(base) {
   });
   python.FS.writeFile("/course.xz", new Uint8Array(await course));
   python.runPython(UNPACK);
-  for (const [path, text] of await chapters) python.FS.writeFile(`/course/chapters/${path}`, text);
+  for (const [path, text] of await chapters) {
+    const file = `/course/chapters/${path}`;
+    python.FS.mkdirTree(file.slice(0, file.lastIndexOf("/")));
+    python.FS.writeFile(file, text);
+  }
   python.registerJsModule("worker", forPython);
   python.setInterruptBuffer(clock);
   const main = python.pyimport("web.python.browser.main");

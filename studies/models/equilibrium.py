@@ -22,10 +22,11 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
-from ch07_constraints.elimination import Elimination
-from ch07_constraints.net import CABLE, CHANGES, LINKS, ROD, limits_of
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.models.elimination import Elimination
+from studies.models.forces import take_forces
+from studies.models.net import CABLE, CHANGES, LINKS, ROD, limits_of
 
 FIRST_TIME, LAST_TIME = 0.05, 50.0  # s
 FARTHEST = 0.25  # m: the longest move of a particle in one step of the method
@@ -76,7 +77,7 @@ class Balance:
     def __init__(self, world: ParticleWorld) -> None:
         self.world = world
         self.free = [p for p in world.particles if p.inverse_mass]
-        self.by_hand = [p.take_forces() for p in self.free]
+        self.by_hand = [take_forces(p) for p in self.free]
         self.number = {p: 3 * i for i, p in enumerate(self.free)}
         links = [g for g in world.contact_generators if isinstance(g, LINKS)]
         self.links = [Hold(*limit) for link in links for limit in limits_of(link)]
@@ -107,7 +108,7 @@ class Balance:
         found: list[float] = []
         for particle, by_hand in zip(self.free, self.by_hand, strict=True):
             weight = particle.acceleration * particle.mass
-            parts = zip(weight, by_hand, particle.take_forces(), strict=True)
+            parts = zip(weight, by_hand, take_forces(particle), strict=True)
             found += [sum(part) for part in parts]
         return found
 

@@ -8,8 +8,6 @@ The tension of a rod changes only three lengths: the length of this rod, and the
 neighbors. Each equation for the tensions therefore has at most three unknowns. Such equations can
 be solved from the anchor to the free end and back. For each rod, this takes about as much work as
 resolving the rod once.
-
-This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -28,17 +26,6 @@ Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 
 
 class DirectChain:
-    """A chain of rods that starts at ``anchor`` and joins ``particles`` in their order.
-
-    The chain moves its particles itself, so call ``step`` instead of an integrator. Each rod keeps
-    the length in m that it has when the chain is created. If there are several particles, the last
-    one may be immovable, to hold the other end.
-
-    Raises:
-        ValueError: if there are no particles, if the length of a rod is 0, or if a particle other
-            than the last is immovable.
-    """
-
     def __init__(self, particles: Sequence[Particle], anchor: Vector3) -> None:
         self.particles = [*particles]
         if not self.particles:
@@ -56,42 +43,14 @@ class DirectChain:
 
     @property
     def tensions(self) -> list[float]:
-        """The tension of each rod in the last step, in N. It is negative if the rod pushed."""
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=False)]
 
     def step(self, duration: float) -> None:
-        """Move the chain by one time step under the forces in the accumulators.
-
-        ``duration`` is in s. Velocities change before positions, as in semi-implicit Euler. Each
-        rod applies an impulse along its direction at the start of the step. The impulses are chosen
-        so that each rod has the right length at the end of the step. These equations are linear
-        except for a small quadratic term. The tensions of the last step give a good estimate of
-        that term, so solving once is enough.
-
-        The first step accelerates for only half of its duration. From then on the velocities belong
-        to the middle of the previous step, as in leapfrog. This gives the positions order 2, as
-        long as all steps have the same duration.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
-            ArithmeticError: if a rod would rotate too far in the step. The chain is then in the
-                middle of the step, and cannot be used any more.
-        """
         positive("duration", duration)
         time = duration if self._pulls else 0.5 * duration  # for which the step accelerates
         self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
-        """Apply the forces for ``time`` s, and simplify the equations for the tensions.
-
-        There is one equation for each rod. If the tensions stayed the same as in the last step, rod
-        i would have a wrong length at the end of this step. Equation i says how the tensions i - 1,
-        i and i + 1 must change to correct this length. The change of tension i - 1 is eliminated at
-        once (Thomas, 1949).
-
-        The method uses plain floats and a single loop, because vectors or several loops take
-        longer.
-        """
         rows: list[Row] = []
         half = 0.5 / duration
         particle, following = self.particles[0], [*self.particles[1:], self.particles[-1]]
@@ -138,11 +97,6 @@ class DirectChain:
         return rows
 
     def _pull_and_drift(self, rows: list[Row], duration: float) -> list[float]:
-        """Find the tension of each rod, from the last to the first, and move its far end.
-
-        Each tension changes the velocity of the far end before that end moves. Return the tensions
-        divided by the lengths, in N/m, in the order of the rods.
-        """
         pulls = []
         change = next_x = next_y = next_z = 0.0
         for place, velocity, gain, x, y, z, pull, value, factor in reversed(rows):

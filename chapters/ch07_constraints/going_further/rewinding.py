@@ -32,7 +32,7 @@ def rewinding_step(
     duration: float,
     max_impacts: int = 100,
 ) -> int:
-    """Move ``particles`` by one time step, stop at each impact to resolve it, and count the impacts.
+    """Move ``particles`` by one step, resolve each impact at its moment, and count the impacts.
 
     ``integrator`` is one of chapter 6, such as ``runge_kutta_4``, and ``apply_forces`` and the
     ``duration`` in s are its arguments. ``detector`` is anything with a ``contacts`` method, such

@@ -19,7 +19,7 @@ from typing import Any
 
 from ch02_vectors.arguments import positive
 from ch05_forces.particle import Particle
-from ch07_constraints.net import CHANGES, Net
+from studies.models.net import CHANGES, Net
 
 Columns = tuple[list[float], list[float], list[float]]  # x, y and z of all ends
 # The ends of a link, the vector along it, its length squared, by how much that may be wrong, kind.

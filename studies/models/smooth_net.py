@@ -21,7 +21,8 @@ from typing import Any
 
 from ch02_vectors.arguments import positive
 from ch05_forces.particle import Particle
-from ch07_constraints.net import Net, Way
+from studies.models.forces import take_forces
+from studies.models.net import Net, Way
 
 EXACT = 1e-11  # relative error allowed in the square of a length after a step
 NEAR = 1e-9  # relative distance from its limit within which a link is tried as active
@@ -63,7 +64,7 @@ class SmoothNet(Net):
             ArithmeticError: if the links contradict each other, or the impacts do not end.
         """
         left = positive("duration", duration)
-        constant = [particle.take_forces() for particle in self.particles]
+        constant = [take_forces(particle) for particle in self.particles]
         self.gains = self.inverse_masses()
         self.drags = [math.log(particle.damping) for particle in self.particles]
         for _ in range(MOST):
@@ -164,7 +165,7 @@ class SmoothNet(Net):
                 ws.append(0.0)
                 continue
             if forces:
-                x, y, z = particle.take_forces()
+                x, y, z = take_forces(particle)
                 fx, fy, fz = fx + x, fy + y, fz + z
             us.append(own.x + fx * mass + drag * speeds[i])
             vs.append(own.y + fy * mass + drag * speeds[i + count])

@@ -10,8 +10,6 @@ Each constraint is corrected once per step. If that is not accurate enough, use 
 instead of more iterations. For the same work they give a much smaller error (Macklin and others,
 "Small Steps in Physics Simulation", 2019). The solver does not store anything from one step to the
 next.
-
-This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -24,16 +22,6 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 
 
 class SmallSteps:
-    """A solver that steps particles, and enforces their contacts and links by moving them.
-
-    ``generators`` are contact generators of this chapter. ``compliance`` is in m/N, and is the same
-    for all of them. Call ``step`` several times per frame, each time with a fraction of the frame's
-    duration.
-
-    Raises:
-        ValueError: if ``compliance`` is negative or not finite.
-    """
-
     def __init__(
         self,
         particles: Iterable[Particle],
@@ -45,13 +33,6 @@ class SmallSteps:
         self.compliance = not_negative("compliance", compliance)
 
     def step(self, duration: float) -> None:
-        """Move the particles by one time step under the forces in the accumulators.
-
-        ``duration`` is in s.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
-        """
         positive("duration", duration)
         starts = []
         for particle in self.particles:
@@ -76,12 +57,6 @@ class SmallSteps:
 
 
 def correct(contact: Contact, softness: float) -> None:
-    """Move the two particles apart by the full depth, or by less if the contact is soft.
-
-    The depth is divided into three parts. The first two are the displacements of the particles, in
-    proportion to their inverse masses. The third part is proportional to ``softness``, and remains
-    as an overlap.
-    """
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass
     total = a.inverse_mass + inverse_b + softness
@@ -93,7 +68,6 @@ def correct(contact: Contact, softness: float) -> None:
 
 
 def bounce(contact: Contact, wanted: float) -> None:
-    """Give the two particles the separating velocity ``wanted``, in m/s."""
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass
     impulse = (wanted - contact.separating_velocity()) / (a.inverse_mass + inverse_b)

@@ -9,8 +9,6 @@ make the solver accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2
   pull, so a later visit can take back part of an earlier impulse that was too large.
 - Warm starting: the sums of the last step are the first guess for this step. In a stack at rest
   they are already right, no matter how tall the stack is, so a few visits per step are enough.
-
-This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -27,12 +25,6 @@ STILL = Vector3()  # stands for the velocity, and the position, of the world
 
 
 class Row:
-    """A contact stored as plain numbers, with the sum of its impulses in N s.
-
-    ``key`` consists of the contact's generator and its particles, and identifies the contact in the
-    next step.
-    """
-
     def __init__(self, key: object, contact: Contact, duration: float) -> None:
         a, b, depth = contact.particle, contact.other, contact.penetration
         self.key = key
@@ -50,11 +42,9 @@ class Row:
         self.impulse = 0.0
 
     def along(self, v: Vector3, w: Vector3) -> float:
-        """Return the component of the difference v - w along the normal."""
         return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Change vectors of the two particles, ``v`` and ``w``, in opposite directions."""
         part = amount * self.inverse_a
         v.x += self.x * part
         v.y += self.y * part
@@ -66,34 +56,20 @@ class Row:
             w.z -= self.z * part
 
     def push(self, impulse: float) -> None:
-        """Apply an impulse in N s, and add it to the sum of the contact's impulses."""
         self.impulse += impulse
         self.change(self.v, self.w, impulse)
 
     def solve(self) -> None:
-        """Bring the contact to its target velocity, but never let the sum of its impulses pull."""
         missing = self.target - self.along(self.v, self.w)
         self.push(max(missing * self.mass, -self.impulse))
 
     def separate(self) -> None:
-        """Remove a fraction of the depth that the contact has at the current positions."""
         depth = self.touching - self.along(self.p, self.q)
         if depth > 0.0:
             self.change(self.p, self.q, CORRECTED * depth * self.mass)
 
 
 class SequentialImpulses:
-    """A solver that steps particles, and remembers the impulses at their contacts between steps.
-
-    ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod, because a
-    Rod of the right length has no contact and therefore no impulse to remember. ``iterations`` is
-    the number of visits to each contact in a step.
-
-    Raises:
-        ValueError: if ``iterations`` is less than 1.
-        TypeError: if ``iterations`` is not a whole number.
-    """
-
     def __init__(
         self,
         particles: Iterable[Particle],
@@ -106,16 +82,6 @@ class SequentialImpulses:
         self.impulses: dict[object, Vector3] = {}  # N s, of the last step, by key
 
     def step(self, duration: float) -> None:
-        """Move the particles by one time step under the forces in the accumulators.
-
-        ``duration`` is in s. The step changes the velocities by the forces, finds the contacts,
-        corrects the velocities, moves the particles and corrects the positions, in this order.
-        Correcting positions does not change the velocities, so it adds no kinetic energy. The
-        remembered impulses are a good guess only if all steps have the same duration.
-
-        Raises:
-            ValueError: if the duration is not positive and finite. In that case nothing changes.
-        """
         positive("duration", duration)
         for particle in self.particles:
             particle.kick(duration)

@@ -16,8 +16,8 @@ from typing import Any
 from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.elimination import Elimination
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from studies.models.elimination import Elimination
 
 ROD, CABLE, STRUT = 0, 1, -1  # keeps its length; must not be longer; must not be shorter
 # Where cables are redundant, for example four in a row along one line, the equations for their
@@ -34,7 +34,7 @@ Row = tuple[int, int, float, int]  # the two ends, the length squared in m^2, an
 
 @dataclass(frozen=True)
 class Strut:
-    """A link that keeps two particles at least ``min_length`` m apart, like two balls that touch."""
+    """A link that keeps two particles at least ``min_length`` m apart, like touching balls."""
 
     a: Particle
     b: Particle
@@ -195,7 +195,7 @@ class Net:
         tried = {*near, *(i for i, on in enumerate(self.is_active) if on)}
         for i in tried:
             self.is_active[i] = True
-        for round in range(MOST):
+        for attempt in range(MOST):
             factors = self.factor(directions, gains, self.is_active)
             pulls = self.solve(factors, self.of_active(right))
             changed = [i for i in tried if self.is_active[i] and pulls[i] * self.rows[i][3] < 0.0]
@@ -214,7 +214,7 @@ class Net:
                             changed.append(i)
             if not changed:
                 return pulls, factors
-            for i in changed if round < CHANGES else [min(changed)]:
+            for i in changed if attempt < CHANGES else [min(changed)]:
                 self.is_active[i] = not self.is_active[i]
         raise ArithmeticError("no set of taut cables balances the net")
 

@@ -21,6 +21,7 @@ from itertools import pairwise
 from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from studies.models.forces import take_forces
 
 
 class RodTensions:
@@ -54,7 +55,7 @@ class RodTensions:
                 raise ValueError(f"particles[{i}] must have a finite mass, got inf")
             self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
 
-    def update_forces(self, duration: float = 0.0) -> None:
+    def update_forces(self, duration: float = 0.0) -> None:  # noqa: ARG002 - as integrators pass it
         """Add the tensions to the accumulators of the particles.
 
         Add all other forces before you call this method, because the tensions depend on them. If
@@ -77,7 +78,7 @@ class RodTensions:
         pivot = 1.0
         for particle, length in zip(self.particles, self.lengths, strict=True):
             place, velocity, mass = particle.position, particle.velocity, particle.inverse_mass
-            force = fx, fy, fz = particle.take_forces()
+            force = fx, fy, fz = take_forces(particle)
             x1, y1, z1 = place.x, place.y, place.z
             u1 = v1 = w1 = a1 = b1 = c1 = 0.0
             if mass:  # an immovable end stays, whatever its velocity is

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ch07_constraints.angle_chain import AngleChain
+from studies.models.angle_chain import AngleChain
 
 
 class AngleRope(AngleChain):

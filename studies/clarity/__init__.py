@@ -1,0 +1,144 @@
+"""Measure what clarity costs: the time of the clear engine divided by that of the tuned one.
+
+The engine in solutions/ is written to be read, and the one in studies/tuned/ to be fast. Their
+modules have the same names, so each engine runs in a process of its own. The two processes make the
+same steps of the same scene in turn.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import platform
+import subprocess
+import sys
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+from matplotlib import pyplot
+
+from autograder.commands import TUNED, find_engine
+from autograder.text.wrapping import plain_console, print_wrapped
+from studies.clarity.lines import lines_of
+from studies.clarity.steps import SCENES
+from studies.drawing import BLUE, GRAY
+from studies.reason import shown
+from studies.timing import Line, Measurement, Timer, measure, versus
+
+ROUNDS = 31
+CLEAR = "solutions"
+FOLDER = Path(__file__).parent
+FIGURES, PICTURE, PAGE = FOLDER / "figures.json", FOLDER / "clarity.png", FOLDER / "README.md"
+BEGIN, END = "<!-- clarity: `make clarity` writes this -->", "<!-- end of clarity -->"
+
+
+def main(arguments: list[str]) -> int:
+    """Measure both engines in each scene. Write the figures, the picture and the table."""
+    argparse.ArgumentParser(prog="python -m studies clarity", description=__doc__).parse_args(
+        arguments
+    )
+    console = plain_console()
+    clear, tuned = Engine(CLEAR), Engine(TUNED)
+    try:
+        lines = measure(
+            [
+                Measurement(name, versus(clear.timer(name), tuned.timer(name)), ROUNDS)
+                for name in SCENES
+            ]
+        )
+    finally:
+        clear.stop()
+        tuned.stop()
+    console.print("Time of the clear engine / time of the tuned one (quartiles), for one step:")
+    for line in lines:
+        told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
+        print_wrapped(console, told, hanging=21)
+    rows = [row(line) for line in lines]
+    kept = {
+        "measured": date.today().isoformat(),
+        "python": platform.python_version(),
+        "rows": rows,
+    }
+    FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    draw(rows, PICTURE)
+    page = PAGE.read_text(encoding="utf-8")
+    before, after = page.partition(BEGIN)[0], page.partition(END)[2]
+    text = f"{before}{BEGIN}\n{table(rows)}\n{END}{after}"
+    PAGE.write_text(text, encoding="utf-8", newline="\n")
+    console.print(f"Written to {shown(FIGURES)}, {shown(PICTURE)} and {shown(PAGE)}")
+    return 0
+
+
+class Engine:
+    """A process that makes steps with one of the engines, and says how long they took."""
+
+    def __init__(self, name: str) -> None:
+        folders = [str(folder) for folder in find_engine(name)]
+        self.process = subprocess.Popen(
+            [sys.executable, str(FOLDER / "steps.py"), *folders],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+
+    def timer(self, scene: str) -> Timer:
+        """Return a function that makes steps of a scene, and returns the time in s."""
+        asked, answer = self.process.stdin, self.process.stdout
+        assert asked is not None
+        assert answer is not None
+
+        def timed() -> float:
+            asked.write(f"{scene}\n")
+            asked.flush()
+            return float(answer.readline())
+
+        return timed
+
+    def stop(self) -> None:
+        """End the process."""
+        self.process.communicate()
+
+
+def row(line: Line) -> dict[str, Any]:
+    """Return the figures of one scene, with the lines of code that differ."""
+    parts = SCENES[line.what].parts
+    return {
+        "scene": line.what,
+        "ratio": float(f"{line.median:.2g}"),
+        "quartiles": [float(f"{line.low:.2g}"), float(f"{line.high:.2g}")],
+        "what": ", ".join(f"`{name}`" for _, name in parts),
+        "clear": sum(lines_of(find_engine(CLEAR), *part) for part in parts),
+        "tuned": sum(lines_of(find_engine(TUNED), *part) for part in parts),
+    }
+
+
+def table(rows: list[dict[str, Any]]) -> str:
+    """Return the figures as a table in Markdown."""
+    head = ["one step of", "clear / tuned", "code that differs", "lines, clear", "lines, tuned"]
+    cells = [
+        [r["scene"], f"{r['ratio']:g}", r["what"], str(r["clear"]), str(r["tuned"])] for r in rows
+    ]
+    lines = [head, ["---", "---:", "---", "---:", "---:"], *cells]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def draw(rows: list[dict[str, Any]], png: Path) -> None:
+    """Draw the ratio of each scene as a bar. The whiskers are the quartiles."""
+    pyplot.switch_backend("agg")
+    figure, axes = pyplot.subplots(figsize=(9, 4.5), layout="constrained")
+    names = [r["scene"].replace("`", "") for r in reversed(rows)]
+    ratios = [r["ratio"] for r in reversed(rows)]
+    whiskers = [
+        [r["ratio"] - r["quartiles"][0] for r in reversed(rows)],
+        [r["quartiles"][1] - r["ratio"] for r in reversed(rows)],
+    ]
+    bars = axes.barh(names, ratios, xerr=whiskers, color=BLUE, ecolor=GRAY)
+    axes.bar_label(bars, labels=[f"{ratio:g}" for ratio in ratios], padding=6)
+    axes.axvline(1.0, color=GRAY, linestyle="--")
+    axes.set_xlabel("time of a step in solutions/, divided by its time in studies/tuned/")
+    axes.set_title("What clarity costs")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.margins(x=0.1)
+    figure.savefig(png, dpi=110)
+    pyplot.close(figure)

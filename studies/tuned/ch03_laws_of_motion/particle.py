@@ -1,0 +1,149 @@
+"""The particle of chapter 3 in plain numbers.
+
+Instead of adding vectors, a step changes their components, and calls no other method. It computes
+d^h only if the damping or the duration has changed since the last step.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ch02_vectors.arguments import finite_vector, not_negative, positive, positive_or_infinite
+from ch02_vectors.vector import Vector3
+
+
+class Particle:
+    """A point mass, with the attributes and methods of the Particle in solutions/.
+
+    ``_keep`` is d^h for the duration ``_span`` of the last step. ``_span`` is NaN, which equals no
+    duration, if no such factor is known, or if the particle is immovable.
+    """
+
+    __slots__ = (
+        "_damping",
+        "_inverse_mass",
+        "_keep",
+        "_span",
+        "acceleration",
+        "position",
+        "velocity",
+    )
+
+    position: Vector3
+    velocity: Vector3
+    acceleration: Vector3
+    _keep: float
+    _span: float
+
+    def __init_subclass__(cls) -> None:
+        """Let ``integrate`` call a drift or a kick that a subclass has written."""
+        super().__init_subclass__()
+        own = vars(cls)
+        if ("drift" in own or "kick" in own) and "integrate" not in own:
+            cls.integrate = _drift_and_kick  # type: ignore[assignment]
+
+    def __init__(
+        self,
+        position: Vector3 | None = None,
+        velocity: Vector3 | None = None,
+        acceleration: Vector3 | None = None,
+        *,
+        mass: float = 1.0,
+        damping: float = 1.0,
+    ) -> None:
+        self.position = Vector3() if position is None else position
+        self.velocity = Vector3() if velocity is None else velocity
+        self.acceleration = Vector3() if acceleration is None else acceleration
+        self.mass = mass
+        self.damping = damping
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name in ("position", "velocity", "acceleration"):
+            value = finite_vector(name, value)
+        object.__setattr__(self, name, value)
+
+    @property
+    def mass(self) -> float:
+        return 1.0 / self._inverse_mass if self._inverse_mass else math.inf
+
+    @mass.setter
+    def mass(self, mass: float) -> None:
+        self._inverse_mass = not_negative("1 / mass", 1.0 / positive_or_infinite("mass", mass))
+        self._span = math.nan
+
+    @property
+    def inverse_mass(self) -> float:
+        return self._inverse_mass
+
+    @inverse_mass.setter
+    def inverse_mass(self, inverse_mass: float) -> None:
+        self._inverse_mass = not_negative("inverse_mass", inverse_mass)
+        self._span = math.nan
+
+    @property
+    def has_finite_mass(self) -> bool:
+        return self.mass < math.inf
+
+    @property
+    def damping(self) -> float:
+        return self._damping
+
+    @damping.setter
+    def damping(self, damping: float) -> None:
+        self._damping = not_negative("damping", damping)
+        self._span = math.nan
+
+    def kinetic_energy(self) -> float:
+        if not self._inverse_mass:
+            return 0.0
+        return 0.5 * self.mass * self.velocity.squared_magnitude()
+
+    def momentum(self) -> Vector3:
+        return self.velocity * self.mass if self._inverse_mass else Vector3()
+
+    @property
+    def last_acceleration(self) -> Vector3:
+        return self.acceleration.copy()
+
+    def drift(self, duration: float) -> None:
+        if self._inverse_mass:
+            position, velocity = self.position, self.velocity
+            position.x += velocity.x * duration
+            position.y += velocity.y * duration
+            position.z += velocity.z * duration
+
+    def kick(self, duration: float) -> None:
+        if self._inverse_mass:
+            keep = self._keep if duration == self._span else self._damping**duration
+            velocity, acceleration = self.velocity, self.acceleration
+            velocity.x = (velocity.x + acceleration.x * duration) * keep
+            velocity.y = (velocity.y + acceleration.y * duration) * keep
+            velocity.z = (velocity.z + acceleration.z * duration) * keep
+
+    def integrate(self, duration: float) -> None:
+        if duration != self._span and not self._renew(duration):
+            return
+        position, velocity, acceleration = self.position, self.velocity, self.acceleration
+        keep, x, y, z = self._keep, velocity.x, velocity.y, velocity.z
+        position.x += x * duration
+        position.y += y * duration
+        position.z += z * duration
+        velocity.x = (x + acceleration.x * duration) * keep
+        velocity.y = (y + acceleration.y * duration) * keep
+        velocity.z = (z + acceleration.z * duration) * keep
+
+    def _renew(self, duration: float) -> bool:
+        """Compute the factor d^h of a step, and return False if the particle is immovable."""
+        positive("duration", duration)
+        if not self._inverse_mass:
+            return False
+        object.__setattr__(self, "_keep", self._damping**duration)
+        object.__setattr__(self, "_span", duration)
+        return True
+
+
+def _drift_and_kick(particle: Particle, duration: float) -> None:
+    positive("duration", duration)
+    particle.drift(duration)
+    particle.kick(duration)

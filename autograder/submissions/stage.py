@@ -74,11 +74,10 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     digest = hashlib.sha256()
     for chapter in chapters:
         target = box / chapter.name
-        target.mkdir(parents=True)
-        target.chmod(0o755)  # another user will run the code, so the umask must not matter
+        _make_folder(target)
         for name in chapter.complete:
             if not (target / name).parent.exists():
-                (target / name).parent.mkdir(mode=0o755)
+                _make_folder((target / name).parent)
             _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
         files, more_notes = _choose(chapter, found)
         notes += more_notes
@@ -169,6 +168,11 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 def _is_stub(file: Found) -> bool:
     """Return True if a file is one of the original stubs that every handout keeps in stubs/."""
     return KEPT in file.place[:-1]
+
+
+def _make_folder(path: Path) -> None:
+    path.mkdir(parents=True)
+    path.chmod(0o755)  # another user will run the code, so the umask must not matter
 
 
 def _write(path: Path, content: bytes) -> None:

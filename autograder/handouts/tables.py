@@ -7,6 +7,7 @@ from pathlib import Path
 from autograder.definitions import own_name
 from autograder.files import replace_bytes
 from autograder.manifest import Chapter, Exercise
+from autograder.text.marked import with_text
 
 BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
 END = "<!-- end of exercises -->"
@@ -54,11 +55,10 @@ def with_table(page: str, chapter: Chapter) -> str:
     Raises:
         ValueError: The page lacks the two comment lines that mark where the table belongs.
     """
-    before, begin, rest = page.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not (begin and end):
-        raise ValueError(f"reference.md of {chapter.name} lacks the lines {BEGIN!r} and {END!r}")
-    return f"{before}{BEGIN}\n{exercise_table(chapter)}\n{END}{after}"
+    try:
+        return with_text(page, BEGIN, END, exercise_table(chapter))
+    except ValueError as error:
+        raise ValueError(f"reference.md of {chapter.name}: {error}") from error
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:

@@ -19,6 +19,7 @@ from typing import Any
 from matplotlib import pyplot
 
 from autograder.commands import TUNED, find_engine
+from autograder.text.marked import with_text
 from autograder.text.wrapping import plain_console, print_wrapped
 from studies.clarity.lines import lines_of
 from studies.clarity.steps import SCENES
@@ -63,8 +64,7 @@ def main(arguments: list[str]) -> int:
     FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
     draw(rows, PICTURE)
     page = PAGE.read_text(encoding="utf-8")
-    before, after = page.partition(BEGIN)[0], page.partition(END)[2]
-    text = f"{before}{BEGIN}\n{table(rows)}\n{END}{after}"
+    text = with_text(page, BEGIN, END, table(rows))
     PAGE.write_text(text, encoding="utf-8", newline="\n")
     console.print(f"Written to {shown(FIGURES)}, {shown(PICTURE)} and {shown(PAGE)}")
     return 0

@@ -67,7 +67,7 @@ def strength(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
     """In a fresh copy, make table changes nothing."""
     import table
-    from pages import between
+    from autograder.text.marked import between
 
     page = table.PAGE.read_text(encoding="utf-8")
     rows = between(page, table.BEGIN, table.END).splitlines()[2:]

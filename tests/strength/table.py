@@ -6,8 +6,8 @@ from rich.console import Console
 
 from autograder.checks.runner import run_checks
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.text.marked import with_text
 from kept import SOLUTIONS, mutants_of, seeds_of
-from pages import with_text
 from sample import sample_table
 from wrong import read_wrong
 
@@ -45,7 +45,7 @@ def write_tables(console: Console) -> bool:
         (CLASS, BEGIN_SAMPLE, END_SAMPLE, sample),
     ):
         page = path.read_text(encoding="utf-8")
-        path.write_text(with_text(page, begin, end, text), encoding="utf-8", newline="\n")
+        path.write_text(with_text(page, begin, end, f"\n{text}\n"), encoding="utf-8", newline="\n")
     console.print(f"the tables are in {PAGE} and {CLASS}", markup=False)
     if any("-" in cells for cells in rows):
         console.print("A dash means that a figure is missing. Run make mutants and make seeds.")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from autograder.commands import TUNED, find_engine
+from autograder.text.marked import between
 from studies.clarity import BEGIN, CLEAR, END, FIGURES, PAGE, Engine, draw, table
 from studies.clarity.lines import lines_of
 from studies.clarity.steps import SCENES
@@ -17,7 +18,7 @@ ROWS = json.loads(FIGURES.read_text(encoding="utf-8"))["rows"]
 
 def test_the_page_has_the_table_of_the_figures() -> None:
     page = PAGE.read_text(encoding="utf-8")
-    assert page.partition(BEGIN)[2].partition(END)[0].strip() == table(ROWS)
+    assert between(page, BEGIN, END) == table(ROWS)
     assert [row["scene"] for row in ROWS] == [*SCENES]
 
 

@@ -13,13 +13,13 @@ def between(page: str, begin: str, end: str) -> str:
 
 
 def with_text(page: str, begin: str, end: str, text: str) -> str:
-    """Return a page with other text between two comments, with empty lines around it.
+    """Return a page with other text between two comments.
 
     Raises:
         ValueError: The page lacks one of the comments.
     """
     before, _, after = _split(page, begin, end)
-    return f"{before}{begin}\n\n{text}\n\n{end}{after}"
+    return f"{before}{begin}\n{text}\n{end}{after}"
 
 
 def _split(page: str, begin: str, end: str) -> tuple[str, str, str]:

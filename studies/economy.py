@@ -17,6 +17,7 @@ from pathlib import Path
 
 from matplotlib import pyplot
 
+from autograder.commands import find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console, print_wrapped
 from studies.drawing import BLUE, GRAY
@@ -41,7 +42,7 @@ def main(arguments: list[str]) -> int:
         help="the file for the picture; the numbers are written next to it",
     )
     options = parser.parse_args(arguments)
-    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    sys.path[:0] = map(str, find_engine("solutions"))
     console = plain_console()
     lines = measure(
         [

@@ -21,6 +21,7 @@ from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
+from autograder.commands import find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
 from studies.reason import shown
@@ -45,7 +46,7 @@ def main(arguments: list[str]) -> int:
         help="the file for the numbers; the pictures are written next to it",
     )
     options = parser.parse_args(arguments)
-    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    sys.path[:0] = map(str, find_engine("solutions"))
     # These modules import chapters.
     from studies.limits import maps, search
 

@@ -45,10 +45,10 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     """Measure the error of a steady rotation that is computed with Eq. 9.5.
 
     Rotate a unit quaternion about one axis at ``angular_speed`` in rad/s for ``duration`` in s, by
-    ``steps`` equal steps of ``Quaternion.add_scaled`` that are never normalized. The first result
-    is the length of the quaternion at the end. The second is the angle in radians by which the
-    rotation lags behind ``angular_speed`` times ``duration``. This angle is negative for a negative
-    speed. At a speed of 0 nothing rotates, so the results are 1 and 0.
+    ``steps`` equal steps of ``Quaternion.add_scaled`` that are never normalized. Return the length
+    of the quaternion at the end, and how far the rotation lags behind ``angular_speed`` times
+    ``duration``, in radians. This angle is negative for a negative speed. At a speed of 0 nothing
+    rotates, so the results are 1 and 0.
     """
     half = 0.5 * finite("angular_speed", angular_speed) * positive("duration", duration)
     half /= whole("steps", steps)  # half the angle of a step, which is added at a right angle to q

@@ -282,7 +282,7 @@ def lag_slips(right: float, turn: float, count: int) -> dict[str, float]:
     )
 
 
-@pytest.mark.exercise("B9.19", asks="The first result is the length of the quaternion")
+@pytest.mark.exercise("B9.19", asks="Return the length of the quaternion at the end")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     about("first_order_drift(angular_speed=2 pi, duration=1, steps=60)", read=DRIFT)
     about.cause = "Each of the 60 steps multiplies the length by sqrt(1 + (w h / 2)^2), where w = "

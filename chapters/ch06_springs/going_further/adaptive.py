@@ -35,7 +35,7 @@ TABLEAU = (
 ERROR = (71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
 
 SAFETY = 0.9  # of the step that should just meet the tolerance, since the error is only an estimate
-SHRINK, GROW = 0.1, 10.0  # the most by which one step may change the length of the next
+SHRINK, GROW = 0.1, 10.0  # how much shorter or longer a step may be than the one before
 SHORTEST = 1e-14  # of a call: the rounding of the time would hide shorter steps
 MOST_STEPS = 100_000  # of a call, including those that are repeated
 

@@ -125,20 +125,13 @@ def test_an_endless_loop_ends_and_the_page_stays_responsive(visitor: Any, site: 
     body = text[text.index("def clear") : text.index("def invert")]
     looping = text.replace(body, f"{LOOP}\n    ")
     page.evaluate(WATCH)
-    tries = []  # s until the message, and the longest pause of the page in ms
-    for _ in range(3):  # another test may be using this machine
-        page.evaluate("window.longest = 0")
-        write(page, panel, "vector.py", looping)
-        began = time.monotonic()
-        panel.get_by_role("button", name="Check", exact=True).click()
-        panel.locator(".failure").wait_for()
-        tries.append((time.monotonic() - began, page.evaluate("window.longest")))
-        if tries[-1][0] < 4.0 and tries[-1][1] < 1000.0:
-            break
-        write(page, panel, "vector.py", text)
-        check(panel)
-    assert tries[-1][0] < 4.0, tries
-    assert tries[-1][1] < 1000.0, tries
+    write(page, panel, "vector.py", looping)
+    page.evaluate("window.longest = 0")
+    began = time.monotonic()
+    panel.get_by_role("button", name="Check", exact=True).click()
+    panel.locator(".failure").wait_for()
+    # A loop in the page itself would make its longest pause as long as the whole wait.
+    assert page.evaluate("window.longest") / 1000.0 < 0.5 * (time.monotonic() - began)
     line = looping[: looping.index("while True")].count("\n") + 1
     where = dict(rows(panel))["where"]
     assert where in {f"ch02_vectors/vector.py, line {line + n}, in clear" for n in (0, 1)}

@@ -107,7 +107,8 @@ def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
     copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "submission/ch02_vectors")
     vector = tmp_path / "submission/ch02_vectors/vector.py"
     right = vector.read_text(encoding="utf-8")
-    wrong = right.replace("return forth - back", "return back - forth")
+    wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
+    assert wrong != right
     vector.write_text(wrong, encoding="utf-8")
     results = gradescope_results(grade_one(tmp_path, tmp_path / "source"))
     assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results.output

@@ -63,14 +63,14 @@ Vector3.cross = lambda *_: Vector3(math.nan, math.inf, 0.0)"""
         {
             "integrators": """\
 explicit_euler = trapezoidal = watched = lambda *_: None
-backward_euler = lambda *_: (math.nan, math.inf)""",
+backward_euler = lambda *_: (float('nan'), float('inf'))""",
             "closed_form": "damped_spring_state = lambda *_: (math.nan, math.inf)",
         },
     ),
     (
         "ch07_constraints",
         {
-            "contacts": "Contact.separating_velocity = lambda *_: float('nan')",
+            "contacts": "Contact.separating_velocity = lambda *_: float('inf')",
             "detectors": "GroundPlane.next_impact = lambda *_: None",
             "exercises": "def table_of_drops(drops): return []",
         },

@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
@@ -23,16 +23,12 @@ from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import Integrator, explicit_euler
 from studies.runs.stability import INTEGRATORS
 
-if TYPE_CHECKING:
-    import pymunk
-
 RATE = 60.0  # frames per second
 STEPS = tuple(2**n for n in range(11))  # per frame
 MANY = tuple(2**n for n in range(16))  # per frame, for pymunk
 TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, for a model that takes one
 Place = tuple[float, ...]  # all coordinates that are compared, in m
 Made = tuple[Particle, Sequence[ForceGenerator]]
-Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x, y and velocity
 
 
 @dataclass(frozen=True)
@@ -56,6 +52,8 @@ class Model:
     - ``steps``: the numbers of steps per frame to try. For an exact model, such as a closed form,
       it is (1,), because more steps would not change the result.
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
+    - ``is_formula``: True if the model knows more about the scene than its equations of motion, such
+      as a closed form, the impacts, or the angles of the rods. Otherwise it steps the equations.
     - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
       1 / tolerance, so a larger number still means a more accurate run.
     - ``per``: the number of frames in which the steps are counted. It is 1, unless the steps are
@@ -66,6 +64,7 @@ class Model:
     run: Callable[[int], Outcome]
     steps: Sequence[int] = STEPS
     by: str = "ours"
+    is_formula: bool = False
     takes_tolerance: bool = False
     per: int = 1
 
@@ -219,45 +218,4 @@ def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
 
-    return Model("closed form", run, (1,))
-
-
-def by_pymunk(
-    name: str,
-    make: Callable[[], tuple[pymunk.Space, pymunk.Body]],
-    frames: int,
-    pull: Pull | None = None,
-) -> Model:
-    """Create a model that simulates a single body with pymunk.
-
-    ``make`` creates the space and the body. ``pull`` is a function that computes an additional
-    force on the body, which is applied before every step. Without it, only gravity and pymunk's own
-    springs act on the body. The work is the number of steps, since pymunk evaluates the forces once
-    per step.
-    """
-
-    def run(steps: int) -> Outcome:
-        space, body = make()
-
-        def pulled(duration: float) -> None:
-            assert pull is not None
-            place = body.position
-            body.apply_force_at_world_point(pull(place.x, place.y, *body.velocity), place)
-            space.step(duration)
-
-        step = space.step if pull is None else pulled
-        places = in_frames(step, lambda: (body.position.x, body.position.y), frames, steps)
-        return Outcome(places, frames * steps)
-
-    return Model(name, run, MANY, "pymunk")
-
-
-def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Create a pymunk space without gravity, add a single body to it, and return both."""
-    import pymunk  # here, because a chapter's plots do not need it
-
-    space = pymunk.Space()
-    body = pymunk.Body(mass, 1.0)
-    body.position, body.velocity = (place[0], place[1]), (velocity[0], velocity[1])
-    space.add(body)
-    return space, body
+    return Model("closed form", run, (1,), is_formula=True)

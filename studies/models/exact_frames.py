@@ -1,16 +1,19 @@
-"""Going further: compute the exact position of a particle in every frame of an animation.
+"""Going further: compute exact positions in every frame of an animation.
 
-The exact solution contains three factors that depend only on the damping and the duration of a
-frame. If all frames are equally long, these factors need to be computed only once. After that, a
-frame takes only a few additions and multiplications of plain numbers. The only errors are rounding
-errors. This file is complete, so there is nothing to fill in.
+An exact solution contains factors that depend only on the duration of a frame. If all frames are
+equally long, these factors need to be computed only once. After that, a frame takes only a few
+additions and multiplications of plain numbers. The only errors are rounding errors. This file is
+complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
 
+import math
+
 from ch02_vectors.arguments import positive, whole
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.closed_form import drag_factors
+from ch06_springs.closed_form import damped_spring_state
 
 
 def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tuple[float, float]]:
@@ -40,4 +43,30 @@ def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tupl
         vx = vx * kept + gained_x
         vy = vy * kept + gained_y
         places.append((x, y))
+    return places
+
+
+def oscillation_in_frames(
+    x0: float, stiffness: float, damping: float, frame: float, frames: int
+) -> list[float]:
+    """Return the position in m of a body on a damped spring at the end of each frame.
+
+    The body has a mass of 1 kg, and is released from rest at ``x0``. ``stiffness`` is in N/m,
+    ``damping`` in N s/m, and ``frame`` in s. A frame multiplies the state (x, v) by a constant
+    matrix with trace T and determinant D. By the theorem of Cayley and Hamilton, each position is
+    therefore T times the last one minus D times the one before.
+
+    Raises ValueError if an argument is out of range. Raises TypeError if ``frames`` is not a whole
+    number.
+    """
+    frames = whole("frames", frames)
+    positive("frame", frame)
+    share, _ = damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, frame)
+    _, kept = damped_spring_state(0.0, 1.0, stiffness, damping, 1.0, frame)
+    trace, determinant = share + kept, math.exp(-damping * frame)
+    before, now = x0, x0 * share
+    places = [now]
+    for _ in range(frames - 1):
+        before, now = now, trace * now - determinant * before
+        places.append(now)
     return places

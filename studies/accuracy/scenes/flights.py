@@ -8,8 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
-
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine.closed_form import state_after
 from ch05_forces.closed_form import quadratic_fall
@@ -18,6 +16,8 @@ from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import explicit_euler
 from ch06_springs.springs import Buoyancy
+from studies.accuracy.in_plane import in_plane, on_all
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk, lone
 from studies.accuracy.scene import (
     RATE,
     Made,
@@ -28,14 +28,9 @@ from studies.accuracy.scene import (
     by_forces,
     by_formula,
     by_integrators,
-    by_pymunk,
-    space_with,
 )
-from studies.models.exact_frames import places_in_frames
+from studies.models.exact_frames import oscillation_in_frames, places_in_frames
 from studies.runs.drag_flight import PROJECTILE, make_particle, make_space
-
-if TYPE_CHECKING:
-    import pymunk
 
 G = 9.81  # m/s^2
 
@@ -67,9 +62,19 @@ def projectile() -> Scene:
     def with_drag() -> Made:
         return thrown(1.0), [Drag(k1, 0.0)]
 
-    def in_space() -> tuple[pymunk.Space, pymunk.Body]:
+    def in_space(_: float) -> InSpace:
+        return make_space(PROJECTILE)
+
+    def ahead(duration: float) -> InSpace:
         space, (body,) = make_space(PROJECTILE)
-        return space, body
+        kept = PROJECTILE.damping ** (0.5 * duration)
+        gravity = complex(*PROJECTILE.acceleration[:2]) * kept
+        start = complex(*body.velocity) * kept + 0.5 * duration * gravity
+        space.gravity, body.velocity = (gravity.real, gravity.imag), (start.real, start.imag)
+        return space, [body]
+
+    def acceleration(_: complex, velocity: complex) -> complex:
+        return complex(*PROJECTILE.acceleration[:2]) - k1 * velocity
 
     shot = make_particle(PROJECTILE)
     damped = Model(
@@ -79,9 +84,22 @@ def projectile() -> Scene:
     def in_equal_frames(_: int) -> Outcome:
         return Outcome([*places_in_frames(shot, 1.0 / RATE, frames)], frames)
 
-    closed = [by_formula(place_at, frames), Model("exact steps", in_equal_frames, (1,))]
-    models = [*closed, damped, *by_integrators(with_drag, frames)]
-    models.append(by_pymunk("pymunk", in_space, frames))
+    start = PROJECTILE.start
+    models = [
+        by_formula(place_at, frames),
+        Model("exact steps", in_equal_frames, (1,), is_formula=True),
+        damped,
+        *by_integrators(with_drag, frames),
+        *in_plane(
+            [complex(*start.position[:2])],
+            [complex(*start.velocity[:2])],
+            on_all(acceleration),
+            frames,
+            is_damped=True,
+        ),
+        by_pymunk(EXAMPLES, in_space, frames),
+        by_pymunk(BEST, ahead, frames),
+    ]
     return Scene("projectile with linear drag", frames, 30.0, truth, models)
 
 
@@ -102,13 +120,15 @@ def quadratic_drag() -> Scene:
     def make() -> Made:
         return Particle(), [Gravity(Vector3(0.0, -G, 0.0)), Drag(0.0, k2)]
 
-    def pull(_x: float, _y: float, vx: float, vy: float) -> tuple[float, float]:
-        speed = math.hypot(vx, vy)
-        return -k2 * speed * vx, -G - k2 * speed * vy
+    def acceleration(_: complex, velocity: complex) -> complex:
+        return -1j * G - k2 * abs(velocity) * velocity
 
-    models = [by_formula(place_at, frames), *by_integrators(make, frames)]
-    still = partial(space_with, (0.0, 0.0), (0.0, 0.0), 1.0)
-    models.append(by_pymunk("pymunk, force by hand", still, frames, pull))
+    models = [
+        by_formula(place_at, frames),
+        *by_integrators(make, frames),
+        *in_plane([0j], [0j], on_all(acceleration), frames, is_damped=True),
+        *lone((0.0, 0.0), (0.0, 0.0), acceleration, frames, is_damped=True),
+    ]
     return Scene("fall with quadratic drag", frames, 30.0, truth, models)
 
 
@@ -133,13 +153,14 @@ def orbit(e: float, turns: int, period: float) -> Scene:
         start = Particle(Vector3(1.0 - e), Vector3(0.0, speed))
         return start, [InverseSquareGravity(Vector3(), mu)]
 
-    def pull(x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
-        cube = math.hypot(x, y) ** 3
-        return -mu * x / cube, -mu * y / cube
+    def acceleration(position: complex, _: complex) -> complex:
+        return -mu * position / abs(position) ** 3
 
-    begun = partial(space_with, (1.0 - e, 0.0), (0.0, speed), 1.0)
-    models = by_integrators(make, frames)
-    models.append(by_pymunk("pymunk, force by hand", begun, frames, pull))
+    models = [
+        *by_integrators(make, frames),
+        *in_plane([1.0 - e], [1j * speed], on_all(acceleration), frames, is_damped=False),
+        *lone((1.0 - e, 0.0), (0.0, speed), acceleration, frames, is_damped=False),
+    ]
     return Scene(f"orbit of eccentricity {e:g}", frames, 1.0, truth, models)
 
 
@@ -163,13 +184,21 @@ def floating_block() -> Scene:
         block = Particle(Vector3(0.0, low + amplitude), mass=mass)
         return block, [Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0)]
 
-    def pull(_x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
-        share = min(max((s - y) / (2.0 * s), 0.0), 1.0)
-        return 0.0, 1000.0 * volume * G * share - mass * G
+    def acceleration(position: complex, _: complex) -> complex:
+        share = min(max((s - position.imag) / (2.0 * s), 0.0), 1.0)
+        return 1j * (1000.0 * volume * share / mass - 1.0) * G
 
-    begun = partial(space_with, (0.0, low + amplitude), (0.0, 0.0), mass)
-    models = [by_formula(place_at, frames), *by_integrators(make, frames)]
-    models.append(by_pymunk("pymunk, force by hand", begun, frames, pull))
+    def in_equal_frames(_: int) -> Outcome:
+        heights = oscillation_in_frames(amplitude, stiffness / mass, 0.0, 1.0 / RATE, frames)
+        return Outcome([(0.0, low + height) for height in heights], frames)
+
+    models = [
+        by_formula(place_at, frames),
+        Model("exact steps", in_equal_frames, (1,), is_formula=True),
+        *by_integrators(make, frames),
+        *in_plane([1j * (low + amplitude)], [0j], on_all(acceleration), frames, is_damped=False),
+        *lone((0.0, low + amplitude), (0.0, 0.0), acceleration, frames, is_damped=False),
+    ]
     return Scene("floating block", frames, amplitude, truth, models)
 
 

@@ -9,15 +9,18 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import backward_euler, semi_implicit_euler, trapezoidal
 from ch06_springs.springs import AnchoredSpring, FakeStiffSpring
+from studies.accuracy.in_plane import in_plane, on_all
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk, lone, space_with
 from studies.accuracy.scene import (
+    RATE,
     Made,
     Model,
     Outcome,
@@ -26,15 +29,11 @@ from studies.accuracy.scene import (
     by_forces,
     by_formula,
     by_integrators,
-    by_pymunk,
     in_frames,
     solved,
-    space_with,
 )
+from studies.models.exact_frames import oscillation_in_frames
 from studies.runs.stability import Solver
-
-if TYPE_CHECKING:
-    import pymunk
 
 FRAMES = 120
 
@@ -58,36 +57,39 @@ def spring(stiffness: float, damping: float) -> Scene:
         a, b = -0.5 * damping + root, -0.5 * damping - root
         return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
 
+    def in_equal_frames(_: int) -> Outcome:
+        places = oscillation_in_frames(1.0, stiffness, damping, 1.0 / RATE, FRAMES)
+        return Outcome([(x, 0.0) for x in places], FRAMES)
+
     def make() -> Made:
         return Particle(Vector3(1.0)), [AnchoredSpring(Vector3(), stiffness, 0.0, damping)]
 
     def make_fake() -> Made:
         return Particle(Vector3(1.0)), [FakeStiffSpring(Vector3(), stiffness, damping)]
 
-    def in_space() -> tuple[pymunk.Space, pymunk.Body]:
-        import pymunk  # here, because a chapter's plots do not need it
+    def acceleration(position: complex, velocity: complex) -> complex:
+        return -stiffness * position - damping * velocity
 
-        space, body = space_with((1.0, 0.0), (0.0, 0.0), 1.0)
-        still = space.static_body
-        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, stiffness, damping))
-        return space, body
+    def ahead(duration: float) -> InSpace:
+        stiffer = stiffness * math.exp(0.5 * damping * duration)
+        start = (-0.5 * stiffness * duration, 0.0)
+        return on_spring((1.0, 0.0), start, stiffer, damping)
 
-    def pull(x: float, y: float, vx: float, vy: float) -> tuple[float, float]:
-        return -stiffness * x - damping * vx, -stiffness * y - damping * vy
+    def as_in_examples(_: float) -> InSpace:
+        return on_spring((1.0, 0.0), (0.0, 0.0), stiffness, damping)
 
+    by_hand, _ = lone((1.0, 0.0), (0.0, 0.0), acceleration, FRAMES, is_damped=True)
     models = [
         by_formula(place_at, FRAMES),
+        Model("exact steps", in_equal_frames, (1,), is_formula=True),
         *by_integrators(make, FRAMES),
+        *in_plane([1.0], [0.0], on_all(acceleration), FRAMES, is_damped=True),
         Model("backward Euler", partial(by_solver, backward_euler, stiffness, damping)),
         Model("trapezoidal rule", partial(by_solver, trapezoidal, stiffness, damping)),
         Model("faked stiff spring", by_forces(make_fake, semi_implicit_euler, FRAMES)),
-        by_pymunk("pymunk's spring", in_space, FRAMES),
-        by_pymunk(
-            "pymunk, force by hand",
-            partial(space_with, (1.0, 0.0), (0.0, 0.0), 1.0),
-            FRAMES,
-            pull,
-        ),
+        by_pymunk(EXAMPLES, as_in_examples, FRAMES),
+        replace(by_hand, name="pymunk, force by hand"),
+        by_pymunk(BEST, ahead, FRAMES),
     ]
     name = f"spring, k = {stiffness:g} N/m, c = {damping:.3g} N s/m"
     return Scene(name, FRAMES, 1.0, truth, models)
@@ -103,40 +105,50 @@ def elastic_pendulum() -> Scene:
     stiffness, rest, gravity = 200.0, 1.0, 9.81
     place, velocity = (1.2, 0.0), (0.0, 1.5)
 
-    def pull(x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
-        length = math.hypot(x, y)
-        tension = stiffness * (length - rest)
-        return -tension * x / length, -tension * y / length
+    def acceleration(position: complex, _: complex) -> complex:
+        return -stiffness * (1.0 - rest / abs(position)) * position - 1j * gravity
 
     def rates(_: float, state: Sequence[float]) -> list[float]:
         x, y, vx, vy = state
-        ax, ay = pull(x, y, vx, vy)
-        return [vx, vy, ax, ay - gravity]
+        length = math.hypot(x, y)
+        tension = stiffness * (length - rest)
+        return [vx, vy, -tension * x / length, -tension * y / length - gravity]
 
     def make() -> Made:
         body = Particle(Vector3(*place), Vector3(*velocity), Vector3(0.0, -gravity))
         return body, [AnchoredSpring(Vector3(), stiffness, rest)]
 
-    def falling() -> tuple[pymunk.Space, pymunk.Body]:
-        space, body = space_with(place, velocity, 1.0)
+    def in_space(duration: float) -> InSpace:
+        first = acceleration(complex(*place), 0j) * 0.5 * duration
+        start = (velocity[0] + first.real, velocity[1] + first.imag)
+        space, bodies = on_spring(place, start, stiffness, 0.0, rest)
         space.gravity = (0.0, -gravity)
-        return space, body
+        return space, bodies
 
-    def on_spring() -> tuple[pymunk.Space, pymunk.Body]:
-        import pymunk
-
-        space, body = falling()
-        still = space.static_body
-        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), rest, stiffness, 0.0))
-        return space, body
-
+    by_hand, _ = lone(place, velocity, acceleration, FRAMES, is_damped=False)
     models = [
         *by_integrators(make, FRAMES),
-        by_pymunk("pymunk's spring", on_spring, FRAMES),
-        by_pymunk("pymunk, force by hand", falling, FRAMES, pull),
+        *in_plane(
+            [complex(*place)], [complex(*velocity)], on_all(acceleration), FRAMES, is_damped=False
+        ),
+        by_pymunk(EXAMPLES, lambda _: in_space(0.0), FRAMES),
+        replace(by_hand, name="pymunk, force by hand"),
+        by_pymunk(BEST, in_space, FRAMES),
     ]
     truth = solved(rates, [*place, *velocity], lambda state: (state[0], state[1]), FRAMES)
     return Scene("elastic pendulum", FRAMES, rest, truth, models)
+
+
+def on_spring(
+    position: Place, velocity: Place, stiffness: float, damping: float, rest: float = 0.0
+) -> InSpace:
+    """Create a pymunk space with a body of 1 kg on a spring that is anchored at the origin."""
+    import pymunk  # here, because a chapter's plots do not need it
+
+    space, (body,) = space_with(position, velocity)
+    still = space.static_body
+    space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), rest, stiffness, damping))
+    return space, [body]
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:

@@ -1,0 +1,139 @@
+"""Models that simulate a scene in pymunk: as its examples do, and at its best.
+
+A step of pymunk first moves all bodies, and then changes their velocities. If you use it as most of
+its examples do, the error therefore falls only in proportion to the step. Three changes, which need
+nothing but pymunk's public functions, make it fall with the square of the step:
+
+- **Half a step ahead.** The velocity at the start is that of half a step later. All velocities then
+  belong to the middle of a step, and the positions are those of leapfrog.
+- **Forces in velocity_func.** Pymunk calls this function after it has moved the body, so that the
+  force belongs to the new position. ``apply_force`` before a step uses the old one.
+- **No bias.** By default, a joint corrects only a part of its error in each step. If ``error_bias``
+  is 0, it corrects the whole error.
+
+Damping comes after the force in a step of pymunk. A force that is larger by half a step's damping
+makes the step symmetric, which keeps the order at 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, in_frames
+
+if TYPE_CHECKING:
+    import pymunk
+
+EXAMPLES, BEST = "pymunk, as in its examples", "pymunk at its best"
+BATCH = 4  # bodies from which it is faster to read all positions in one call
+
+Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
+InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
+
+
+def by_pymunk(
+    name: str,
+    make: Callable[[float], InSpace],
+    frames: int,
+    steps: Sequence[int] = MANY,
+    before: Callable[[list[pymunk.Body]], None] | None = None,
+) -> Model:
+    """Create a model that simulates a scene in pymunk.
+
+    ``make`` creates the space and its bodies for steps of the given duration in s. ``before`` is
+    called before each step, for example to apply forces. The work is the number of steps times the
+    number of joints and iterations, if there are joints.
+    """
+
+    def run(count: int) -> Outcome:
+        space, bodies = make(1.0 / (RATE * count))
+
+        def step(duration: float) -> None:
+            assert before is not None
+            before(bodies)
+            space.step(duration)
+
+        chosen = step if before else space.step
+        places = in_frames(chosen, reading(space, bodies), frames, count)
+        return Outcome(places, frames * count * (len(space.constraints) * space.iterations or 1))
+
+    return Model(name, run, steps, "pymunk")
+
+
+def lone(
+    position: Place,
+    velocity: Place,
+    acceleration: Acceleration,
+    frames: int,
+    *,
+    is_damped: bool,
+) -> list[Model]:
+    """Create the models of a single body in pymunk, which moves under a force of our own.
+
+    ``acceleration`` returns the acceleration in m/s^2 for a position in m and a velocity in m/s.
+    ``is_damped`` says whether it depends on the velocity.
+    """
+
+    def begun(_: float) -> InSpace:
+        return space_with(position, velocity)
+
+    def push(bodies: list[pymunk.Body]) -> None:
+        (body,) = bodies
+        place = body.position
+        pull = acceleration(complex(*place), complex(*body.velocity))
+        body.apply_force_at_world_point((pull.real, pull.imag), place)
+
+    def ahead(duration: float) -> InSpace:
+        space, (body,) = space_with(position, velocity)
+        first = acceleration(complex(*position), complex(*velocity))
+        body.velocity += (0.5 * duration * first.real, 0.5 * duration * first.imag)
+        update = body.update_velocity
+
+        def change(body: pymunk.Body, _gravity: Any, _damping: float, duration: float) -> None:
+            place = complex(*body.position)
+            speed = complex(*body.velocity) if is_damped else 0j
+            pull = acceleration(place, speed)
+            if is_damped:  # the midpoint rule, because the force depends on what it changes
+                pull = acceleration(place, speed + 0.5 * duration * pull)
+            update(body, (pull.real, pull.imag), 1.0, duration)
+
+        body.velocity_func = change
+        return space, [body]
+
+    return [
+        by_pymunk(EXAMPLES, begun, frames, before=push),
+        by_pymunk(BEST, ahead, frames),
+    ]
+
+
+def space_with(position: Place, velocity: Place, mass: float = 1.0) -> InSpace:
+    """Create a pymunk space without gravity, add a single body to it, and return both."""
+    import pymunk  # here, because a chapter's plots do not need it
+
+    space = pymunk.Space()
+    space.iterations = 1  # there is at most one spring
+    body = pymunk.Body(mass, 1.0)
+    body.position, body.velocity = position, velocity
+    space.add(body)
+    return space, [body]
+
+
+def reading(space: pymunk.Space, bodies: list[pymunk.Body]) -> Callable[[], Place]:
+    """Return the fastest function that reads the coordinates of all bodies of a space."""
+    if len(bodies) == 1:
+        (body,) = bodies
+        return lambda: body.position
+    if len(bodies) < BATCH:
+        return lambda: tuple([part for body in bodies for part in body.position])
+
+    import pymunk.batch
+
+    field, data = pymunk.batch.BodyFields.POSITION, pymunk.batch.Buffer()
+
+    def place() -> Place:
+        data.clear()
+        pymunk.batch.get_space_bodies(space, field, data)
+        return tuple(memoryview(data.float_buf()).cast("d"))
+
+    return place

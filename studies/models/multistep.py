@@ -1,0 +1,125 @@
+"""Going further: multistep methods, which evaluate the forces once per step at any order.
+
+Leapfrog uses one acceleration per step, and has order 2. A multistep method keeps the last k
+accelerations, and so reaches order k with the same single evaluation. Stoermer's formula gives the
+positions,
+
+    x(t + h) = 2 x(t) - x(t - h) + h^2 sum_j b_j a(t - j h)
+
+and the formula of Adams and Bashforth the velocities, which only forces such as drag need:
+
+    v(t + h) = v(t) + h sum_j c_j a(t - j h)
+
+The price is a lower limit of stability, and that all steps are equally long. The accelerations
+before the start come from ``Order8``, which follows the motion backward.
+
+The bodies move in the X-Y plane. A complex number x + iy holds a position or a velocity.
+Source: E. Hairer, S. P. Norsett and G. Wanner, Solving Ordinary Differential Equations I, III.1 and
+III.10. This file is complete, so there is nothing to fill in.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+from math import comb
+from operator import mul
+
+from ch02_vectors.arguments import positive, whole
+from studies.models.order_8 import Accelerations, Numbers, Order8
+
+
+class Multistep:
+    """Bodies that move in a plane under smooth forces, in steps of ``duration`` s.
+
+    ``accelerations`` computes the accelerations of all bodies in m/s^2 from their positions in m
+    and their velocities in m/s. ``order`` is the number of accelerations that are kept. If
+    ``is_damped`` is false, the accelerations must not depend on the velocities, which are then not
+    computed. ``evaluations`` counts the calls of ``accelerations``.
+    """
+
+    def __init__(
+        self,
+        positions: Sequence[complex],
+        velocities: Sequence[complex],
+        accelerations: Accelerations,
+        duration: float,
+        order: int,
+        *,
+        is_damped: bool,
+    ) -> None:
+        h = positive("duration", duration)
+        self.positions, self.velocities = [*positions], [*velocities]
+        self.accelerations, self.is_damped = accelerations, is_damped
+        self.move = [h * h * b for b in weights(whole("order", order), 2)]
+        self.change = [h * c for c in weights(order, 1)]
+        back = Order8(
+            positions, [-v for v in velocities], lambda x, v: accelerations(x, [-w for w in v])
+        )
+        states = [back.state]
+        for _ in range(order - 1):
+            back.step(h)
+            states.append(back.state)
+        past = [back.accelerations(*state) for state in states]
+        self.evaluations = back.evaluations + len(past)
+        self.past = [deque(each, order) for each in zip(*past, strict=True)]
+        self.ways = [x - y for x, y in zip(positions, states[1][0], strict=True)]
+
+    def run(self, count: int) -> None:
+        """Move the bodies by ``count`` steps."""
+        bodies = range(len(self.positions))
+        positions, velocities, ways = self.positions, self.velocities, self.ways
+        move, change, past = self.move, self.change, self.past
+        for _ in range(count):
+            for i in bodies:
+                ways[i] += sum(map(mul, move, past[i]))
+                positions[i] += ways[i]
+                if self.is_damped:
+                    velocities[i] += sum(map(mul, change, past[i]))
+            for each, a in zip(past, self.accelerations(positions, velocities), strict=True):
+                each.appendleft(a)
+        self.evaluations += count
+
+
+class LoneMultistep(Multistep):
+    """The same for a single body, without loops over the bodies."""
+
+    def run(self, count: int) -> None:
+        """Move the body by ``count`` steps."""
+        (x,), (v,), (way,), (past,) = self.positions, self.velocities, self.ways, self.past
+        move, change, accelerations = self.move, self.change, self.accelerations
+        for _ in range(count):
+            way += sum(map(mul, move, past))
+            x += way
+            if self.is_damped:
+                v += sum(map(mul, change, past))
+            past.appendleft(accelerations([x], [v])[0])
+        self.positions, self.velocities, self.ways = [x], [v], [way]
+        self.evaluations += count
+
+
+@cache
+def weights(order: int, power: int) -> list[float]:
+    """Return the weights of the last accelerations, the newest first.
+
+    ``power`` is 1 for the formula of Adams and Bashforth, and 2 for Stoermer's. With D as the
+    backward difference, the weighted sum is the series of (-D / ln(1 - D))^power / (1 - D), cut
+    off after ``order`` terms.
+    """
+    log = [Fraction(1, j + 1) for j in range(order)]  # -ln(1 - D) / D
+    divisor = log if power == 1 else [_product(log, log, j) for j in range(order)]
+    inverse: list[Fraction] = []
+    for j in range(order):
+        inverse.append(Fraction(j == 0) - sum(divisor[i] * inverse[j - i] for i in range(1, j + 1)))
+    series = [sum(inverse[: j + 1]) for j in range(order)]  # divided by 1 - D
+    return [
+        float((-1) ** i * sum(series[j] * comb(j, i) for j in range(i, order)))
+        for i in range(order)
+    ]
+
+
+def _product(a: list[Fraction], b: list[Fraction], j: int) -> Fraction:
+    """Return coefficient ``j`` of the product of two power series."""
+    return sum((a[i] * b[j - i] for i in range(j + 1)), Fraction())

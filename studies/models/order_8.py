@@ -1,0 +1,146 @@
+"""Going further: Runge-Kutta of order 8, which takes long steps and reads the frames in between.
+
+A step needs 12 evaluations. If the motion is smooth, it is accurate even when it lasts for many
+frames, and a polynomial of degree 7 gives the positions within it. The method estimates its error,
+and chooses the length of its steps accordingly. SciPy supplies the coefficients.
+
+The bodies move in the X-Y plane. A complex number x + iy holds a position or a velocity, so that
+one operation of Python does the work of two.
+
+Source: E. Hairer, S. P. Norsett and G. Wanner, Solving Ordinary Differential Equations I, II.5-6.
+This file is complete, so there is nothing to fill in.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from operator import mul
+
+from scipy.integrate import DOP853  # type: ignore[import-untyped]
+
+from ch02_vectors.arguments import positive
+
+SAFETY, LEAST, MOST = 0.9, 0.2, 6.0  # for the next step, as a multiple of this one
+STAGES = [[*map(float, row[:i])] for i, row in enumerate(DOP853.A) if i]
+END = [*map(float, DOP853.B)]
+MORE = [[*map(float, row[: len(END) + 1 + i])] for i, row in enumerate(DOP853.A_EXTRA)]
+CURVE = [[*map(float, row)] for row in DOP853.D]
+FIFTH, THIRD = ([*map(float, row)] for row in (DOP853.E5, DOP853.E3))
+
+Numbers = list[complex]  # one for each body
+Accelerations = Callable[[Numbers, Numbers], Numbers]  # from positions and velocities
+State = tuple[Numbers, Numbers]  # positions and velocities, or their rates
+
+
+class Order8:
+    """Bodies that move in a plane under smooth forces.
+
+    ``accelerations`` computes the accelerations of all bodies in m/s^2 from their positions in m
+    and their velocities in m/s. ``evaluations`` counts its calls.
+    """
+
+    def __init__(
+        self,
+        positions: Sequence[complex],
+        velocities: Sequence[complex],
+        accelerations: Accelerations,
+    ) -> None:
+        self.accelerations, self.evaluations = accelerations, 0
+        self.state: State = [*positions], [*velocities]
+        self._first = self._rates(self.state)
+
+    def step(self, duration: float) -> None:
+        """Move the bodies by ``duration`` s in one step, whatever its error is."""
+        self._finish(self._stages(duration), duration)
+
+    def positions_at(self, every: float, count: int, tolerance: float) -> list[Numbers]:
+        """Return the positions after each ``every`` s, ``count`` times.
+
+        ``tolerance`` is the error that each step may add, in m and m/s.
+
+        Raises:
+            ValueError: if a duration or the tolerance is not positive and finite.
+            ArithmeticError: if no step is short enough.
+        """
+        time, step, end = 0.0, positive("every", every), count * every
+        positive("tolerance", tolerance)
+        found: list[Numbers] = []
+        while len(found) < count:
+            step = min(step, end - time)
+            stages = self._stages(step)
+            error = step * _error(stages) / tolerance
+            share = SAFETY * error**-0.125 if 0.0 < error < math.inf else MOST * (not error)
+            factor = min(max(share, LEAST), MOST)
+            if not error < 1.0:
+                step *= factor
+                if time + step == time:
+                    raise ArithmeticError(f"the steps of order 8 become too short at {time:g} s")
+                continue
+            start = self.state
+            self._finish(stages, step)
+            last = math.floor((time + step) / every + 1e-9)
+            if len(found) < last:
+                curves = self._curves(start, [*stages, self._first], step)
+                while len(found) < min(last, count):
+                    found.append(_places(curves, ((len(found) + 1) * every - time) / step))
+            time += step
+            step *= factor
+        return found
+
+    def _rates(self, state: State) -> State:
+        self.evaluations += 1
+        return state[1], self.accelerations(*state)
+
+    def _stages(self, step: float) -> list[State]:
+        """Return the rates at the twelve stages of a step."""
+        stages = [self._first]
+        for row in STAGES:
+            stages.append(self._rates(_moved(self.state, row, stages, step)))
+        return stages
+
+    def _finish(self, stages: list[State], step: float) -> None:
+        self.state = _moved(self.state, END, stages, step)
+        self._first = self._rates(self.state)
+
+    def _curves(self, start: State, stages: list[State], step: float) -> list[Numbers]:
+        """Return, for each body, the coefficients of its path during the step that has ended."""
+        for row in MORE:
+            stages.append(self._rates(_moved(start, row, stages, step)))
+        curves = []
+        paths = zip(*(velocities for velocities, _ in stages), strict=True)
+        for old, new, rates in zip(start[0], self.state[0], paths, strict=True):
+            far, first, last = new - old, step * rates[0], step * rates[len(END)]
+            bends = [step * sum(map(mul, row, rates)) for row in CURVE]
+            curves.append([old, far, first - far, 2.0 * far - last - first, *bends])
+        return curves
+
+
+def _moved(start: State, row: list[float], stages: list[State], step: float) -> State:
+    """Return the state after a step whose rate is a weighted sum of the stages."""
+    weights = [step * weight for weight in row]
+    positions, velocities = (
+        [old + sum(map(mul, weights, rates)) for old, *rates in zip(*kind, strict=True)]
+        for kind in zip(start, *stages, strict=True)
+    )
+    return positions, velocities
+
+
+def _places(curves: list[Numbers], s: float) -> Numbers:
+    """Return the positions after the share ``s`` of a step."""
+    r = 1.0 - s
+    return [
+        a + s * (b + r * (c + s * (d + r * (e + s * (f + r * (g + s * h))))))
+        for a, b, c, d, e, f, g, h in curves
+    ]
+
+
+def _error(stages: list[State]) -> float:
+    """Estimate the largest error of a position or velocity, divided by the duration of the step."""
+    worst = 0.0
+    for kind in zip(*stages, strict=True):
+        for rates in zip(*kind, strict=True):
+            fifth, third = abs(sum(map(mul, FIFTH, rates))), abs(sum(map(mul, THIRD, rates)))
+            if fifth:
+                worst = max(worst, fifth * fifth / math.hypot(fifth, 0.1 * third))
+    return worst

@@ -107,6 +107,11 @@ def lone(
     ]
 
 
+def at_best(iterations: int) -> str:
+    """Return the name of the model with pymunk at its best, in a scene with joints."""
+    return f"{BEST}, {iterations} iteration{'s' * (iterations > 1)}"
+
+
 def space_with(position: Place, velocity: Place, mass: float = 1.0) -> InSpace:
     """Create a pymunk space without gravity, add a single body to it, and return both."""
     import pymunk  # here, because a chapter's plots do not need it
@@ -130,10 +135,11 @@ def reading(space: pymunk.Space, bodies: list[pymunk.Body]) -> Callable[[], Plac
     import pymunk.batch
 
     field, data = pymunk.batch.BodyFields.POSITION, pymunk.batch.Buffer()
+    count = 2 * len(bodies)  # the static body follows, if a joint holds it
 
     def place() -> Place:
         data.clear()
         pymunk.batch.get_space_bodies(space, field, data)
-        return tuple(memoryview(data.float_buf()).cast("d"))
+        return tuple(memoryview(data.float_buf()).cast("d")[:count])
 
     return place

@@ -58,10 +58,7 @@ class Multistep:
         back = Order8(
             positions, [-v for v in velocities], lambda x, v: accelerations(x, [-w for w in v])
         )
-        states = [back.state]
-        for _ in range(order - 1):
-            back.step(h)
-            states.append(back.state)
+        states = [back.state, *back.states_at(h, order - 1, 10.0 ** (-1 - order))]
         past = [back.accelerations(*state) for state in states]
         self.evaluations = back.evaluations + len(past)
         self.past = [deque(each, order) for each in zip(*past, strict=True)]

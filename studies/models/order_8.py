@@ -21,6 +21,7 @@ from scipy.integrate import DOP853  # type: ignore[import-untyped]
 
 from ch02_vectors.arguments import positive
 
+FIRST = 8  # the first step that is tried, as a multiple of the distance of the results
 SAFETY, LEAST, MOST = 0.9, 0.2, 6.0  # for the next step, as a multiple of this one
 STAGES = [[*map(float, row[:i])] for i, row in enumerate(DOP853.A) if i]
 END = [*map(float, DOP853.B)]
@@ -50,10 +51,6 @@ class Order8:
         self.state: State = [*positions], [*velocities]
         self._first = self._rates(self.state)
 
-    def step(self, duration: float) -> None:
-        """Move the bodies by ``duration`` s in one step, whatever its error is."""
-        self._finish(self._stages(duration), duration)
-
     def positions_at(self, every: float, count: int, tolerance: float) -> list[Numbers]:
         """Return the positions after each ``every`` s, ``count`` times.
 
@@ -63,9 +60,20 @@ class Order8:
             ValueError: if a duration or the tolerance is not positive and finite.
             ArithmeticError: if no step is short enough.
         """
-        time, step, end = 0.0, positive("every", every), count * every
+        return [positions for (positions,) in self._read(every, count, tolerance, (0,))]
+
+    def states_at(self, every: float, count: int, tolerance: float) -> list[State]:
+        """Return the positions and velocities instead, with the same arguments and errors."""
+        return [(x, v) for x, v in self._read(every, count, tolerance, (0, 1))]
+
+    def _read(
+        self, every: float, count: int, tolerance: float, kinds: tuple[int, ...]
+    ) -> list[list[Numbers]]:
+        """Return the positions (kind 0) or velocities (kind 1), or both, at equal distances."""
+        end = count * positive("every", every)
+        time, step = 0.0, min(end, FIRST * every)
         positive("tolerance", tolerance)
-        found: list[Numbers] = []
+        found: list[list[Numbers]] = []
         while len(found) < count:
             step = min(step, end - time)
             stages = self._stages(step)
@@ -78,12 +86,17 @@ class Order8:
                     raise ArithmeticError(f"the steps of order 8 become too short at {time:g} s")
                 continue
             start = self.state
-            self._finish(stages, step)
+            self.state = _moved(start, END, stages, step)
+            self._first = self._rates(self.state)
             last = math.floor((time + step) / every + 1e-9)
             if len(found) < last:
-                curves = self._curves(start, [*stages, self._first], step)
+                stages.append(self._first)
+                for row in MORE:
+                    stages.append(self._rates(_moved(start, row, stages, step)))
+                curves = [self._curves(start, stages, step, kind) for kind in kinds]
                 while len(found) < min(last, count):
-                    found.append(_places(curves, ((len(found) + 1) * every - time) / step))
+                    share = ((len(found) + 1) * every - time) / step
+                    found.append([_read_at(each, share) for each in curves])
             time += step
             step *= factor
         return found
@@ -99,17 +112,13 @@ class Order8:
             stages.append(self._rates(_moved(self.state, row, stages, step)))
         return stages
 
-    def _finish(self, stages: list[State], step: float) -> None:
-        self.state = _moved(self.state, END, stages, step)
-        self._first = self._rates(self.state)
-
-    def _curves(self, start: State, stages: list[State], step: float) -> list[Numbers]:
-        """Return, for each body, the coefficients of its path during the step that has ended."""
-        for row in MORE:
-            stages.append(self._rates(_moved(start, row, stages, step)))
+    def _curves(
+        self, start: State, stages: list[State], step: float, kind: int
+    ) -> list[Numbers]:
+        """Return, for each body, the coefficients of its curve during the step that has ended."""
         curves = []
-        paths = zip(*(velocities for velocities, _ in stages), strict=True)
-        for old, new, rates in zip(start[0], self.state[0], paths, strict=True):
+        rates_of = zip(*(stage[kind] for stage in stages), strict=True)
+        for old, new, rates in zip(start[kind], self.state[kind], rates_of, strict=True):
             far, first, last = new - old, step * rates[0], step * rates[len(END)]
             bends = [step * sum(map(mul, row, rates)) for row in CURVE]
             curves.append([old, far, first - far, 2.0 * far - last - first, *bends])
@@ -126,8 +135,8 @@ def _moved(start: State, row: list[float], stages: list[State], step: float) -> 
     return positions, velocities
 
 
-def _places(curves: list[Numbers], s: float) -> Numbers:
-    """Return the positions after the share ``s`` of a step."""
+def _read_at(curves: list[Numbers], s: float) -> Numbers:
+    """Return the values of all curves after the share ``s`` of a step."""
     r = 1.0 - s
     return [
         a + s * (b + r * (c + s * (d + r * (e + s * (f + r * (g + s * h))))))

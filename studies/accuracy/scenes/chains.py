@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
 from typing import Any
@@ -28,9 +28,12 @@ from ch06_springs.integrators import (
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
-from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
+from studies.accuracy.in_plane import in_plane
+from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, in_frames, solved
 from studies.models.angle_chain import AngleChain
 from studies.models.angle_rope import AngleRope
+from studies.models.plane_rods import accelerations_on_rods
 from studies.models.rod_tensions import RodTensions
 from studies.models.smooth_net import hermite
 from studies.runs.constraints import resolving
@@ -87,12 +90,11 @@ class Chain:
             return AngleRope(self.length, masses[0], angles, gravity=self.gravity)
         return AngleChain(*self.angles(), gravity=self.gravity)
 
-    def truth(self) -> Callable[[float], Place]:
-        """Return the exact motion of the chain of rods as a function of time.
+    def rates(self, _: float, state: Any) -> Any:
+        """Return the rates of all angles and angular velocities, by Lagrange's equations.
 
-        SciPy computes it from Lagrange's equations. Rod i is at the angle a_i from the vertical,
-        and its angular velocity is w_i. Every rod has length l, and g is the gravitational
-        acceleration. The equation for rod i is
+        Rod i is at the angle a_i from the vertical, and its angular velocity is w_i. Every rod has
+        length l, and g is the gravitational acceleration. The equation for rod i is
 
             sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
 
@@ -102,12 +104,14 @@ class Chain:
         count = len(self.masses)
         below = numpy.cumsum(self.masses[::-1])[::-1]
         hung = self.length * below[numpy.maximum.outer(range(count), range(count))]
+        a, w = state[:count], state[count:]
+        apart = a[:, None] - a
+        pull = (hung * numpy.sin(apart)) @ w**2 + below * self.gravity * numpy.sin(a)
+        return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))
 
-        def rates(_: float, state: Any) -> Any:
-            a, w = state[:count], state[count:]
-            apart = a[:, None] - a
-            pull = (hung * numpy.sin(apart)) @ w**2 + below * self.gravity * numpy.sin(a)
-            return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))
+    def truth(self) -> Callable[[float], Place]:
+        """Return the exact motion of the chain of rods as a function of time, computed by SciPy."""
+        count = len(self.masses)
 
         def place(state: Any) -> Place:
             x = numpy.cumsum(self.length * numpy.sin(state[:count]))
@@ -115,18 +119,25 @@ class Chain:
             return tuple(map(float, numpy.stack([x, y], axis=1).ravel()))
 
         start = [*[self.angle] * count, *[0.0] * count]
-        return solved(rates, start, place, self.frames)
+        return solved(self.rates, start, place, self.frames)
 
 
-def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
+def models_of(chain: Chain, steps: Sequence[int] = STEPS, *iterations: int) -> list[Model]:
     """Create all models of a chain of rods, ours first and then pymunk's.
 
     A model is one way to simulate the chain, for example with a certain integrator. ``steps`` lists
-    the numbers of steps per frame with which most of our models are run.
+    the numbers of steps per frame with which most of our models are run. ``iterations`` lists how
+    often pymunk's solver runs in each step when it is at its best.
     """
-    return [
+    angles = [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
         Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS, per=LONG),
+    ]
+    start = [complex(body.position.x, body.position.y) for body in chain.particles()]
+    rods = accelerations_on_rods(chain.masses, [chain.length] * len(start), chain.gravity)
+    return [
+        *(replace(model, is_formula=True) for model in angles),
+        *in_plane(start, [0j] * len(start), rods, chain.frames, is_damped=True),
         Model("rods as forces, Runge-Kutta 4", partial(by_tensions, chain), steps),
         Model("direct chain", partial(by_direct_chain, chain), steps),
         *(
@@ -136,12 +147,10 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
                 ("semi-implicit Euler", semi_implicit_euler, "ours"),
             )
         ),
+        by_pymunk(EXAMPLES, partial(in_space, chain, 10), chain.frames),  # its default
         *(
-            Model(name, partial(by_pin_joints, chain, iterations), MANY, "pymunk")
-            for name, iterations in (
-                ("pymunk, pin joints", 10),  # its default
-                ("pymunk, pin joints, 1 iteration", 1),
-            )
+            by_pymunk(at_best(number), partial(ahead, chain, number), chain.frames)
+            for number in iterations
         ),
     ]
 
@@ -224,8 +233,8 @@ def by_resolver(
     return Outcome(places, work)
 
 
-def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Simulate a chain of rods with pymunk, where pin joints act as the rods.
+def in_space(chain: Chain, iterations: int, _: float) -> InSpace:
+    """Create the chain in pymunk, where pin joints act as the rods.
 
     Pymunk's solver makes ``iterations`` iterations per step.
     """
@@ -240,13 +249,20 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
         space.add(body, pymunk.PinJoint(before, body))
         bodies.append(body)
         before = body
-    places = in_frames(
-        space.step,
-        lambda: tuple(part for body in bodies for part in body.position),
-        chain.frames,
-        steps,
-    )
-    return Outcome(places, chain.frames * steps * iterations * len(bodies))
+    return space, bodies
+
+
+def ahead(chain: Chain, iterations: int, duration: float) -> InSpace:
+    """Create the chain in pymunk at its best: half a step ahead, and joints without a bias."""
+    space, bodies = in_space(chain, iterations, duration)
+    first = chain.rates(0.0, numpy.array([*[chain.angle] * len(bodies), *[0.0] * len(bodies)]))
+    turning = first[len(bodies) :] * 0.5 * duration * chain.length  # m/s
+    along, up = math.cos(chain.angle), math.sin(chain.angle)
+    for body, speed in zip(bodies, numpy.cumsum(turning), strict=True):
+        body.velocity = (float(speed * along), float(speed * up))
+    for joint in space.constraints:
+        joint.error_bias = 0.0
+    return space, bodies
 
 
 def places_of(particles: Sequence[Particle]) -> Place:

@@ -47,8 +47,8 @@ def pendulum() -> Scene:
         places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), chain.frames, steps)
         return Outcome(places, 4 * chain.frames * steps)
 
-    by_particles = models_of(chain)[2:]  # without the models by angles, which by_angle replaces
-    models = [Model("by its angle, Runge-Kutta 4", by_angle), *by_particles]
+    by_particles = models_of(chain, STEPS, 1)[2:]  # by_angle replaces the models by angles
+    models = [Model("by its angle, Runge-Kutta 4", by_angle, is_formula=True), *by_particles]
     return Scene("pendulum from horizontal", chain.frames, 1.0, truth, models, COUNTED)
 
 
@@ -64,7 +64,10 @@ def double_pendulum() -> Scene:
         places = in_frames(bobs.step, lambda: flat(bobs.positions), chain.frames, steps)
         return Outcome(places, 4 * chain.frames * steps)
 
-    models = [Model("by its two angles, Runge-Kutta 4", by_two_angles), *models_of(chain)]
+    models = [
+        Model("by its two angles, Runge-Kutta 4", by_two_angles, is_formula=True),
+        *models_of(chain, STEPS, 2, 10),
+    ]
     return Scene("double pendulum", chain.frames, 1.0, chain.truth(), models, COUNTED)
 
 
@@ -75,7 +78,7 @@ def heavy_tip() -> Scene:
     released at 60 degrees from straight down.
     """
     chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
-    models = models_of(chain)
+    models = models_of(chain, STEPS, 30, 50)
     return Scene("five rods, heavy tip", chain.frames, 1.0, chain.truth(), models, COUNTED)
 
 
@@ -92,10 +95,9 @@ def rope() -> Scene:
         still = Particle(mass=math.inf)
         return [TwoSidedRod(a, b, chain.length) for a, b in pairwise([still, *particles])]
 
-    *ours, ten, one = models_of(chain, steps)
     run = partial(by_resolver, chain, semi_implicit_euler, two_sided)
-    ours.append(Model("semi-implicit Euler, two-sided rods", run, steps))
-    models = [*ours, ten, one]
+    models = models_of(chain, steps, 100, 300)
+    models.insert(-3, Model("semi-implicit Euler, two-sided rods", run, steps))
     return Scene("rope of 30 links", chain.frames, 3.0, chain.truth(), models, COUNTED)
 
 

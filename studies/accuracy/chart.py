@@ -11,7 +11,7 @@ from __future__ import annotations
 import csv
 import math
 from collections.abc import Sequence
-from itertools import cycle
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,8 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.accuracy.measure import Point
-from studies.accuracy.results import TOLERANCES, Row, Side, front, models_of, row
+from studies.accuracy.results import Row, Side, front, models_of, row, table
+from studies.accuracy.scene import Scene
 from studies.drawing import (
     BLACK,
     BLUE,
@@ -31,27 +32,36 @@ from studies.drawing import (
     PINK,
     RED,
     SKY,
+    VIOLET,
     YELLOW,
 )
 
 FLOOR, CEILING = 1e-15, 10.0  # smaller errors are rounding, and larger errors are useless
-OWN = COLORS | {"adaptive": BROWN}  # models with the same color in all charts
-OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, GRAY, YELLOW)
+OWN = COLORS | {"adaptive": BROWN}  # these have the colors of the other pictures
+OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, VIOLET, YELLOW)
+TITLES = (
+    "our steps of the same equations",
+    "our better models: closed forms, angles, impacts, statics",
+)
+OPEN = {
+    "o": "open: pymunk's time is extrapolated",
+    ">": "at least this ratio (pymunk was too slow)",
+    "<": "at most this ratio (ours was too slow)",
+}
 UP = (0.25, 0.0, -0.25)  # vertical offsets of the three tolerances in a scene's row
-MARKERS = "os^Dvph<>"
+MARKERS = "s^Dvph<>"
 COLUMNS = (
-    *("model", "by", "steps per frame, or 1 / tolerance", "error / scale", "work"),
+    *("model", "by", "steps, or 1 / tolerance", "per frames", "error / scale", "work"),
     *("time, ms", "lower quartile, ms", "upper quartile, ms"),
 )
 
 
-def draw(points: Sequence[Point], counted: str, png: Path) -> None:
+def draw(points: Sequence[Point], scene: Scene, png: Path) -> None:
     """Draw the chart of a scene, which shows how accurate and how fast each model is.
 
     A model is one way to simulate the scene, for example with a certain integrator. The left panel
     plots the error of each model against its processor time, and the right panel plots it against
-    its work. ``counted`` says what is counted as work, such as "contacts resolved". The chart is
-    saved as ``png``, and a CSV file next to it contains the plotted points.
+    its work. The chart is saved as ``png``, and a CSV file next to it contains the plotted points.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
@@ -80,21 +90,22 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         right.plot([point.work for point in seen], errors, **styles[name])
     _draw_extrapolated(left, points, styles)
     left.set(xlabel="processor time of the scene, ms (bars: quartiles)")
-    right.set(xlabel=counted)
+    right.set(xlabel=scene.counted)
     for axes in (left, right):
         axes.set(xscale="log", yscale="log", ylabel="largest error / scale of the scene")
         axes.set_ylim(max(FLOOR, min(point.error for point in points)) / 3.0, CEILING)
         axes.grid(alpha=0.3)
     labels = left.get_legend_handles_labels()
     figure.legend(*labels, loc="outside lower center", ncols=5, fontsize=8.5, borderpad=0.8)
-    figure.suptitle(f"{points[0].scene}\n{said(row(points, 1e-4))}", fontsize=11)
+    figure.suptitle("\n".join((scene.name, *said(points, 1e-4))), fontsize=11)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)
     with png.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:
-        rows = [
-            (p.model, p.by, p.steps, p.error, p.work, *(1e3 * t for t in (p.time, *p.spread)))
-            for p in points
-        ]
+        per = {model.name: model.per for model in scene.models}
+        rows = []
+        for p in points:
+            times = (1e3 * time for time in (p.time, *p.spread))
+            rows.append((p.model, p.by, p.steps, per[p.model], p.error, p.work, *times))
         csv.writer(file).writerows([COLUMNS, *rows])
 
 
@@ -106,8 +117,8 @@ def _draw_extrapolated(
     The times on this line are extrapolated. The line ends at the smallest error tolerance for which
     an extrapolated time exists. If there is none, nothing is drawn.
     """
-    sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
-    found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
+    rows = [row for row in table(points) if row.pymunk.order is not None]
+    found = [(row.tolerance, row.pymunk) for row in sorted(rows, key=lambda row: -row.tolerance)]
     if not found:
         return
     tolerance, side = found[-1]
@@ -123,39 +134,42 @@ def _draw_extrapolated(
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
     """Plot the ratio of pymunk's time to ours for every scene and every error tolerance.
 
-    A filled mark is a measured ratio. Other marks:
-
-    - An open mark without an arrow is an estimate. Pymunk did not reach the tolerance within the
-      time limit, so its time is extrapolated from its order of convergence.
-    - An open mark with an arrow is only a bound. Either pymunk or our models did not reach the
-      tolerance within the time limit.
-    - The word "never" at the edge means that one of the two cannot reach the tolerance at all.
-
-    There is no mark if neither pymunk nor our models reach the tolerance.
+    The left panel compares pymunk with our models that step the same equations, and the right panel
+    with those that know more about the scene. The legend explains the marks.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
-    tolerances = sorted({row.tolerance for row in rows}, reverse=True)
-    figure, axes = pyplot.subplots(figsize=(11, 0.45 * len(scenes) + 2.4), layout="constrained")
+    figure, panels = pyplot.subplots(
+        1, 2, figsize=(13, 0.42 * len(scenes) + 2.6), layout="constrained", sharey=True
+    )
     ends = [end for found in rows for end in found.bounds if 0.0 < end < math.inf]
     low, high = min([0.1, *ends]) / 3.0, max([10.0, *ends]) * 10.0
-    axes.set(xscale="log", xlim=(low, high), yticks=range(len(scenes)), yticklabels=scenes)
-    for tolerance, color, mark, up in zip(
-        tolerances, (ORANGE, BLUE, GREEN), "o^s", UP, strict=True
-    ):
+    tolerances = sorted({row.tolerance for row in rows}, reverse=True)
+    looks = {
+        tolerance: (color, mark, up)
+        for tolerance, color, mark, up in zip(
+            tolerances, (ORANGE, BLUE, GREEN), "o^s", UP, strict=True
+        )
+    }
+    for axes, is_formula, title in zip(panels, (False, True), TITLES, strict=True):
+        axes.set(xscale="log", xlim=(low, high), yticks=range(len(scenes)), yticklabels=scenes)
+        axes.axvspan(low, 1.0, color=GRAY, alpha=0.12, lw=0)
+        axes.axvline(1.0, color=BLACK, lw=1)
         for found in rows:
-            if found.tolerance == tolerance:
+            color, mark, up = looks[found.tolerance]
+            if found.is_formula == is_formula:
                 _draw_ratio(axes, found, scenes.index(found.scene) + up, color, mark)
-        axes.plot([], [], mark, color=color, label=f"error of {tolerance:g} of the scale")
-    if any(found.is_extrapolated for found in rows):
-        axes.plot([], [], "o", color=GRAY, mfc="none", label="pymunk's time extrapolated")
-    axes.axvline(1.0, color=BLACK, lw=1)
-    axes.set_xlabel(
-        "time of pymunk / time of our cheapest model with the same error\n"
-        "(left of 1, pymunk is faster; arrows: the ratio is even larger or smaller)"
+        axes.set_xlabel("time of pymunk / time of our fastest model with the same error")
+        axes.set_title(title, fontsize=11)
+        axes.grid(alpha=0.3)
+    for tolerance, (color, mark, _) in looks.items():
+        label = f"error of {tolerance:g} of the scale"
+        panels[0].plot([], [], mark, color=color, label=label)
+    for mark, label in OPEN.items():
+        panels[0].plot([], [], mark, color=GRAY, mfc="none", label=label)
+    figure.suptitle(
+        "How many times as long as ours does pymunk at its best take? In the gray area it is faster"
     )
-    axes.set_title("Pymunk's time relative to ours, if the position is needed in every 60 Hz frame")
-    axes.grid(alpha=0.3)
-    figure.legend(loc="outside lower center", ncols=4, fontsize=9)
+    figure.legend(loc="outside lower center", ncols=3, fontsize=9)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)
 
@@ -166,29 +180,32 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
     The mark is drawn at height ``y``. It is filled if both times were measured, and open if
     pymunk's time is extrapolated. If only one of the two times is known, an arrow shows that the
     ratio is a bound. If no number of steps would meet the tolerance, the word "never" appears at
-    the edge instead.
+    the edge instead. There is no mark if neither pymunk nor our models reach the tolerance.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
-        axes.plot(found.ratio, y, mark, color=color, mfc=face)
+        axes.plot(found.ratio, y, mark, color=color, mfc=face, ms=5)
     elif found.ours.time or found.pymunk.time:
         most = found.ours.time is None
         if (found.ours if most else found.pymunk).never:
-            edge = axes.get_xlim()[not most] * (2.0 if most else 0.5)
-            axes.text(edge, y, "never", color=color, ha="center", va="center", fontsize=8)
+            edge = axes.get_xlim()[not most] * (2.5 if most else 0.4)
+            axes.text(edge, y, "never", color=color, ha="center", va="center", fontsize=7)
             return
         value = found.bounds[most]
-        axes.plot(value, y, mark, color=color, mfc="none")
-        arrow = {"arrowstyle": "->", "color": color}
-        axes.annotate("", (value / 2.2 if most else 2.2 * value, y), (value, y), arrowprops=arrow)
+        axes.plot(value, y, "<" if most else ">", color=color, mfc="none", ms=6)
 
 
-def said(found: Row) -> str:
-    """Compare our fastest model with pymunk's in one sentence, for the title of a chart.
+def said(points: Sequence[Point], tolerance: float) -> list[str]:
+    """Compare our fastest models of both kinds with pymunk's in a sentence each, for a title.
 
     For example, "at an error of 0.0001 of the scale, leapfrog takes 3.2 ms, and pymunk takes 12
     times as long".
     """
+    rows = [row(points, tolerance, is_formula=is_formula) for is_formula in (False, True)]
+    return [_said(found) for found in rows if found]
+
+
+def _said(found: Row) -> str:
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -235,24 +252,34 @@ def _number(value: float) -> str:
 
 
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Choose a color and a marker for each model in a chart.
+    """Return the color and the marker of each model in a chart, which are the same in all charts.
 
-    Pymunk's models are black or gray, and the textbook's are red. Each integrator of chapter 6 has
-    the same color in all charts. All other models share the remaining colors.
+    Pymunk's models are black or gray, and the textbook's are red.
     """
     styles: dict[str, dict[str, Any]] = {}
-    models = models_of(points)
-    taken = {OWN[name] for name in models if name in OWN}
-    theirs, markers = iter((BLACK, GRAY)), cycle(MARKERS)
-    colors = cycle([color for color in OURS if color not in taken])
-    for name, own in models.items():
+    for name, own in models_of(points).items():
+        color, marker = _looks()[name]
+        is_single = math.isclose(own[0].steps, own[-1].steps)
+        styles[name] = {"color": color, "marker": marker, "ls": "-", "ms": 11 if is_single else 5}
         if own[0].by == "pymunk":
-            styles[name] = {"color": next(theirs), "marker": "x", "ls": "--", "ms": 7}
-        elif own[0].by == "the book":
-            many = sum(style["color"] == RED for style in styles.values())
-            styles[name] = {"color": RED, "marker": "+*"[many % 2], "ls": "-", "ms": 8}
-        else:
-            color = OWN.get(name) or next(colors)
-            size = 11 if math.isclose(own[0].steps, own[-1].steps) else 5
-            styles[name] = {"color": color, "marker": next(markers), "ls": "-", "ms": size}
+            styles[name] |= {"ls": "--", "ms": 7}
     return styles
+
+
+@cache
+def _looks() -> dict[str, tuple[str, str]]:
+    """Return a color and a marker for every model of every scene."""
+    from studies.accuracy.catalog import scenes_with
+
+    looks: dict[str, tuple[str, str]] = {}
+    pairs = {
+        "pymunk": ((c, m) for m in "x+1*2" for c in (BLACK, GRAY)),
+        "the book": ((RED, m) for m in "+*x1"),
+        "ours": ((c, m) for m in MARKERS for c in OURS),
+    }
+    for scene in scenes_with(""):
+        for model in scene.models:
+            if model.name not in looks:
+                own = OWN.get(model.name)
+                looks[model.name] = (own, "o") if own else next(pairs[model.by])
+    return looks

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place
+from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place, in_frames
 from studies.models.multistep import LoneMultistep, Multistep
-from studies.models.order_8 import Accelerations, Numbers, Order8
+from studies.models.order_8 import Accelerations, Order8
 from studies.models.smooth_net import hermite
 
 LONG = 12  # frames; the number of steps is given per this many frames
@@ -26,32 +26,29 @@ def in_plane(
     *,
     is_damped: bool,
 ) -> list[Model]:
-    """Create the models of high order for a scene, whose frames must be a multiple of twelve.
+    """Create the models of high order for a scene.
 
     ``is_damped`` says whether the accelerations depend on the velocities.
     """
-    kind = LoneMultistep if len(positions) == 1 else Multistep
 
     def by_multistep(order: int, steps: int) -> Outcome:
-        duration = LONG / (steps * RATE)
+        is_long = steps < LONG
+        kind = LoneMultistep if len(positions) == 1 else Multistep
         bodies = kind(
-            positions, velocities, accelerations, duration, order, is_damped=is_damped or steps < LONG
+            positions,
+            velocities,
+            accelerations,
+            LONG / (steps * RATE),
+            order,
+            is_damped=is_damped or is_long,  # the curve between two steps needs velocities
         )
-        places = []
-        if steps >= LONG:
-            for _ in range(frames):
-                bodies.run(steps // LONG)
-                places.append(flat(bodies.positions))
-            return Outcome(places, bodies.evaluations * len(positions))
-        every = LONG // steps
-        for _ in range(-(-frames // every)):
-            old, fast = [*bodies.positions], [*bodies.velocities]
-            bodies.run(1)
-            new, later = bodies.positions, bodies.velocities
-            for frame in range(1, every):
-                places.append(flat(hermite(old, fast, new, later, duration, frame / every)))
-            places.append(flat(new))
-        return Outcome(places[:frames], bodies.evaluations * len(positions))
+        if is_long:
+            places = in_long_steps(bodies, LONG // steps, frames)
+        else:
+            places = in_frames(
+                lambda _: bodies.run(steps // LONG), lambda: flat(bodies.positions), frames, 1
+            )
+        return Outcome(places, bodies.evaluations * len(positions))
 
     def by_tolerance(inverse: int) -> Outcome:
         bodies = Order8(positions, velocities, accelerations)
@@ -65,6 +62,20 @@ def in_plane(
         ),
         Model("order 8, own steps", by_tolerance, TOLERANCES, takes_tolerance=True),
     ]
+
+
+def in_long_steps(bodies: Multistep, every: int, frames: int) -> list[Place]:
+    """Simulate in steps of ``every`` frames, with cubic curves for the frames in between."""
+    places: list[Place] = []
+    while len(places) < frames:
+        old, fast = [*bodies.positions], [*bodies.velocities]
+        bodies.run(1)
+        new, later = bodies.positions, bodies.velocities
+        for frame in range(1, every):
+            between = hermite(old, fast, new, later, every / RATE, frame / every)
+            places.append(flat(between))
+        places.append(flat(new))
+    return places[:frames]
 
 
 def flat(positions: Sequence[complex]) -> Place:

@@ -29,6 +29,7 @@ EXAMPLES, BEST = "pymunk, as in its examples", "pymunk at its best"
 BATCH = 4  # bodies from which it is faster to read all positions in one call
 
 Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
+Step = Callable[[float], object]
 InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
@@ -37,25 +38,18 @@ def by_pymunk(
     make: Callable[[float], InSpace],
     frames: int,
     steps: Sequence[int] = MANY,
-    before: Callable[[list[pymunk.Body]], None] | None = None,
+    stepping: Callable[[pymunk.Space, list[pymunk.Body]], Step] = lambda space, _: space.step,
 ) -> Model:
     """Create a model that simulates a scene in pymunk.
 
-    ``make`` creates the space and its bodies for steps of the given duration in s. ``before`` is
-    called before each step, for example to apply forces. The work is the number of steps times the
-    number of joints and iterations, if there are joints.
+    ``make`` creates the space and its bodies for steps of the given duration in s. ``stepping``
+    returns the function that makes a step, which for example applies forces. The work is the number
+    of steps times the number of joints and iterations, if there are joints.
     """
 
     def run(count: int) -> Outcome:
         space, bodies = make(1.0 / (RATE * count))
-
-        def step(duration: float) -> None:
-            assert before is not None
-            before(bodies)
-            space.step(duration)
-
-        chosen = step if before else space.step
-        places = in_frames(chosen, reading(space, bodies), frames, count)
+        places = in_frames(stepping(space, bodies), reading(space, bodies), frames, count)
         return Outcome(places, frames * count * (len(space.constraints) * space.iterations or 1))
 
     return Model(name, run, steps, "pymunk")
@@ -78,11 +72,16 @@ def lone(
     def begun(_: float) -> InSpace:
         return space_with(position, velocity)
 
-    def push(bodies: list[pymunk.Body]) -> None:
+    def pushing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
         (body,) = bodies
-        place = body.position
-        pull = acceleration(complex(*place), complex(*body.velocity))
-        body.apply_force_at_world_point((pull.real, pull.imag), place)
+
+        def step(duration: float) -> None:
+            place = body.position
+            pull = acceleration(complex(*place), complex(*body.velocity))
+            body.apply_force_at_world_point((pull.real, pull.imag), place)
+            space.step(duration)
+
+        return step
 
     def ahead(duration: float) -> InSpace:
         space, (body,) = space_with(position, velocity)
@@ -102,7 +101,7 @@ def lone(
         return space, [body]
 
     return [
-        by_pymunk(EXAMPLES, begun, frames, before=push),
+        by_pymunk(EXAMPLES, begun, frames, stepping=pushing),
         by_pymunk(BEST, ahead, frames),
     ]
 

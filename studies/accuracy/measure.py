@@ -42,8 +42,9 @@ class Point:
     A model is one way to simulate a scene, for example with a certain integrator.
 
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
-    - ``steps``: the number of steps per frame. For a model that takes a tolerance instead and
-      chooses its own steps, it is 1 / tolerance.
+    - ``is_formula``: True if the model knows more about the scene than its equations of motion.
+    - ``steps``: the number of steps per frame, or per ``Model.per`` frames. If the model takes a
+      tolerance instead, it is 1 / tolerance.
     - ``times``: the processor time in s in each timing round.
     """
 
@@ -54,6 +55,7 @@ class Point:
     error: float
     work: int
     times: list[float] = field(default_factory=list)
+    is_formula: bool = False
 
     @property
     def time(self) -> float:
@@ -97,7 +99,9 @@ def explore(
                 outcome = run(model, steps)
                 taken = time.process_time() - start
                 error, work = (scene.error(outcome), outcome.work) if outcome else (math.inf, 0)
-                points.append(Point(scene.name, model.name, model.by, steps, error, work))
+                point = Point(scene.name, model.name, model.by, steps, error, work)
+                point.is_formula = model.is_formula
+                points.append(point)
                 if taken > (theirs if model.by == "pymunk" else slowest) or error < EXACT:
                     break
     return Measured(points)

@@ -44,10 +44,13 @@ class Side:
 class Row:
     """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
 
-    ``tolerance`` is the largest error allowed, as a fraction of the scene's size.
+    ``tolerance`` is the largest error allowed, as a fraction of the scene's size. Only models of
+    one kind count as ours: those that know more than the equations of motion if ``is_formula`` is
+    true, and those that step the equations, as pymunk does, if it is false.
     """
 
     scene: str
+    is_formula: bool
     tolerance: float
     ours: Side
     pymunk: Side
@@ -212,17 +215,20 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
     return ours, [point for point in points if point.by == "pymunk"]
 
 
-def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Compare our fastest model with pymunk's fastest in one scene, at one error tolerance.
+def row(points: Sequence[Point], tolerance: float, *, is_formula: bool) -> Row | None:
+    """Compare our fastest model of one kind with pymunk's fastest in one scene, at one tolerance.
 
     ``points`` are all runs in that scene. If none of pymunk's runs meets the tolerance, its time is
-    extrapolated if possible.
+    extrapolated if possible. Return None if there is no model of this kind.
     """
     ours, theirs = split(points)
+    own = [point for point in ours if point.is_formula == is_formula]
+    if not own:
+        return None
     side = side_of(theirs, tolerance)
     if side.time is None:
         side = extrapolated(side, theirs, tolerance)
-    return Row(points[0].scene, tolerance, side_of(ours, tolerance), side)
+    return Row(points[0].scene, is_formula, tolerance, side_of(own, tolerance), side)
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
@@ -242,14 +248,21 @@ def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
 
 
 def table(points: Sequence[Point]) -> list[Row]:
-    """Compare our fastest model with pymunk's in every scene, at every error tolerance.
+    """Compare our fastest models with pymunk's in every scene, at every error tolerance.
 
-    `make charts` prints the returned rows as a table, and draws them in the overview picture.
+    `make charts` prints the returned rows as a table, and draws them in the overview picture. The
+    models that step the equations come first.
     """
     scenes: dict[str, list[Point]] = {}
     for point in points:
         scenes.setdefault(point.scene, []).append(point)
-    return [row(own, tolerance) for own in scenes.values() for tolerance in TOLERANCES]
+    rows = [
+        row(own, tolerance, is_formula=is_formula)
+        for is_formula in (False, True)
+        for own in scenes.values()
+        for tolerance in TOLERANCES
+    ]
+    return [found for found in rows if found]
 
 
 def front(points: Sequence[Point]) -> list[Point]:

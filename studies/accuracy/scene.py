@@ -52,8 +52,8 @@ class Model:
     - ``steps``: the numbers of steps per frame to try. For an exact model, such as a closed form,
       it is (1,), because more steps would not change the result.
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
-    - ``is_formula``: True if the model knows more about the scene than its equations of motion, such
-      as a closed form, the impacts, or the angles of the rods. Otherwise it steps the equations.
+    - ``is_formula``: True if the model knows more about the scene than its equations of motion,
+      such as a closed form, the impacts, or the angles of rods. Otherwise it steps the equations.
     - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
       1 / tolerance, so a larger number still means a more accurate run.
     - ``per``: the number of frames in which the steps are counted. It is 1, unless the steps are
@@ -67,6 +67,15 @@ class Model:
     is_formula: bool = False
     takes_tolerance: bool = False
     per: int = 1
+
+    def chosen(self, steps: int) -> str:
+        """Describe a number of steps, as in "3 steps per 12 frames" or "tolerance 0.001"."""
+        if self.takes_tolerance:
+            return f"tolerance {1.0 / steps:g}"
+        if [*self.steps] == [1]:
+            return "once"
+        frames = "frame" if self.per == 1 else f"{self.per} frames"
+        return f"{steps:,} step{'s' * (steps > 1)} per {frames}"
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,7 @@ def main(arguments: list[str]) -> int:
     for scene in scenes:
         own = [point for point in measured.points if point.scene == scene.name]
         png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
-        chart.draw(own, scene.counted, png)
+        chart.draw(own, scene, png)
         console.print(f"{scene.name}: {shown(png)}", soft_wrap=True)
         if scene.differs:
             apart = f"{scene.differs():.1g} of the scale"
@@ -140,17 +140,19 @@ def _how(rounds: int, is_quick: bool) -> str:
 
 
 def _print(rows: list[Row], words: list[list[str]], console: Console) -> None:
-    table = Table("scene", "error", box=SIMPLE_HEAD, pad_edge=False)
+    from studies.charts.ratios import COMPARED  # it imports chapters
+
+    table = Table("scene", "error", "compared", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ours", "pymunk", "pymunk / ours"):
         table.add_column(heading, justify="right")
     for row, told in zip(rows, words, strict=True):
-        table.add_row(row.scene, f"{row.tolerance:g}", *told)
+        table.add_row(row.scene, f"{row.tolerance:g}", COMPARED[row.is_formula], *told)
     console.print(table)
 
 
 def _write(rows: list[Row], words: list[list[str]], path: Path) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(("scene", "tolerance", "ours", "pymunk", "pymunk / ours"))
+        writer.writerow(("scene", "tolerance", "better model", "ours", "pymunk", "pymunk / ours"))
         for row, told in zip(rows, words, strict=True):
-            writer.writerow((row.scene, row.tolerance, *told))
+            writer.writerow((row.scene, row.tolerance, row.is_formula, *told))

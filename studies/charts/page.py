@@ -23,7 +23,8 @@ from studies.charts.ratios import ratios
 
 HERE = Path(__file__).parent
 COLUMNS = (
-    *("scene", "model", "by", "steps per frame, or 1 / tolerance", "error / scale"),
+    *("scene", "model", "by", "is a better model", "steps, or 1 / tolerance", "per frames"),
+    "error / scale",
     *("time, ms", "lower quartile, ms", "upper quartile, ms", "work", "what is counted as work"),
 )
 
@@ -71,8 +72,9 @@ def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)
     for scene in scenes:
+        per = {model.name: model.per for model in scene.models}
         for p in own[scene.name]:
             times = (1e3 * time for time in (p.time, *p.spread))
-            start = (scene.name, p.model, p.by, p.steps, p.error)
+            start = (scene.name, p.model, p.by, p.is_formula, p.steps, per[p.model], p.error)
             writer.writerow((*start, *(f"{time:.4g}" for time in times), p.work, scene.counted))
     return file.getvalue()

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from studies.accuracy.chart import CEILING, FLOOR, said, styles_of
 from studies.accuracy.measure import Point
-from studies.accuracy.results import front, models_of, row
+from studies.accuracy.results import front, models_of
 from studies.accuracy.scene import RATE, Scene
 from studies.charts.axes import Axis, axis_for
 from studies.drawing import (
@@ -57,6 +57,8 @@ MARKS = {
     "h": "M0,-4.6L4,-2.3V2.3L0,4.6L-4,2.3V-2.3z",
     "x": "M-4,-4L4,4M-4,4L4,-4",
     "+": "M-5.5,0H5.5M0,-5.5V5.5",
+    "1": "M0,0V5.5M0,0L-4.8,-2.8M0,0L4.8,-2.8",
+    "2": "M0,0V-5.5M0,0L-4.8,2.8M0,0L4.8,2.8",
     "*": "M-5,0H5M-2.5,-4.4L2.5,4.4M-2.5,4.4L2.5,-4.4",
 }
 IDS = {mark: f"mark{i}" for i, mark in enumerate(MARKS)}
@@ -85,7 +87,7 @@ class Panel:
     name: str
     id: str
     about: str
-    said: str
+    said: list[str]
     counted: str
     x: Axis
     y: Axis
@@ -122,7 +124,7 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
         scene.name,
         re.sub("[^a-z0-9]+", "-", scene.name.lower()).strip("-"),
         f"{seconds} s; errors in units of its scale, {scene.scale:.3g} m",
-        said(row(points, 1e-4)),
+        said(points, 1e-4),
         scene.counted,
         x,
         y,
@@ -146,11 +148,11 @@ def _row(scene: Scene, point: Point) -> tuple[str, ...]:
     followed by the median and the quartiles of the time, and by the amount of work.
     """
     model = next(model for model in scene.models if model.name == point.model)
-    choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"
+    choice = model.chosen(point.steps)
     low, high = point.spread
     return (
         point.model,
-        f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else choice,
+        choice,
         f"{point.error:.2g}" if point.error < CEILING else "useless",
         f"{1e3 * point.time:.3g}",
         f"{1e3 * low:.3g} to {1e3 * high:.3g}",

@@ -13,11 +13,14 @@ from studies.accuracy.chart import told, told_ratio
 from studies.accuracy.results import Row
 from studies.charts.axes import Axis, axis_for
 
+COMPARED = {False: "steps", True: "better model"}
+
 
 @dataclass(frozen=True)
 class Ratio:
     """A row of the table that compares pymunk's time with ours, for one scene and one tolerance.
 
+    ``compared`` says which of our models count, as in ``COMPARED``.
     ``at`` is the position of the row's mark on the axis in percent, or None if there is no mark.
     ``kind`` is "exact" or "extrapolated" if the ratio is known. It is "more" for a lower bound,
     "less" for an upper bound, and empty if nothing is known.
@@ -25,6 +28,7 @@ class Ratio:
 
     scene: str
     error: str
+    compared: str
     ours: str
     pymunk: str
     told: str
@@ -43,6 +47,7 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
         Ratio(
             row.scene,
             f"{row.tolerance:g}",
+            COMPARED[row.is_formula],
             told(row.ours),
             told(row.pymunk),
             told_ratio(row),

@@ -28,7 +28,7 @@ from math import comb
 from operator import mul
 
 from ch02_vectors.arguments import positive, whole
-from studies.models.order_8 import Accelerations, Numbers, Order8
+from studies.models.order_8 import Accelerations, Order8
 
 
 class Multistep:

@@ -112,9 +112,7 @@ class Order8:
             stages.append(self._rates(_moved(self.state, row, stages, step)))
         return stages
 
-    def _curves(
-        self, start: State, stages: list[State], step: float, kind: int
-    ) -> list[Numbers]:
+    def _curves(self, start: State, stages: list[State], step: float, kind: int) -> list[Numbers]:
         """Return, for each body, the coefficients of its curve during the step that has ended."""
         curves = []
         rates_of = zip(*(stage[kind] for stage in stages), strict=True)

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 from ch02_vectors.arguments import positive
 from ch05_forces.particle import Particle
@@ -30,6 +30,7 @@ CORRECTIONS = 4  # of the positions after a step
 MOST = 5000  # impacts in a step
 LEAST = 1e-9  # the fraction of a step that is not worth a step
 
+Number = TypeVar("Number", float, complex)
 Force = tuple[float, float, float]
 Forces = Callable[[float], object]
 Solved = tuple[list[Way], list[float]]  # the directions of the links, and the factors with them
@@ -242,13 +243,13 @@ class SmoothNet(Net):
 
 
 def hermite(
-    old: Sequence[float],
-    fast: Sequence[float],
-    new: Sequence[float],
-    later: Sequence[float],
+    old: Sequence[Number],
+    fast: Sequence[Number],
+    new: Sequence[Number],
+    later: Sequence[Number],
     duration: float,
     share: float,
-) -> list[float]:
+) -> list[Number]:
     """Return positions within a step, from the positions and velocities at its two ends.
 
     ``share`` is the elapsed fraction of the step, and ``duration`` is its length in s. ``old`` and

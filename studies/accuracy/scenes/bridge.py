@@ -40,6 +40,7 @@ from ch08_mass_aggregate.bridge_plan import (
 )
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best, reading
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
@@ -48,6 +49,7 @@ from studies.models.heap_resolver import HeapResolver
 FRAMES = 60  # errors do not grow after this second
 LONG = 600  # frames of sleep
 MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
+STATICS = "found by equilibrium, then asleep"
 HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
 
 Links = Callable[[list[Row]], list[ContactGenerator]]
@@ -77,9 +79,12 @@ def bridge() -> Scene:
         Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
         Model("direct net", partial(by_net, whole), few),
         Model("direct net, seen from the side", partial(by_net, from_the_side), few),
-        Model("found by equilibrium, then asleep", partial(by_equilibrium, FRAMES), (1,)),
-        Model("pymunk, slide joints", partial(by_joints, 10), some, "pymunk"),
-        Model("pymunk, slide joints, 50 iterations", partial(by_joints, 50), some, "pymunk"),
+        Model(STATICS, partial(by_equilibrium, FRAMES), (1,), is_formula=True),
+        Model(EXAMPLES, partial(by_joints, 10), some, "pymunk"),
+        *(
+            Model(at_best(number), partial(by_joints, number, is_best=True), some, "pymunk")
+            for number in (3, 10, 50)
+        ),
     ]
     return Scene("rope bridge at rest", FRAMES, CABLE_LENGTH, truth, models, "contacts resolved")
 
@@ -88,8 +93,8 @@ def sleeping() -> Scene:
     """Create the scene of a rope bridge that sleeps for 10 s, in our engine and in pymunk."""
     models = [
         Model("asleep", by_sleep, (1,)),
-        Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
-        Model("pymunk, asleep", partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
+        Model(STATICS, partial(by_equilibrium, LONG), (1,), is_formula=True),
+        Model(BEST, partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
     ]
     return Scene("rope bridge asleep", LONG, CABLE_LENGTH, truth, models, "contacts resolved")
 
@@ -99,7 +104,7 @@ def truth(_: float) -> Place:
 
     Since the planks do not move, the positions do not depend on the time.
     """
-    return tuple(part for place in hanging() for part in place * 2)
+    return tuple(part for place in hanging() for part in place) * 2
 
 
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
@@ -185,23 +190,21 @@ def by_world(
         world.step(duration)
         work += resolver.iterations_used
 
-    def place() -> Place:
-        return tuple(part for end in ends for part in (end.position.x, end.position.y))
-
-    return Outcome(in_frames(step, place, FRAMES, steps), work)
+    return Outcome(in_frames(step, partial(place_of, ends), FRAMES, steps), work)
 
 
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
     """Build the rope bridge slightly below its rest position, so that all cables are taut.
 
-    Return lists of the planks' ends, of the planks as pairs of ends, and of the cables and rods.
+    Return lists of the planks' ends, first those of one side, of the planks as pairs of ends, and
+    of the cables and rods.
     """
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
     for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
         for end in row:
             end.position.x, end.position.y, end.mass = x, y, mass
-    return [end for row in rows for end in row], rows, held
+    return [end for side in zip(*rows, strict=True) for end in side], rows, held
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
@@ -247,7 +250,8 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)
-    return Outcome(in_frames(world.step, partial(place_of, ends), frames, steps), len(links))
+    place = kept_while(lambda: ends[0] in world.asleep, partial(place_of, ends))
+    return Outcome(in_frames(world.step, place, frames, steps), len(links))
 
 
 def by_sleep(steps: int) -> Outcome:
@@ -255,7 +259,21 @@ def by_sleep(steps: int) -> Outcome:
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
-    return Outcome(in_frames(world.step, partial(place_of, ends), LONG, steps), 0)
+    place = kept_while(lambda: ends[0] in world.asleep, partial(place_of, ends))
+    return Outcome(in_frames(world.step, place, LONG, steps), 0)
+
+
+def kept_while(sleeps: Callable[[], bool], place: Callable[[], Place]) -> Callable[[], Place]:
+    """Return a function that reads the positions of sleeping bodies only once."""
+    kept: Place = ()
+
+    def read() -> Place:
+        nonlocal kept
+        if not (kept and sleeps()):
+            kept = place()
+        return kept
+
+    return read
 
 
 def place_of(ends: list[Particle]) -> Place:
@@ -263,7 +281,14 @@ def place_of(ends: list[Particle]) -> Place:
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 
-def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
+def by_joints(
+    iterations: int,
+    steps: int,
+    frames: int = FRAMES,
+    *,
+    sleeps: bool = False,
+    is_best: bool = False,
+) -> Outcome:
     """Simulate the rope bridge with pymunk, where slide joints act as the cables.
 
     Pymunk's solver makes ``iterations`` iterations per step. If ``sleeps`` is true, the bridge
@@ -281,14 +306,19 @@ def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = 
         space.add(*side)
         for start, end, length in cables():
             body, at = (side[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)
-            space.add(pymunk.SlideJoint(body, side[end], at, (0.0, 0.0), 0.0, length))
-    ends = [end for row in zip(*sides, strict=True) for end in row]
-
-    def place() -> Place:
-        return tuple(part for end in ends for part in end.position)
-
+            joint = pymunk.SlideJoint(body, side[end], at, (0.0, 0.0), 0.0, length)
+            if is_best:
+                joint.error_bias = 0.0
+            space.add(joint)
+    ends = [end for side in sides for end in side]
+    place = reading(space, ends)
     if sleeps:
         space.sleep_time_threshold = 1e-3  # s: after the first step
+
+        def in_turn() -> Place:
+            return tuple([part for end in ends for part in end.position])
+
+        place = kept_while(lambda: ends[0].is_sleeping, in_turn)
     work = 0 if sleeps else frames * steps * iterations * len(space.constraints)
     places = in_frames(space.step, place, frames, steps)
     for end in ends if sleeps else ():

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import partial
+
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine.closed_form import state_after
 from ch05_forces.closed_form import quadratic_fall

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -24,6 +25,7 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import time_division_step
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk
 from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, Scene, in_frames
 from studies.runs.constraints import resolving
 
@@ -156,8 +158,8 @@ def _heights(particles: list[Particle]) -> Place:
     return tuple(particle.position.y for particle in particles)
 
 
-def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Simulate bouncing balls with pymunk.
+def in_space(balls: Balls, _: float) -> InSpace:
+    """Create the balls and the ground in pymunk.
 
     Pymunk multiplies the elasticities of two bodies to get their restitution. The elasticities are
     chosen so that the products are the restitutions of this scene.
@@ -180,8 +182,26 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
     floor = pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0)
     floor.elasticity = 1.0
     space.add(floor)
-    places = in_frames(space.step, lambda: tuple(body.position.y for body in bodies), frames, steps)
-    return Outcome(places, frames * steps)
+    return space, bodies
+
+
+def ahead(balls: Balls, duration: float) -> InSpace:
+    """Create the same, half a step ahead and without an allowed overlap."""
+    space, bodies = in_space(balls, duration)
+    space.collision_slop = 0.0
+    for body in bodies:
+        body.velocity = (0.0, -0.5 * G * duration)
+    return space, bodies
+
+
+def heights_of(model: Model) -> Model:
+    """Return the same model, whose result is only the heights of the balls."""
+
+    def run(steps: int) -> Outcome:
+        outcome = model.run(steps)
+        return Outcome([place[1::2] for place in outcome.places], outcome.work)
+
+    return replace(model, run=run)
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
@@ -194,10 +214,14 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
     def truth(time: float) -> Place:
         return exact[round(time * RATE) - 1]
 
-    models = [Model("time division", partial(by_time_division, balls, frames), (1,))]
+    impacts = {"time division": by_time_division}
     if len(balls.heights) == 1:
-        models.append(Model("its impacts alone", partial(by_its_impacts, balls, frames), (1,)))
-    models += [
+        impacts["its impacts alone"] = by_its_impacts
+    models = [
+        *(
+            Model(name, partial(by, balls, frames), (1,), is_formula=True)
+            for name, by in impacts.items()
+        ),
         Model(
             "explicit Euler, then contacts",
             partial(by_resolver, explicit_euler, balls, frames),
@@ -209,7 +233,8 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
             partial(by_resolver, semi_implicit_euler, balls, frames),
             MANY,
         ),
-        Model("pymunk", partial(by_pymunk, balls, frames), MANY, "pymunk"),
+        heights_of(by_pymunk(EXAMPLES, partial(in_space, balls), frames)),
+        heights_of(by_pymunk(BEST, partial(ahead, balls), frames)),
     ]
     return Scene(name, frames, scale, truth, models, "searches for contacts")
 

@@ -20,6 +20,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.in_pymunk import EXAMPLES, at_best
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
 from studies.accuracy.scenes.bridge import MASSES, cables, hanging
 from studies.accuracy.scenes.planes import (
@@ -29,22 +30,25 @@ from studies.accuracy.scenes.planes import (
     Walker,
     by_long_steps,
     by_net,
-    by_slide_joints,
+    in_pymunk,
 )
 from studies.accuracy.scenes.taut import Tie
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.smooth_net import SmoothNet
 
+LONG_STEPS = (1, 2, 3, 4, 6)  # per twelve frames
 FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
-def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
+def scene_of(
+    name: str, frames: int, scale: float, make: Callable[[], Plane], *, is_smooth: bool = True
+) -> Scene:
     """Create the scene of a net of cables, with its exact solution and a model for each solver.
 
     ``make`` is a function that builds the net. It is called only once, when the net is first
     needed. SciPy computes the exact solution. To check it, ``Scene.differs`` compares it with our
-    own simulation in short steps.
+    own simulation in short steps. Long steps make sense only if the motion is smooth.
     """
     plane = cache(make)
 
@@ -62,9 +66,17 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
     models = [
         Model("direct net", run(by_net, DirectNet), STEPS[:6]),
         Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
-        Model("smooth net in long steps", run(by_long_steps), (1, 2, 3, 4, 6), per=LONG),
-        Model("pymunk, slide joints", run(by_slide_joints, 10), STEPS, "pymunk"),
-        Model("pymunk, slide joints, 3 iterations", run(by_slide_joints, 3), STEPS, "pymunk"),
+        *[Model("smooth net in long steps", run(by_long_steps), LONG_STEPS, per=LONG)] * is_smooth,
+        Model(EXAMPLES, in_pymunk(plane, 10), STEPS, "pymunk"),
+        *(
+            Model(
+                at_best(number) + ", default bias" * (not corrects),
+                in_pymunk(plane, number, is_ahead=True, corrects=corrects),
+                STEPS,
+                "pymunk",
+            )
+            for number, corrects in ((3, False), (10, False), (3, True), (10, True), (100, True))
+        ),
     ]
     return Scene(
         name, frames, scale, lambda t: exact()[round(t * RATE) - 1], models, COUNTED, differs
@@ -168,7 +180,7 @@ def catching() -> Scene:
             ties=[*ties, *struts],
         )
 
-    return scene_of("net of 6 by 6 cables", 36, gap, make)
+    return scene_of("net of 6 by 6 cables", 36, gap, make, is_smooth=False)
 
 
 NETS: list[Callable[[], Scene]] = [swinging, walked_over, catching]

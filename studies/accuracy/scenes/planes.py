@@ -12,9 +12,9 @@ counts once per iteration.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
 
@@ -22,11 +22,15 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable
+from studies.accuracy.in_pymunk import InSpace, Step, by_pymunk
 from studies.accuracy.scene import RATE, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
 from studies.models.direct_net import DirectNet
 from studies.models.net import Strut
 from studies.models.smooth_net import SmoothNet, hermite
+
+if TYPE_CHECKING:
+    import pymunk
 
 COUNTED = "links solved for"
 LONG = 12  # frames; the number of long steps is given per this many frames
@@ -68,6 +72,13 @@ class Plane:
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
         return motion.run(numpy.array(self.places), still, times)
+
+    def first_accelerations(self) -> Any:
+        """Compute the accelerations of all knots at the start, with those of the taut cables."""
+        motion = TautMotion(self.masses, self.ties, self.load)
+        places = numpy.ravel(numpy.array(self.places, float))
+        state, taut = motion.choose(0.0, numpy.concatenate([places, 0.0 * places]))
+        return motion.accelerations(0.0, state, taut)[0]
 
     def particles(self) -> list[Particle]:
         """Create a new particle for each knot of the net, at the knot's initial position."""
@@ -186,38 +197,63 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
     return Outcome(places, 4 * plane.frames // every * len(plane.ties))
 
 
-def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Simulate a net with pymunk, where slide joints act as the cables and struts.
+def in_pymunk(
+    plane: Callable[[], Plane], iterations: int, *, is_ahead: bool = False, corrects: bool = False
+) -> Callable[[int], Outcome]:
+    """Return a simulation of a net in pymunk, where slide joints act as the cables and struts.
 
-    Pymunk's solver makes ``iterations`` iterations per step.
+    Pymunk's solver makes ``iterations`` iterations per step. ``is_ahead`` starts half a step ahead.
+    With ``corrects``, the joints correct their whole error in each step.
     """
-    import pymunk
 
-    space = pymunk.Space()
-    space.gravity, space.iterations = (0.0, -plane.gravity), iterations
-    bodies = [pymunk.Body(mass, math.inf) for mass in plane.masses]
-    still = space.static_body
-    for body, point in zip(bodies, plane.places, strict=True):
-        body.position = point
-    space.add(*bodies)
-    for start, end, length, kind in plane.ties:
-        held, at = (bodies[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)
-        limits = (0.0, length) if kind > 0 else (length, FAR)
-        space.add(pymunk.SlideJoint(held, bodies[end], at, (0.0, 0.0), *limits))
-    first, pace, weight = plane.walker or (0.0, 0.0, 0.0)
-    time = 0.0
+    def make(duration: float) -> InSpace:
+        import pymunk
 
-    def step(duration: float) -> None:
-        nonlocal time
-        if weight:
-            knot, share = borne([body.position.x for body in bodies], first + pace * time)
+        net = plane()
+        space = pymunk.Space()
+        space.gravity, space.iterations = (0.0, -net.gravity), iterations
+        bodies = [pymunk.Body(mass, math.inf) for mass in net.masses]
+        still = space.static_body
+        changes = 0.5 * duration * net.first_accelerations().reshape(-1, 2)
+        for body, point, change in zip(bodies, net.places, changes, strict=True):
+            body.position = point
+            if is_ahead:
+                body.velocity = (float(change[0]), float(change[1]))
+        space.add(*bodies)
+        for start, end, length, kind in net.ties:
+            held, at = (bodies[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)
+            limits = (0.0, length) if kind > 0 else (length, FAR)
+            joint = pymunk.SlideJoint(held, bodies[end], at, (0.0, 0.0), *limits)
+            if corrects:
+                joint.error_bias = 0.0
+            space.add(joint)
+        return space, bodies
+
+    def stepping(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
+        """Return a step that first applies the moving load, where it is at the end of the step."""
+        net = plane()
+        if not net.walker:
+            return space.step
+        start, pace, weight = net.walker
+        x, knot = start, 0
+
+        def place_of(body: pymunk.Body, duration: float) -> float:
+            return body.position.x + (body.velocity.x * duration if is_ahead else 0.0)
+
+        def step(duration: float) -> None:
+            nonlocal x, knot
+            x += pace * duration * is_ahead
+            ahead = place_of(bodies[knot + 1], duration)
+            while x >= ahead and knot < len(bodies) - 2:
+                knot += 1
+                ahead = place_of(bodies[knot + 1], duration)
+            behind = place_of(bodies[knot], duration)
+            share = min(max((x - behind) / (ahead - behind), 0.0), 1.0)
             bodies[knot].apply_force_at_local_point((0.0, (share - 1.0) * weight))
             bodies[knot + 1].apply_force_at_local_point((0.0, -share * weight))
-            time += duration
-        space.step(duration)
+            space.step(duration)
+            x += pace * duration * (not is_ahead)
 
-    def place() -> Place:
-        return tuple([part for body in bodies for part in body.position])
+        return step
 
-    places = in_frames(step, place, plane.frames, steps)
-    return Outcome(places, plane.frames * steps * iterations * len(plane.ties))
+    return lambda steps: by_pymunk("", make, plane().frames, stepping=stepping).run(steps)

@@ -1,0 +1,191 @@
+"""Define scenes with many bodies, in which our engine is compared with pymunk.
+
+- A thousand bodies fall freely.
+- Ten spheres rest on one another, once with equal masses and once with a heavy one on top.
+- A pile of 45 spheres rests on a row of fixed ones.
+
+Nothing moves in the stacks and in the pile, and each sphere just touches its neighbors. The error
+is how far a solver lets the spheres move, as a fraction of their diameter. The work is the number
+of steps times the number of bodies.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, at_best, by_pymunk
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
+
+G = 10.0  # m/s^2
+RADIUS = 0.5  # m
+FRAMES = 60  # of the spheres at rest
+BODIES, LONG = 1000, 300  # bodies that fall, and frames
+COUNTED = "steps of a body"
+
+
+def falling() -> Scene:
+    """Create the scene of a thousand bodies that are thrown upward and fall for 5 s.
+
+    The exact positions are parabolas, and a step that knows the velocity half a step later computes
+    them exactly. The scene therefore compares only how long a step and the reading take.
+    """
+    starts = [float(i % 40) for i in range(BODIES)]
+    speeds = [0.1 * (i % 7) for i in range(BODIES)]
+
+    def place_at(time: float) -> Place:
+        height = 5.0 * time - 0.5 * G * time * time
+        return tuple(
+            [part for x, v in zip(starts, speeds, strict=True) for part in (x + v * time, height)]
+        )
+
+    def by_particles(steps: int) -> Outcome:
+        half = 0.5 / (RATE * steps)
+        bodies = [
+            Particle(Vector3(x), Vector3(v, 5.0 - G * half), Vector3(0.0, -G))
+            for x, v in zip(starts, speeds, strict=True)
+        ]
+
+        def step(duration: float) -> None:
+            for body in bodies:
+                body.integrate(duration)
+
+        def place() -> Place:
+            positions = [body.position for body in bodies]
+            return tuple([part for position in positions for part in (position.x, position.y)])
+
+        return Outcome(in_frames(step, place, LONG, steps), LONG * steps * BODIES)
+
+    def by_lists(steps: int) -> Outcome:
+        """Step two flat lists, with x and y in turn: the least that plain Python can do."""
+        duration = 1.0 / (RATE * steps)
+        change = -G * duration
+        places = [part for x in starts for part in (x, 0.0)]
+        across, up, found = speeds, 5.0 + 0.5 * change, []
+        for _ in range(LONG):
+            for _ in range(steps):
+                moves = [part * duration for v in across for part in (v, up)]
+                places = [place + move for place, move in zip(places, moves, strict=True)]
+                up += change
+            found.append(tuple(places))
+        return Outcome(found, LONG * steps * BODIES)
+
+    def in_space(duration: float) -> InSpace:
+        import pymunk
+
+        space = pymunk.Space()
+        space.gravity = (0.0, -G)
+        bodies = []
+        for x, v in zip(starts, speeds, strict=True):
+            body = pymunk.Body(1.0, 1.0)
+            body.position, body.velocity = (x, 0.0), (v, 5.0 - 0.5 * G * duration)
+            bodies.append(body)
+        space.add(*bodies)
+        return space, bodies
+
+    def read_in_turn(steps: int) -> Outcome:
+        space, bodies = in_space(0.0)
+
+        def place() -> Place:
+            return tuple([part for body in bodies for part in body.position])
+
+        return Outcome(in_frames(space.step, place, LONG, steps), LONG * steps * BODIES)
+
+    def by_formula(_: int) -> Outcome:
+        places = [place_at(frame / RATE) for frame in range(1, LONG + 1)]
+        return Outcome(places, LONG * BODIES)
+
+    steps = STEPS[:4]
+    models = [
+        Model("closed form", by_formula, (1,), is_formula=True),
+        Model("particles, half a step ahead", by_particles, steps),
+        Model("plain lists, half a step ahead", by_lists, steps),
+        Model(EXAMPLES, read_in_turn, steps, "pymunk"),
+        by_pymunk(BEST, in_space, LONG, steps),
+    ]
+    return Scene("a thousand bodies in free fall", LONG, 2.0, place_at, models, COUNTED)
+
+
+def resting(name: str, places: list[Place], fixed: int, masses: list[float]) -> Scene:
+    """Create the scene of spheres at rest, of which the first ``fixed`` ones cannot move.
+
+    Without fixed spheres, the lowest one stands on the ground.
+    """
+    moving = tuple([part for place in places[fixed:] for part in place])
+
+    def ours(solver: str, steps: int) -> Outcome:
+        spheres = [
+            Particle(Vector3(x, y), acceleration=Vector3(0.0, -G), mass=mass)
+            for (x, y), mass in zip(places, masses, strict=True)
+        ]
+        contacts = [ParticlePairs(spheres, RADIUS)]
+        if not fixed:
+            contacts.append(GroundPlane(spheres, radius=RADIUS))
+        free = spheres[fixed:]
+
+        def place() -> Place:
+            positions = [sphere.position for sphere in free]
+            return tuple([part for position in positions for part in (position.x, position.y)])
+
+        found = in_frames(SOLVERS[solver](spheres, contacts), place, FRAMES, steps)
+        return Outcome(found, FRAMES * steps * len(free))
+
+    def in_space(iterations: int, slop: float | None, _: float) -> InSpace:
+        import pymunk
+
+        space = pymunk.Space()
+        space.gravity, space.iterations = (0.0, -G), iterations
+        if slop is not None:
+            space.collision_slop = slop
+        bodies = []
+        for i, ((x, y), mass) in enumerate(zip(places, masses, strict=True)):
+            if i < fixed:
+                space.add(pymunk.Circle(space.static_body, RADIUS, (x, y)))
+                continue
+            body = pymunk.Body(mass, math.inf)
+            body.position = (x, y)
+            space.add(body, pymunk.Circle(body, RADIUS))
+            bodies.append(body)
+        if not fixed:
+            space.add(pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0))
+        return space, bodies
+
+    models = [
+        Model(BOOK, partial(ours, BOOK), STEPS[:6], "the book"),
+        Model(IMPULSES, partial(ours, IMPULSES), STEPS[:8]),
+        Model(SMALL, partial(ours, SMALL), STEPS[:8]),
+        by_pymunk(EXAMPLES, partial(in_space, 10, None), FRAMES),
+        *(
+            by_pymunk(at_best(number), partial(in_space, number, 0.0), FRAMES)
+            for number in (3, 10, 30, 100)
+        ),
+    ]
+    return Scene(name, FRAMES, 2.0 * RADIUS, lambda _: moving, models, COUNTED)
+
+
+def stack(ratio: float) -> Scene:
+    """Create the scene of ten spheres that rest on one another.
+
+    The top sphere has a mass of ``ratio`` kg, and the others have 1 kg.
+    """
+    places: list[Place] = [(0.0, (2 * i + 1) * RADIUS) for i in range(10)]
+    name = f"stack of ten spheres, mass ratio {ratio:g}"
+    return resting(name, places, 0, [*[1.0] * 9, ratio])
+
+
+def pile() -> Scene:
+    """Create the scene of a pile of 45 spheres, in nine rows above ten fixed spheres."""
+    rise = math.sqrt(3.0) * RADIUS
+    places: list[Place] = [
+        (2.0 * RADIUS * i + RADIUS * row, row * rise) for row in range(10) for i in range(10 - row)
+    ]
+    return resting("pile of 45 spheres", places, 10, [*[math.inf] * 10, *[1.0] * 45])
+
+
+STACKS = [partial(stack, 1.0), partial(stack, 1000.0), pile]
+MANY_BODIES: list[Callable[[], Scene]] = [falling, *STACKS]

@@ -104,8 +104,8 @@ def draw(points: Sequence[Point], scene: Scene, png: Path) -> None:
         per = {model.name: model.per for model in scene.models}
         rows = []
         for p in points:
-            times = (1e3 * time for time in (p.time, *p.spread))
-            rows.append((p.model, p.by, p.steps, per[p.model], p.error, p.work, *times))
+            spent = (1e3 * time for time in (p.time, *p.spread))
+            rows.append((p.model, p.by, p.steps, per[p.model], p.error, p.work, *spent))
         csv.writer(file).writerows([COLUMNS, *rows])
 
 
@@ -273,8 +273,8 @@ def _looks() -> dict[str, tuple[str, str]]:
 
     looks: dict[str, tuple[str, str]] = {}
     pairs = {
-        "pymunk": ((c, m) for m in "x+1*2" for c in (BLACK, GRAY)),
-        "the book": ((RED, m) for m in "+*x1"),
+        "pymunk": ((c, m) for m in "x+*1234" for c in (BLACK, GRAY)),
+        "the book": ((RED, m) for m in "+*x1234"),
         "ours": ((c, m) for m in MARKERS for c in OURS),
     }
     for scene in scenes_with(""):

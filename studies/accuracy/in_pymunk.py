@@ -29,6 +29,7 @@ EXAMPLES, BEST = "pymunk, as in its examples", "pymunk at its best"
 BATCH = 4  # bodies from which it is faster to read all positions in one call
 
 Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
+Pair = tuple[float, float]
 Step = Callable[[float], object]
 InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
@@ -56,8 +57,8 @@ def by_pymunk(
 
 
 def lone(
-    position: Place,
-    velocity: Place,
+    position: Pair,
+    velocity: Pair,
     acceleration: Acceleration,
     frames: int,
     *,
@@ -111,13 +112,13 @@ def at_best(iterations: int) -> str:
     return f"{BEST}, {iterations} iteration{'s' * (iterations > 1)}"
 
 
-def space_with(position: Place, velocity: Place, mass: float = 1.0) -> InSpace:
+def space_with(position: Pair, velocity: Pair) -> InSpace:
     """Create a pymunk space without gravity, add a single body to it, and return both."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()
     space.iterations = 1  # there is at most one spring
-    body = pymunk.Body(mass, 1.0)
+    body = pymunk.Body(1.0, 1.0)
     body.position, body.velocity = position, velocity
     space.add(body)
     return space, [body]
@@ -127,7 +128,7 @@ def reading(space: pymunk.Space, bodies: list[pymunk.Body]) -> Callable[[], Plac
     """Return the fastest function that reads the coordinates of all bodies of a space."""
     if len(bodies) == 1:
         (body,) = bodies
-        return lambda: body.position
+        return lambda: body.position  # a tuple of x and y
     if len(bodies) < BATCH:
         return lambda: tuple([part for body in bodies for part in body.position])
 

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 # The number of rounds, and the time in s for the slowest run of our models and of pymunk's. Pymunk
 # gets more time, because it needs many steps to become as accurate as our models.
 QUICK = (3, 0.05, 0.05)
-FULL = (9, 0.6, 6.0)
+FULL = (5, 0.3, 2.0)
 SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 

@@ -30,6 +30,8 @@ from operator import mul
 from ch02_vectors.arguments import positive, whole
 from studies.models.order_8 import Accelerations, Order8
 
+MOST = 50  # steps before the start; if more are needed, the steps of the method are too long
+
 
 class Multistep:
     """Bodies that move in a plane under smooth forces, in steps of ``duration`` s.
@@ -38,6 +40,8 @@ class Multistep:
     and their velocities in m/s. ``order`` is the number of accelerations that are kept. If
     ``is_damped`` is false, the accelerations must not depend on the velocities, which are then not
     computed. ``evaluations`` counts the calls of ``accelerations``.
+
+    Raises ArithmeticError if the motion changes too fast for the duration of a step.
     """
 
     def __init__(
@@ -58,7 +62,7 @@ class Multistep:
         back = Order8(
             positions, [-v for v in velocities], lambda x, v: accelerations(x, [-w for w in v])
         )
-        states = [back.state, *back.states_at(h, order - 1, 10.0 ** (-1 - order))]
+        states = [back.state, *back.states_at(h, order - 1, 10.0 ** (-2 - order), MOST)]
         past = [back.accelerations(*state) for state in states]
         self.evaluations = back.evaluations + len(past)
         self.past = [deque(each, order) for each in zip(*past, strict=True)]

@@ -21,6 +21,7 @@ from scipy.integrate import DOP853  # type: ignore[import-untyped]
 
 from ch02_vectors.arguments import positive
 
+MANY = 10**6  # steps
 FIRST = 8  # the first step that is tried, as a multiple of the distance of the results
 SAFETY, LEAST, MOST = 0.9, 0.2, 6.0  # for the next step, as a multiple of this one
 STAGES = [[*map(float, row[:i])] for i, row in enumerate(DOP853.A) if i]
@@ -58,23 +59,23 @@ class Order8:
 
         Raises:
             ValueError: if a duration or the tolerance is not positive and finite.
-            ArithmeticError: if no step is short enough.
+            ArithmeticError: if the steps become too short.
         """
-        return [positions for (positions,) in self._read(every, count, tolerance, (0,))]
+        return [positions for (positions,) in self._read(every, count, tolerance, (0,), MANY)]
 
-    def states_at(self, every: float, count: int, tolerance: float) -> list[State]:
-        """Return the positions and velocities instead, with the same arguments and errors."""
-        return [(x, v) for x, v in self._read(every, count, tolerance, (0, 1))]
+    def states_at(self, every: float, count: int, tolerance: float, most: int) -> list[State]:
+        """Return the positions and velocities instead, computed in at most ``most`` steps."""
+        return [(x, v) for x, v in self._read(every, count, tolerance, (0, 1), most)]
 
     def _read(
-        self, every: float, count: int, tolerance: float, kinds: tuple[int, ...]
+        self, every: float, count: int, tolerance: float, kinds: tuple[int, ...], most: int
     ) -> list[list[Numbers]]:
         """Return the positions (kind 0) or velocities (kind 1), or both, at equal distances."""
         end = count * positive("every", every)
         time, step = 0.0, min(end, FIRST * every)
         positive("tolerance", tolerance)
         found: list[list[Numbers]] = []
-        while len(found) < count:
+        for _ in range(most):
             step = min(step, end - time)
             stages = self._stages(step)
             error = step * _error(stages) / tolerance
@@ -82,8 +83,6 @@ class Order8:
             factor = min(max(share, LEAST), MOST)
             if not error < 1.0:
                 step *= factor
-                if time + step == time:
-                    raise ArithmeticError(f"the steps of order 8 become too short at {time:g} s")
                 continue
             start = self.state
             self.state = _moved(start, END, stages, step)
@@ -99,7 +98,9 @@ class Order8:
                     found.append([_read_at(each, share) for each in curves])
             time += step
             step *= factor
-        return found
+            if len(found) == count:
+                return found
+        raise ArithmeticError(f"order 8 has made {most} steps, and is at {time:g} of {end:g} s")
 
     def _rates(self, state: State) -> State:
         self.evaluations += 1

@@ -179,8 +179,8 @@ def test_the_charts_run_what_was_chosen(method: str, monkeypatch: pytest.MonkeyP
         return Outcome([(0.0, 0.0)], 1)
 
     monkeypatch.setattr(type(model), "run", property(lambda _: run), raising=False)
-    takes = "steps" if "long steps" not in method else "long_steps"
-    if method == "adaptive":
+    takes = "steps" if model.per == 1 else "long_steps"
+    if model.takes_tolerance:
         takes = "tolerance"
     for name in ("steps", "long_steps", "tolerance"):
         options = load("charts").__dict__[name].options

@@ -19,6 +19,7 @@ from studies import charts, choose
 from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import styles_of, told, told_ratio
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Measured, Point, load, save
 from studies.accuracy.results import front, stalls, table, time_to
 from studies.accuracy.scene import RATE, Model, Outcome, Scene
@@ -126,18 +127,26 @@ def test_closed_forms_and_exact_ways_are_exact(name: str) -> None:
         ("projectile with linear drag", "damping in the particle", 1),
         ("projectile with linear drag", "leapfrog", 1),  # drag depends on the velocity
         ("projectile with linear drag", "velocity Verlet", 2),
-        ("projectile with linear drag", "pymunk", 1),
+        ("projectile with linear drag", EXAMPLES, 1),
+        ("projectile with linear drag", BEST, 2),
+        ("fall with quadratic drag", EXAMPLES, 1),
+        ("fall with quadratic drag", BEST, 2),
+        ("orbit of eccentricity 0.5", BEST, 2),
+        ("floating block", BEST, 2),
         ("orbit of eccentricity 0.5", "leapfrog", 2),
         ("orbit of eccentricity 0.5", "velocity Verlet", 2),
         ("floating block", "Runge-Kutta 4", 4),
         (SPRING.format("100", "2"), "Runge-Kutta 4", 4),
         (SPRING.format("100", "2"), "trapezoidal rule", 2),
         (SPRING.format("100", "2"), "backward Euler", 1),
-        (SPRING.format("100", "2"), "pymunk's spring", 1),
+        (SPRING.format("100", "2"), EXAMPLES, 1),
+        (SPRING.format("100", "2"), BEST, 2),
+        (SPRING.format("10000", "20"), BEST, 2),
         (SPRING.format("100", "2"), "pymunk, force by hand", 1),
         ("pendulum from horizontal", "by its angle, Runge-Kutta 4", 4),
         ("pendulum from horizontal", "direct chain", 2),
-        ("pendulum from horizontal", "pymunk, pin joints", 1),
+        ("pendulum from horizontal", EXAMPLES, 1),
+        ("pendulum from horizontal", at_best(1), 2),
     ],
 )
 def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: int) -> None:
@@ -160,7 +169,7 @@ def test_the_error_of_the_adaptive_model_falls_with_its_tolerance(scene: str) ->
 def test_work_is_what_was_worked_out() -> None:
     orbit = SCENES["orbit of eccentricity 0.5"]
     asked = {"explicit Euler": 1, "semi-implicit Euler": 1, "leapfrog": 1, "velocity Verlet": 2}
-    for name, times in (asked | {"Runge-Kutta 4": 4, "pymunk, force by hand": 1}).items():
+    for name, times in (asked | {"Runge-Kutta 4": 4, EXAMPLES: 1, BEST: 1}).items():
         assert model_of(orbit, name).run(2).work == 2 * times * orbit.frames
     assert model_of(orbit, "adaptive").run(1).work == 7 * orbit.frames  # at 1 m, one step per frame
     ball = SCENES["bouncing ball, restitution 0.8"]
@@ -271,12 +280,12 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "spring_k_100_n_m_c_2_n_s_m.png").stat().st_size > 40_000
     with (tmp_path / "spring_k_100_n_m_c_2_n_s_m.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
-    assert rows[0][:3] == ["model", "by", "steps per frame, or 1 / tolerance"]
+    assert rows[0][:4] == ["model", "by", "steps, or 1 / tolerance", "per frames"]
     assert {row[0] for row in rows[1:]} == {
         m.name for m in SCENES[SPRING.format("100", "2")].models
     }
     with (tmp_path / "table.csv").open(encoding="utf-8") as file:
-        assert len([*csv.reader(file)]) == 1 + 3
+        assert len([*csv.reader(file)]) == 1 + 2 * 3  # for steps and for better models
     assert (tmp_path / "overview.png").stat().st_size > 10_000
     assert "earlier run" not in capsys.readouterr().out
     assert charts.main(arguments) == 0
@@ -340,7 +349,7 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
     lines = capsys.readouterr().out.splitlines()
     start = "spring, k = 10000 N/m, c = 20 N s/m: 2 s, error at most 0.001 of the scene's size"
     assert lines[0].startswith(start)
-    assert lines[1].startswith("  cheapest:     closed form, once per frame: ")
+    assert lines[1].startswith("  cheapest:     exact steps, once per frame: ")
     # Only other models at one step per frame are as cheap, and all of them are inaccurate here.
     # Which of them is the next cheaper one depends on the machine.
     assert lines[2].startswith("  next cheaper: ")
@@ -352,11 +361,13 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
 def test_a_model_that_takes_a_tolerance_is_told_with_it(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The best model with fixed steps, Runge-Kutta 4, needs 15,360 evaluations for this error."""
+    """Runge-Kutta 4, with fixed steps, needs 15,360 evaluations for this error."""
     monkeypatch.setattr(choose, "SLOWEST", 0.03)
     assert choose.main(["eccentricity 0.9", "--tolerance", "1e-4"]) == 0
     told = " ".join(capsys.readouterr().out.split())
-    assert re.search(r"cheapest: adaptive, tolerance 1e-06: .* 834 evaluations .* 3e-05", told)
+    assert re.search(
+        r"cheapest: order 8, own steps, tolerance 1e-05: .* \d+ evaluations .* 3.*e-05", told
+    )
 
 
 def test_where_nothing_will_do_the_command_fails(

@@ -10,6 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from studies.accuracy.catalog import scenes_with
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.scene import RATE, Scene
 from studies.drawing import slope
 
@@ -83,19 +84,22 @@ def test_the_truth_of_the_elastic_pendulum_is_that_of_its_polar_equations() -> N
         ("elastic pendulum", "Runge-Kutta 4", 4),
         ("elastic pendulum", "velocity Verlet", 2),
         ("elastic pendulum", "leapfrog", 2),
-        ("elastic pendulum", "pymunk's spring", 1),
+        ("elastic pendulum", EXAMPLES, 1),
+        ("elastic pendulum", BEST, 2),
         ("elastic pendulum", "pymunk, force by hand", 1),
         ("pendulum from horizontal", "rods as forces, Runge-Kutta 4", 4),
         ("double pendulum", "by its two angles, Runge-Kutta 4", 4),
         ("double pendulum", "by its angles, Runge-Kutta 4", 4),
         ("double pendulum", "rods as forces, Runge-Kutta 4", 4),
         ("double pendulum", "direct chain", 2),
-        ("double pendulum", "pymunk, pin joints", 1),
-        ("double pendulum", "pymunk, pin joints, 1 iteration", 1),
+        ("double pendulum", EXAMPLES, 1),
+        ("double pendulum", at_best(2), 2),
+        ("double pendulum", at_best(10), 2),
         ("five rods, heavy tip", "by its angles, Runge-Kutta 4", 4),
         ("five rods, heavy tip", "rods as forces, Runge-Kutta 4", 4),
         ("five rods, heavy tip", "direct chain", 2),
-        ("five rods, heavy tip", "pymunk, pin joints", 1),
+        ("five rods, heavy tip", EXAMPLES, 1),
+        ("five rods, heavy tip", at_best(50), 2),
         ("rope of 30 links", "by its angles, Runge-Kutta 4", 4),
         ("rope of 30 links", "direct chain", 2),
     ],
@@ -116,5 +120,6 @@ def test_the_work_of_chains_is_rods_solved_for_in_every_evaluation() -> None:
         assert work["direct chain"] == once
         assert work["by its angles, Runge-Kutta 4"] == 4 * once
         assert work["rods as forces, Runge-Kutta 4"] == 4 * once
-        assert work["pymunk, pin joints"] == 10 * once
-        assert work["pymunk, pin joints, 1 iteration"] == once
+        assert work[EXAMPLES] == 10 * once
+        most = {2: 10, 5: 50}[rods]
+        assert work[at_best(most)] == most * once

@@ -49,7 +49,7 @@ from studies.models.heap_resolver import HeapResolver
 FRAMES = 60  # errors do not grow after this second
 LONG = 600  # frames of sleep
 MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
-STATICS = "found by equilibrium, then asleep"
+FOUND_AT_REST = "found by equilibrium, then asleep"
 HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
 
 Links = Callable[[list[Row]], list[ContactGenerator]]
@@ -79,7 +79,7 @@ def bridge() -> Scene:
         Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
         Model("direct net", partial(by_net, whole), few),
         Model("direct net, seen from the side", partial(by_net, from_the_side), few),
-        Model(STATICS, partial(by_equilibrium, FRAMES), (1,), is_formula=True),
+        Model(FOUND_AT_REST, partial(by_equilibrium, FRAMES), (1,), is_formula=True),
         Model(EXAMPLES, partial(by_joints, 10), some, "pymunk"),
         *(
             Model(at_best(number), partial(by_joints, number, is_best=True), some, "pymunk")
@@ -93,7 +93,7 @@ def sleeping() -> Scene:
     """Create the scene of a rope bridge that sleeps for 10 s, in our engine and in pymunk."""
     models = [
         Model("asleep", by_sleep, (1,)),
-        Model(STATICS, partial(by_equilibrium, LONG), (1,), is_formula=True),
+        Model(FOUND_AT_REST, partial(by_equilibrium, LONG), (1,), is_formula=True),
         Model(BEST, partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
     ]
     return Scene("rope bridge asleep", LONG, CABLE_LENGTH, truth, models, "contacts resolved")
@@ -321,8 +321,8 @@ def by_joints(
         place = kept_while(lambda: ends[0].is_sleeping, in_turn)
     work = 0 if sleeps else frames * steps * iterations * len(space.constraints)
     places = in_frames(space.step, place, frames, steps)
-    for end in ends if sleeps else ():
-        end.activate()  # pymunk 7.3 crashes when it deletes bodies that sleep
+    for body in ends if sleeps else ():
+        body.activate()  # pymunk 7.3 crashes when it deletes bodies that sleep
     return Outcome(places, work)
 
 

@@ -214,7 +214,7 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
     def truth(time: float) -> Place:
         return exact[round(time * RATE) - 1]
 
-    impacts = {"time division": by_time_division}
+    impacts: dict[str, Callable[[Balls, int, int], Outcome]] = {"time division": by_time_division}
     if len(balls.heights) == 1:
         impacts["its impacts alone"] = by_its_impacts
     models = [

@@ -17,6 +17,7 @@ from functools import partial
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, at_best, by_pymunk
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
@@ -123,7 +124,7 @@ def resting(name: str, places: list[Place], fixed: int, masses: list[float]) -> 
             Particle(Vector3(x, y), acceleration=Vector3(0.0, -G), mass=mass)
             for (x, y), mass in zip(places, masses, strict=True)
         ]
-        contacts = [ParticlePairs(spheres, RADIUS)]
+        contacts: list[ContactGenerator] = [ParticlePairs(spheres, RADIUS)]
         if not fixed:
             contacts.append(GroundPlane(spheres, radius=RADIUS))
         free = spheres[fixed:]
@@ -187,5 +188,9 @@ def pile() -> Scene:
     return resting("pile of 45 spheres", places, 10, [*[math.inf] * 10, *[1.0] * 45])
 
 
-STACKS = [partial(stack, 1.0), partial(stack, 1000.0), pile]
-MANY_BODIES: list[Callable[[], Scene]] = [falling, *STACKS]
+MANY_BODIES: list[Callable[[], Scene]] = [
+    falling,
+    partial(stack, 1.0),
+    partial(stack, 1000.0),
+    pile,
+]

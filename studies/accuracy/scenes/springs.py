@@ -18,7 +18,7 @@ from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import backward_euler, semi_implicit_euler, trapezoidal
 from ch06_springs.springs import AnchoredSpring, FakeStiffSpring
 from studies.accuracy.in_plane import in_plane, on_all
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk, lone, space_with
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Pair, by_pymunk, lone, space_with
 from studies.accuracy.scene import (
     RATE,
     Made,
@@ -140,7 +140,7 @@ def elastic_pendulum() -> Scene:
 
 
 def on_spring(
-    position: Place, velocity: Place, stiffness: float, damping: float, rest: float = 0.0
+    position: Pair, velocity: Pair, stiffness: float, damping: float, rest: float = 0.0
 ) -> InSpace:
     """Create a pymunk space with a body of 1 kg on a spring that is anchored at the origin."""
     import pymunk  # here, because a chapter's plots do not need it

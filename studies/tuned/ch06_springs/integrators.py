@@ -22,100 +22,112 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        particle.drift(duration)
-        particle.kick(duration)
+        particle.drift_and_kick(duration)
 
 
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        particle.kick(duration)
-        particle.drift(duration)
+        particle.kick_and_drift(duration, duration)
 
 
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     half = 0.5 * duration
     for particle in particles:
         particle.drift(half)
     apply_forces(duration)
     for particle in particles:
-        particle.kick(duration)
-        particle.drift(half)
+        particle.kick_and_drift(duration, half)
 
 
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     half = 0.5 * duration
-    starts, by_hand = _starts(particles)
+    rows = _rows(particles)
     apply_forces(duration)
-    for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
-        fx, fy, fz = force = particle.take_forces()
+    for sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
+        force = sums[0] or NO_FORCE
         rates.append(force)
+        sums[0] = by_hand
         if m:
-            ax, ay, az = a.x + fx * m, a.y + fy * m, a.z + fz * m
-            p.x = x + (u + ax * half) * duration
-            p.y = y + (v + ay * half) * duration
-            p.z = z + (w + az * half) * duration
-            q.x, q.y, q.z = u + ax * duration, v + ay * duration, w + az * duration
-    _add_again(by_hand)
+            fx, fy, fz = force
+            dx = (a.x + fx * m) * duration
+            dy = (a.y + fy * m) * duration
+            dz = (a.z + fz * m) * duration
+            p.x = x + (u + 0.5 * dx) * duration
+            p.y = y + (v + 0.5 * dy) * duration
+            p.z = z + (w + 0.5 * dz) * duration
+            q.x = u + dx
+            q.y = v + dy
+            q.z = w + dz
     apply_forces(duration)
-    for particle, m, _, _, q, _, _, _, u, v, w, [(fx, fy, fz)] in starts:
-        gx, gy, gz = particle.take_forces()
+    for sums, _, rates, m, _, q, _, _, _, _, u, v, w in rows:
         if m:
-            q.x, q.y, q.z = u, v, w
-            particle._forces[0] = (0.5 * (fx + gx), 0.5 * (fy + gy), 0.5 * (fz + gz))
+            fx, fy, fz = rates[0]
+            gx, gy, gz = sums[0] or NO_FORCE
+            sums[0] = (0.5 * (fx + gx), 0.5 * (fy + gy), 0.5 * (fz + gz))
+            q.x = u
+            q.y = v
+            q.z = w
+    for particle in particles:
         particle.kick(duration)
 
 
 def runge_kutta_4(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
-    half, sixth = 0.5 * duration, duration / 6.0
-    starts, by_hand = _starts(particles)
-    for ahead in (half, half, duration, 0.0):  # 0: back to the start after the fourth rate
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
+    half = 0.5 * duration
+    rows = _rows(particles)
+    for ahead in (half, half, duration):
         apply_forces(duration)
-        for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
-            sums = particle._forces
-            force = sums[0]
-            sums[0] = None
+        for sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
+            force = sums[0] or NO_FORCE
+            rates.append(force)
+            sums[0] = by_hand
             if m:
-                fx, fy, fz = force or NO_FORCE
-                dx, dy, dz = q.x, q.y, q.z
-                rates.append((dx, dy, dz, fx, fy, fz))
-                p.x = x + dx * ahead
-                p.y = y + dy * ahead
-                p.z = z + dz * ahead
+                fx, fy, fz = force
+                p.x = x + q.x * ahead
+                p.y = y + q.y * ahead
+                p.z = z + q.z * ahead
                 q.x = u + (a.x + fx * m) * ahead
                 q.y = v + (a.y + fy * m) * ahead
                 q.z = w + (a.z + fz * m) * ahead
-        if by_hand and ahead:
-            _add_again(by_hand)
-    for particle, m, _, p, _, x, y, z, _, _, _, rates in starts:
+    apply_forces(duration)
+    for sums, _, rates, m, p, q, a, x, y, z, u, v, w in rows:
         if m:
-            (
-                (u1, v1, w1, f1, g1, h1),
-                (u2, v2, w2, f2, g2, h2),
-                (u3, v3, w3, f3, g3, h3),
-                (u4, v4, w4, f4, g4, h4),
-            ) = rates
-            p.x = x + (u1 + 2.0 * (u2 + u3) + u4) * sixth
-            p.y = y + (v1 + 2.0 * (v2 + v3) + v4) * sixth
-            p.z = z + (w1 + 2.0 * (w2 + w3) + w4) * sixth
-            particle._forces[0] = (
-                (f1 + 2.0 * (f2 + f3) + f4) / 6.0,
-                (g1 + 2.0 * (g2 + g3) + g4) / 6.0,
-                (h1 + 2.0 * (h2 + h3) + h4) / 6.0,
+            (ax, ay, az), (bx, by, bz), (cx, cy, cz) = rates
+            dx, dy, dz = sums[0] or NO_FORCE
+            bx += cx
+            by += cy
+            bz += cz
+            third = m / 3.0  # the mean of the velocities is v + (a + (f1 + f2 + f3) / 3m) h / 2
+            p.x = x + (u + (a.x + (ax + bx) * third) * half) * duration
+            p.y = y + (v + (a.y + (ay + by) * third) * half) * duration
+            p.z = z + (w + (a.z + (az + bz) * third) * half) * duration
+            q.x = u
+            q.y = v
+            q.z = w
+            sums[0] = (
+                (ax + bx + bx + dx) / 6.0,
+                (ay + by + by + dy) / 6.0,
+                (az + bz + bz + dz) / 6.0,
             )
+    for particle in particles:
         particle.kick(duration)
 
 
@@ -162,31 +174,22 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     return step
 
 
-def _starts(
-    particles: Iterable[Particle],
-) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return the initial state of each particle, and the forces that were added before the step.
+def _rows(particles: Iterable[Particle]) -> list[tuple[Any, ...]]:
+    """Return a row of what a step needs of each particle.
 
-    A state is (particle, inverse mass, a, p, v, components of p and v, an empty list for results).
+    A row is the list of its sums of forces, the sum from before the step, which acts in each
+    evaluation, an empty list for the sums of the evaluations, its inverse mass, its vectors p, v
+    and a, and the components of p and v at the start.
     """
-    starts: list[tuple[Any, ...]] = []
-    by_hand = []
+    rows = []
     for particle in particles:
-        p, v = particle.position, particle.velocity
-        m, a = particle.inverse_mass, particle.acceleration
-        starts.append((particle, m, a, p, v, p.x, p.y, p.z, v.x, v.y, v.z, []))
-        force = particle.take_forces()
-        if force is not NO_FORCE:
-            by_hand.append((particle, Vector3(*force)))
-    if by_hand:
-        _add_again(by_hand)
-    return starts, by_hand
-
-
-def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Restore the forces from before the step, because each evaluation empties the accumulators."""
-    for particle, force in by_hand:
-        particle.add_force(force)
+        sums = particle._forces
+        p = particle.position
+        q = particle.velocity
+        m = particle._inverse_mass
+        a = particle.acceleration
+        rows.append((sums, sums[0], [], m, p, q, a, p.x, p.y, p.z, q.x, q.y, q.z))
+    return rows
 
 
 def _per_mass(

@@ -1,6 +1,7 @@
 """The force registry of chapter 5 without calls of its own, and weights in plain numbers.
 
-The registry checks the duration itself, and reads an inverse mass without its property.
+The registry checks a duration only if it differs from the last one, and reads an inverse mass
+without its property.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ class ForceGenerator(Protocol):
 class ForceRegistry:
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
+        self._checked = math.nan  # the last duration that was checked
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
         return [*self._pairs]
@@ -38,8 +40,8 @@ class ForceRegistry:
         self._pairs.clear()
 
     def update_forces(self, duration: float) -> None:
-        if type(duration) is not float or not 0.0 < duration < math.inf:
-            positive("duration", duration)
+        if duration != self._checked:
+            self._checked = positive("duration", duration)
         for particle, generator in self._pairs.copy():
             if particle._inverse_mass:
                 generator.update_force(particle, duration)

@@ -44,8 +44,9 @@ class Particle(particle.Particle):
         """Let the steps of integrators call a drift or a kick that a subclass has written."""
         super().__init_subclass__()
         if "drift" in vars(cls) or "kick" in vars(cls):
-            cls.drift_and_kick = particle.drift_and_kick  # type: ignore[method-assign]
-            cls.kick_and_drift = _kick_and_drift  # type: ignore[method-assign]
+            cls.drift_and_kick = particle.drift_and_kick  # type: ignore[assignment]
+            cls.kick_and_drift = _kick_and_drift  # type: ignore[assignment]
+            cls.kick_from = _kick_from  # type: ignore[assignment]
 
     def __copy__(self) -> Self:
         """Return a copy with a list of forces of its own."""
@@ -137,6 +138,20 @@ class Particle(particle.Particle):
         position.y += y * ahead
         position.z += z * ahead
 
+    def kick_from(self, u: float, v: float, w: float, force: Numbers, duration: float) -> None:
+        """Kick the particle, which can move, from the velocity (u, v, w) and by this force."""
+        forces = self._forces
+        forces[0] = None
+        forces[1] = force
+        keep = self._keep if duration == self._span else self._factor(duration)
+        inverse_mass = self._inverse_mass
+        velocity = self.velocity
+        acceleration = self.acceleration
+        x, y, z = force
+        velocity.x = (u + (acceleration.x + x * inverse_mass) * duration) * keep
+        velocity.y = (v + (acceleration.y + y * inverse_mass) * duration) * keep
+        velocity.z = (w + (acceleration.z + z * inverse_mass) * duration) * keep
+
     def integrate(self, duration: float) -> None:
         if duration != self._span and not self._renew(duration):
             self.kick(duration)  # which clears the forces of an immovable particle, too
@@ -169,3 +184,12 @@ class Particle(particle.Particle):
 def _kick_and_drift(particle: Particle, duration: float, ahead: float) -> None:
     particle.kick(duration)
     particle.drift(ahead)
+
+
+def _kick_from(
+    particle: Particle, u: float, v: float, w: float, force: Numbers, duration: float
+) -> None:
+    velocity = particle.velocity
+    velocity.x, velocity.y, velocity.z = u, v, w
+    particle._forces[0] = force
+    particle.kick(duration)

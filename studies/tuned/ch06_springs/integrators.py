@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ch02_vectors.arguments import finite, not_negative, positive
-from ch02_vectors.vector import Vector3
 from ch05_forces.particle import NO_FORCE, Particle
 from ch06_springs.going_further.adaptive import adaptive as adaptive
 
@@ -55,35 +54,28 @@ def velocity_verlet(
 ) -> None:
     if type(duration) is not float or not 0.0 < duration < math.inf:
         positive("duration", duration)
-    half = 0.5 * duration
     rows = _rows(particles)
     apply_forces(duration)
-    for sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
+    for _, sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
         force = sums[0] or NO_FORCE
         rates.append(force)
         sums[0] = by_hand
         if m:
             fx, fy, fz = force
-            dx = (a.x + fx * m) * duration
-            dy = (a.y + fy * m) * duration
-            dz = (a.z + fz * m) * duration
-            p.x = x + (u + 0.5 * dx) * duration
-            p.y = y + (v + 0.5 * dy) * duration
-            p.z = z + (w + 0.5 * dz) * duration
-            q.x = u + dx
-            q.y = v + dy
-            q.z = w + dz
+            q.x = du = u + (a.x + fx * m) * duration
+            q.y = dv = v + (a.y + fy * m) * duration
+            q.z = dw = w + (a.z + fz * m) * duration
+            p.x = x + (u + du) * 0.5 * duration
+            p.y = y + (v + dv) * 0.5 * duration
+            p.z = z + (w + dw) * 0.5 * duration
     apply_forces(duration)
-    for sums, _, rates, m, _, q, _, _, _, _, u, v, w in rows:
+    for particle, sums, _, [(fx, fy, fz)], m, _, _, _, _, _, _, u, v, w in rows:
         if m:
-            fx, fy, fz = rates[0]
-            gx, gy, gz = sums[0] or NO_FORCE
-            sums[0] = (0.5 * (fx + gx), 0.5 * (fy + gy), 0.5 * (fz + gz))
-            q.x = u
-            q.y = v
-            q.z = w
-    for particle in particles:
-        particle.kick(duration)
+            x, y, z = sums[0] or NO_FORCE
+            mean = (0.5 * (fx + x), 0.5 * (fy + y), 0.5 * (fz + z))
+            particle.kick_from(u, v, w, mean, duration)
+        else:
+            particle.kick(duration)
 
 
 def runge_kutta_4(
@@ -91,11 +83,14 @@ def runge_kutta_4(
 ) -> None:
     if type(duration) is not float or not 0.0 < duration < math.inf:
         positive("duration", duration)
+    if len(particles) == 1 and particles[0]._inverse_mass:
+        _runge_kutta_of_one(particles[0], apply_forces, duration)
+        return
     half = 0.5 * duration
     rows = _rows(particles)
     for ahead in (half, half, duration):
         apply_forces(duration)
-        for sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
+        for _, sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
             force = sums[0] or NO_FORCE
             rates.append(force)
             sums[0] = by_hand
@@ -108,27 +103,20 @@ def runge_kutta_4(
                 q.y = v + (a.y + fy * m) * ahead
                 q.z = w + (a.z + fz * m) * ahead
     apply_forces(duration)
-    for sums, _, rates, m, p, q, a, x, y, z, u, v, w in rows:
+    for particle, sums, _, rates, m, p, _, a, x, y, z, u, v, w in rows:
         if m:
-            (ax, ay, az), (bx, by, bz), (cx, cy, cz) = rates
-            dx, dy, dz = sums[0] or NO_FORCE
-            bx += cx
-            by += cy
-            bz += cz
-            third = m / 3.0  # the mean of the velocities is v + (a + (f1 + f2 + f3) / 3m) h / 2
-            p.x = x + (u + (a.x + (ax + bx) * third) * half) * duration
-            p.y = y + (v + (a.y + (ay + by) * third) * half) * duration
-            p.z = z + (w + (a.z + (az + bz) * third) * half) * duration
-            q.x = u
-            q.y = v
-            q.z = w
-            sums[0] = (
-                (ax + bx + bx + dx) / 6.0,
-                (ay + by + by + dy) / 6.0,
-                (az + bz + bz + dz) / 6.0,
-            )
-    for particle in particles:
-        particle.kick(duration)
+            (fx, fy, fz), (gx, gy, gz), (hx, hy, hz) = rates
+            gx += hx
+            gy += hy
+            gz += hz
+            hx, hy, hz = sums[0] or NO_FORCE
+            p.x = x + (u + (a.x + (fx + gx) * m / 3.0) * half) * duration
+            p.y = y + (v + (a.y + (fy + gy) * m / 3.0) * half) * duration
+            p.z = z + (w + (a.z + (fz + gz) * m / 3.0) * half) * duration
+            mean = (fx + gx + gx + hx) / 6.0, (fy + gy + gy + hy) / 6.0, (fz + gz + gz + hz) / 6.0
+            particle.kick_from(u, v, w, mean, duration)
+        else:
+            particle.kick(duration)
 
 
 def backward_euler(
@@ -177,19 +165,74 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 def _rows(particles: Iterable[Particle]) -> list[tuple[Any, ...]]:
     """Return a row of what a step needs of each particle.
 
-    A row is the list of its sums of forces, the sum from before the step, which acts in each
-    evaluation, an empty list for the sums of the evaluations, its inverse mass, its vectors p, v
-    and a, and the components of p and v at the start.
+    A row is the particle, the list of its sums of forces, the sum from before the step, which acts
+    in each evaluation, an empty list for the sums of the evaluations, the inverse mass, the vectors
+    p, v and a, and the components of p and v at the start.
     """
-    rows = []
+    rows: list[tuple[Any, ...]] = []
     for particle in particles:
         sums = particle._forces
         p = particle.position
         q = particle.velocity
         m = particle._inverse_mass
         a = particle.acceleration
-        rows.append((sums, sums[0], [], m, p, q, a, p.x, p.y, p.z, q.x, q.y, q.z))
+        rows.append((particle, sums, sums[0], [], m, p, q, a, p.x, p.y, p.z, q.x, q.y, q.z))
     return rows
+
+
+def _runge_kutta_of_one(particle: Particle, apply_forces: ApplyForces, duration: float) -> None:
+    """Make a step of Runge-Kutta 4 for one movable particle, with its state in local variables."""
+    half = 0.5 * duration
+    m = particle._inverse_mass
+    sums = particle._forces
+    by_hand = sums[0]  # the sum from before the step, which acts in each evaluation
+    p = particle.position
+    q = particle.velocity
+    a = particle.acceleration
+    x = p.x
+    y = p.y
+    z = p.z
+    u = q.x
+    v = q.y
+    w = q.z
+    apply_forces(duration)
+    fx, fy, fz = sums[0] or NO_FORCE
+    sums[0] = by_hand
+    p.x = x + u * half
+    p.y = y + v * half
+    p.z = z + w * half
+    q.x = du = u + (a.x + fx * m) * half
+    q.y = dv = v + (a.y + fy * m) * half
+    q.z = dw = w + (a.z + fz * m) * half
+    apply_forces(duration)
+    gx, gy, gz = sums[0] or NO_FORCE
+    sums[0] = by_hand
+    p.x = x + du * half
+    p.y = y + dv * half
+    p.z = z + dw * half
+    q.x = du = u + (a.x + gx * m) * half
+    q.y = dv = v + (a.y + gy * m) * half
+    q.z = dw = w + (a.z + gz * m) * half
+    apply_forces(duration)
+    hx, hy, hz = sums[0] or NO_FORCE
+    sums[0] = by_hand
+    p.x = x + du * duration
+    p.y = y + dv * duration
+    p.z = z + dw * duration
+    q.x = u + (a.x + hx * m) * duration
+    q.y = v + (a.y + hy * m) * duration
+    q.z = w + (a.z + hz * m) * duration
+    apply_forces(duration)
+    gx += hx  # from here on the sum of the second and the third force
+    gy += hy
+    gz += hz
+    hx, hy, hz = sums[0] or NO_FORCE
+    third = m / 3.0  # the mean velocity is v + (a + (f + g) / 3m) h / 2
+    p.x = x + (u + (a.x + (fx + gx) * third) * half) * duration
+    p.y = y + (v + (a.y + (fy + gy) * third) * half) * duration
+    p.z = z + (w + (a.z + (fz + gz) * third) * half) * duration
+    mean = ((fx + gx + gx + hx) / 6.0, (fy + gy + gy + hy) / 6.0, (fz + gz + gz + hz) / 6.0)
+    particle.kick_from(u, v, w, mean, duration)
 
 
 def _per_mass(

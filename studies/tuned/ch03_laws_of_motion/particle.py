@@ -155,6 +155,7 @@ class Particle:
 
 # These set an attribute without calling Particle.__setattr__, in a quarter of the time.
 _set_keep, _set_span = vars(Particle)["_keep"].__set__, vars(Particle)["_span"].__set__
+set_inverse_mass = vars(Particle)["_inverse_mass"].__set__  # set it back before the next step
 
 
 def drift_and_kick(particle: Particle, duration: float) -> None:

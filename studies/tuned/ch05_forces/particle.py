@@ -103,26 +103,35 @@ class Particle(particle.Particle):
 
     def kick(self, duration: float) -> None:
         forces = self._forces
-        force = forces[0]
-        forces[0] = None
-        forces[1] = force
+        force, last_force = forces
+        if force is not last_force:  # both None: no force acts, and none has to be forgotten
+            forces[0] = None
+            forces[1] = force
         inverse_mass = self._inverse_mass
         if not inverse_mass:
             return
         keep = self._keep if duration == self._span else self._factor(duration)
         velocity = self.velocity
         acceleration = self.acceleration
-        x, y, z = force or NO_FORCE
-        velocity.x = (velocity.x + (acceleration.x + x * inverse_mass) * duration) * keep
-        velocity.y = (velocity.y + (acceleration.y + y * inverse_mass) * duration) * keep
-        velocity.z = (velocity.z + (acceleration.z + z * inverse_mass) * duration) * keep
+        x = acceleration.x
+        y = acceleration.y
+        z = acceleration.z
+        if force is not None:
+            fx, fy, fz = force
+            x += fx * inverse_mass
+            y += fy * inverse_mass
+            z += fz * inverse_mass
+        velocity.x = (velocity.x + x * duration) * keep
+        velocity.y = (velocity.y + y * duration) * keep
+        velocity.z = (velocity.z + z * duration) * keep
 
     def kick_and_drift(self, duration: float, ahead: float) -> None:
         """Kick the particle for ``duration`` s, and let it drift for ``ahead`` s."""
         forces = self._forces
-        force = forces[0]
-        forces[0] = None
-        forces[1] = force
+        force, last_force = forces
+        if force is not last_force:  # both None: no force acts, and none has to be forgotten
+            forces[0] = None
+            forces[1] = force
         inverse_mass = self._inverse_mass
         if not inverse_mass:
             return
@@ -130,10 +139,17 @@ class Particle(particle.Particle):
         position = self.position
         velocity = self.velocity
         acceleration = self.acceleration
-        x, y, z = force or NO_FORCE
-        velocity.x = x = (velocity.x + (acceleration.x + x * inverse_mass) * duration) * keep
-        velocity.y = y = (velocity.y + (acceleration.y + y * inverse_mass) * duration) * keep
-        velocity.z = z = (velocity.z + (acceleration.z + z * inverse_mass) * duration) * keep
+        x = acceleration.x
+        y = acceleration.y
+        z = acceleration.z
+        if force is not None:
+            fx, fy, fz = force
+            x += fx * inverse_mass
+            y += fy * inverse_mass
+            z += fz * inverse_mass
+        velocity.x = x = (velocity.x + x * duration) * keep
+        velocity.y = y = (velocity.y + y * duration) * keep
+        velocity.z = z = (velocity.z + z * duration) * keep
         position.x += x * ahead
         position.y += y * ahead
         position.z += z * ahead
@@ -165,8 +181,9 @@ class Particle(particle.Particle):
         keep = self._keep
         forces = self._forces
         force, last_force = forces
-        if force is not last_force:  # both None: no force acts, and none has to be forgotten
-            forces[0], forces[1] = None, force
+        if force is not last_force:
+            forces[0] = None
+            forces[1] = force
         if force is None:
             velocity.x = (velocity.x + acceleration.x * duration) * keep
             velocity.y = (velocity.y + acceleration.y * duration) * keep

@@ -103,8 +103,9 @@ class Particle(particle.Particle):
 
     def kick(self, duration: float) -> None:
         forces = self._forces
-        force, last_force = forces
-        if force is not last_force:  # both None: no force acts, and none has to be forgotten
+        if (force := forces[0]) is None:
+            forces[1] = None
+        else:
             forces[0] = None
             forces[1] = force
         inverse_mass = self._inverse_mass
@@ -128,8 +129,9 @@ class Particle(particle.Particle):
     def kick_and_drift(self, duration: float, ahead: float) -> None:
         """Kick the particle for ``duration`` s, and let it drift for ``ahead`` s."""
         forces = self._forces
-        force, last_force = forces
-        if force is not last_force:  # both None: no force acts, and none has to be forgotten
+        if (force := forces[0]) is None:
+            forces[1] = None
+        else:
             forces[0] = None
             forces[1] = force
         inverse_mass = self._inverse_mass
@@ -180,15 +182,14 @@ class Particle(particle.Particle):
         acceleration = self.acceleration
         keep = self._keep
         forces = self._forces
-        force, last_force = forces
-        if force is not last_force:
-            forces[0] = None
-            forces[1] = force
-        if force is None:
+        if (force := forces[0]) is None:
+            forces[1] = None
             velocity.x = (velocity.x + acceleration.x * duration) * keep
             velocity.y = (velocity.y + acceleration.y * duration) * keep
             velocity.z = (velocity.z + acceleration.z * duration) * keep
         else:
+            forces[0] = None
+            forces[1] = force
             inverse_mass = self._inverse_mass
             x, y, z = force
             velocity.x = (velocity.x + (acceleration.x + x * inverse_mass) * duration) * keep

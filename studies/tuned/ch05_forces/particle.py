@@ -1,8 +1,9 @@
 """The particle of chapter 5 in plain numbers.
 
 A sum of forces is a tuple of three numbers, or None if no force was added, so a step without forces
-costs as much as in chapter 3. Springs and integrators of this folder use ``add_force_pair`` and
-``take_forces``, which create no vectors.
+costs little more than in chapter 3. The other modules of this folder read and write the sums
+themselves. Integrators call ``kick_and_drift``, ``drift_and_kick`` and ``kick_from``, which do in
+one call what a kick and a drift do, or what a kick does after the velocity is set.
 """
 
 from __future__ import annotations
@@ -57,13 +58,6 @@ class Particle(particle.Particle):
             setattr(other, name, value)
         other._forces = [*self._forces]
         return other
-
-    def take_forces(self) -> Numbers:
-        """Return the sum of the forces in N, and clear it."""
-        forces = self._forces
-        force = forces[0]
-        forces[0] = None
-        return force or NO_FORCE
 
     def add_numbers(self, x: float, y: float, z: float) -> None:
         """Add the force with these components in N, as ``add_force`` does."""

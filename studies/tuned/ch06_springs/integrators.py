@@ -1,7 +1,9 @@
 """The integrators of chapter 6 in plain numbers.
 
-Velocity Verlet and Runge-Kutta keep each particle's state as numbers in one tuple, read the forces
-without creating vectors, and make the last kick themselves. The others are those of solutions/.
+Both Euler methods and leapfrog kick and drift a particle in one call. Velocity Verlet and
+Runge-Kutta keep each particle's state as numbers in one tuple, and read the forces without creating
+vectors. Runge-Kutta keeps the state of a single particle in local variables, which is a sixth
+faster. The others are those of solutions/.
 """
 
 from __future__ import annotations

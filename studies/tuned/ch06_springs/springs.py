@@ -1,6 +1,7 @@
 """The springs of chapter 6 in plain numbers.
 
-A spring computes its force without vectors. A connection adds it to both of its ends in one call.
+A spring computes its force without vectors, and adds it to the sum of a particle without a call. A
+connection does so at both of its ends.
 """
 
 from __future__ import annotations

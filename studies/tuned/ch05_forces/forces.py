@@ -1,7 +1,7 @@
 """The force registry of chapter 5 without calls of its own, and weights in plain numbers.
 
-The registry checks a duration only if it differs from the last one, and reads an inverse mass
-without its property.
+The registry checks a duration only if it differs from the last one, copies its pairs only after a
+change, and reads an inverse mass without its property.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ class ForceGenerator(Protocol):
 class ForceRegistry:
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
+        self._fixed: tuple[tuple[Particle, ForceGenerator], ...] | None = None  # a copy, or None
         self._checked = math.nan  # the last duration that was checked
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
@@ -29,20 +30,25 @@ class ForceRegistry:
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         self._pairs.append((particle, generator))
+        self._fixed = None
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
         for i, (other, others) in enumerate(self._pairs):
             if other is particle and others is generator:
                 del self._pairs[i]
+                self._fixed = None
                 return
 
     def clear(self) -> None:
         self._pairs.clear()
+        self._fixed = None
 
     def update_forces(self, duration: float) -> None:
         if duration != self._checked:
             self._checked = positive("duration", duration)
-        for particle, generator in self._pairs.copy():
+        if (pairs := self._fixed) is None:
+            pairs = self._fixed = tuple(self._pairs)
+        for particle, generator in pairs:
             if particle._inverse_mass:
                 generator.update_force(particle, duration)
 

@@ -197,24 +197,28 @@ def _runge_kutta_of_one(particle: Particle, apply_forces: ApplyForces, duration:
     u = q.x
     v = q.y
     w = q.z
+    m_half = m * half
+    middle_u = u + a.x * half  # the velocity after half a step without forces
+    middle_v = v + a.y * half
+    middle_w = w + a.z * half
     apply_forces(duration)
     fx, fy, fz = sums[0] or NO_FORCE
     sums[0] = by_hand
     p.x = x + u * half
     p.y = y + v * half
     p.z = z + w * half
-    q.x = du = u + (a.x + fx * m) * half
-    q.y = dv = v + (a.y + fy * m) * half
-    q.z = dw = w + (a.z + fz * m) * half
+    q.x = du = middle_u + fx * m_half
+    q.y = dv = middle_v + fy * m_half
+    q.z = dw = middle_w + fz * m_half
     apply_forces(duration)
     gx, gy, gz = sums[0] or NO_FORCE
     sums[0] = by_hand
     p.x = x + du * half
     p.y = y + dv * half
     p.z = z + dw * half
-    q.x = du = u + (a.x + gx * m) * half
-    q.y = dv = v + (a.y + gy * m) * half
-    q.z = dw = w + (a.z + gz * m) * half
+    q.x = du = middle_u + gx * m_half
+    q.y = dv = middle_v + gy * m_half
+    q.z = dw = middle_w + gz * m_half
     apply_forces(duration)
     hx, hy, hz = sums[0] or NO_FORCE
     sums[0] = by_hand
@@ -229,10 +233,10 @@ def _runge_kutta_of_one(particle: Particle, apply_forces: ApplyForces, duration:
     gy += hy
     gz += hz
     hx, hy, hz = sums[0] or NO_FORCE
-    third = m / 3.0  # the mean velocity is v + (a + (f + g) / 3m) h / 2
-    p.x = x + (u + (a.x + (fx + gx) * third) * half) * duration
-    p.y = y + (v + (a.y + (fy + gy) * third) * half) * duration
-    p.z = z + (w + (a.z + (fz + gz) * third) * half) * duration
+    m_sixth = m_half / 3.0  # the mean velocity is v + (a + (f + g) / 3m) h / 2
+    p.x = x + (middle_u + (fx + gx) * m_sixth) * duration
+    p.y = y + (middle_v + (fy + gy) * m_sixth) * duration
+    p.z = z + (middle_w + (fz + gz) * m_sixth) * duration
     mean = ((fx + gx + gx + hx) / 6.0, (fy + gy + gy + hy) / 6.0, (fz + gz + gz + hz) / 6.0)
     particle.kick_from(u, v, w, mean, duration)
 

@@ -41,7 +41,7 @@ class Particle:
         super().__init_subclass__()
         own = vars(cls)
         if ("drift" in own or "kick" in own) and "integrate" not in own:
-            cls.integrate = _drift_and_kick  # type: ignore[assignment]
+            cls.integrate = drift_and_kick  # type: ignore[assignment]
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class Particle:
 
     def kick(self, duration: float) -> None:
         if self._inverse_mass:
-            keep = self._keep if duration == self._span else self._damping**duration
+            keep = self._keep if duration == self._span else self._factor(duration)
             velocity, acceleration = self.velocity, self.acceleration
             velocity.x = (velocity.x + acceleration.x * duration) * keep
             velocity.y = (velocity.y + acceleration.y * duration) * keep
@@ -124,26 +124,42 @@ class Particle:
     def integrate(self, duration: float) -> None:
         if duration != self._span and not self._renew(duration):
             return
-        position, velocity, acceleration = self.position, self.velocity, self.acceleration
-        keep, x, y, z = self._keep, velocity.x, velocity.y, velocity.z
-        position.x += x * duration
-        position.y += y * duration
-        position.z += z * duration
-        velocity.x = (x + acceleration.x * duration) * keep
-        velocity.y = (y + acceleration.y * duration) * keep
-        velocity.z = (z + acceleration.z * duration) * keep
+        position = self.position
+        velocity = self.velocity
+        position.x += velocity.x * duration
+        position.y += velocity.y * duration
+        position.z += velocity.z * duration
+        acceleration = self.acceleration
+        keep = self._keep
+        velocity.x = (velocity.x + acceleration.x * duration) * keep
+        velocity.y = (velocity.y + acceleration.y * duration) * keep
+        velocity.z = (velocity.z + acceleration.z * duration) * keep
 
     def _renew(self, duration: float) -> bool:
         """Compute the factor d^h of a step, and return False if the particle is immovable."""
-        positive("duration", duration)
+        if type(duration) is not float or not 0.0 < duration < math.inf:
+            positive("duration", duration)
         if not self._inverse_mass:
             return False
-        object.__setattr__(self, "_keep", self._damping**duration)
-        object.__setattr__(self, "_span", duration)
+        self._factor(duration)
         return True
 
+    def _factor(self, duration: float) -> float:
+        """Return the factor d^h, and store it if it can be that of a whole step."""
+        keep: float = self._damping**duration
+        if 0.0 < duration < math.inf:
+            _set_keep(self, keep)
+            _set_span(self, duration)
+        return keep
 
-def _drift_and_kick(particle: Particle, duration: float) -> None:
+
+# These set an attribute without calling Particle.__setattr__, in a quarter of the time.
+_set_keep, _set_span = vars(Particle)["_keep"].__set__, vars(Particle)["_span"].__set__
+set_inverse_mass = vars(Particle)["_inverse_mass"].__set__  # set it back before the next step
+
+
+def drift_and_kick(particle: Particle, duration: float) -> None:
+    """Make a step of explicit Euler with the methods of a subclass."""
     positive("duration", duration)
     particle.drift(duration)
     particle.kick(duration)

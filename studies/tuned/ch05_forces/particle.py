@@ -1,8 +1,9 @@
 """The particle of chapter 5 in plain numbers.
 
 A sum of forces is a tuple of three numbers, or None if no force was added, so a step without forces
-costs as much as in chapter 3. Springs and integrators of this folder use ``add_force_pair`` and
-``take_forces``, which create no vectors.
+costs little more than in chapter 3. The other modules of this folder read and write the sums
+themselves. Integrators call ``kick_and_drift``, ``drift_and_kick`` and ``kick_from``, which do in
+one call what a kick and a drift do, or what a kick does after the velocity is set.
 """
 
 from __future__ import annotations
@@ -40,6 +41,14 @@ class Particle(particle.Particle):
         super().__init__(position, velocity, acceleration, mass=mass, damping=damping)
         self._forces = [None, None]
 
+    def __init_subclass__(cls) -> None:
+        """Let the steps of integrators call a drift or a kick that a subclass has written."""
+        super().__init_subclass__()
+        if "drift" in vars(cls) or "kick" in vars(cls):
+            cls.drift_and_kick = particle.drift_and_kick  # type: ignore[assignment]
+            cls.kick_and_drift = _kick_and_drift  # type: ignore[assignment]
+            cls.kick_from = _kick_from  # type: ignore[assignment]
+
     def __copy__(self) -> Self:
         """Return a copy with a list of forces of its own."""
         other = self.__new__(type(self))
@@ -50,13 +59,6 @@ class Particle(particle.Particle):
         other._forces = [*self._forces]
         return other
 
-    def take_forces(self) -> Numbers:
-        """Return the sum of the forces in N, and clear it."""
-        forces = self._forces
-        force = forces[0]
-        forces[0] = None
-        return force or NO_FORCE
-
     def add_numbers(self, x: float, y: float, z: float) -> None:
         """Add the force with these components in N, as ``add_force`` does."""
         forces = self._forces
@@ -66,28 +68,6 @@ class Particle(particle.Particle):
         if 0.0 * (x + y + z) != 0.0:  # one question for three numbers: infinity * 0 is NaN
             finite_vector("the sum of the forces", Vector3(x, y, z))
         forces[0] = (x, y, z)
-
-    def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
-        """Add a force in N to this particle, and the opposite force to the other one.
-
-        Raises ValueError if a component, or one of the two sums, is not finite. Neither sum then
-        changes.
-        """
-        mine, others = self._forces, other._forces
-        ax, ay, az = mine[0] or NO_FORCE
-        bx, by, bz = others[0] or NO_FORCE
-        ax += x
-        ay += y
-        az += z
-        bx -= x
-        by -= y
-        bz -= z
-        if 0.0 * (ax + ay + az + bx + by + bz) != 0.0:  # one question for six numbers
-            finite_vector("the force", Vector3(x, y, z))
-            finite_vector("the sum of the forces", Vector3(ax, ay, az))
-            finite_vector("the sum of the forces", Vector3(bx, by, bz))
-        mine[0] = (ax, ay, az)
-        others[0] = (bx, by, bz)
 
     @property
     def force_accumulator(self) -> Vector3:
@@ -117,15 +97,20 @@ class Particle(particle.Particle):
 
     def kick(self, duration: float) -> None:
         forces = self._forces
-        force, last_force = forces
-        if force is not last_force:  # both None: no force acts, and none has to be forgotten
-            forces[0], forces[1] = None, force
+        if (force := forces[0]) is None:
+            forces[1] = None
+        else:
+            forces[0] = None
+            forces[1] = force
         inverse_mass = self._inverse_mass
         if not inverse_mass:
             return
-        keep = self._keep if duration == self._span else self._damping**duration
-        velocity, acceleration = self.velocity, self.acceleration
-        x, y, z = acceleration.x, acceleration.y, acceleration.z
+        keep = self._keep if duration == self._span else self._factor(duration)
+        velocity = self.velocity
+        acceleration = self.acceleration
+        x = acceleration.x
+        y = acceleration.y
+        z = acceleration.z
         if force is not None:
             fx, fy, fz = force
             x += fx * inverse_mass
@@ -135,26 +120,88 @@ class Particle(particle.Particle):
         velocity.y = (velocity.y + y * duration) * keep
         velocity.z = (velocity.z + z * duration) * keep
 
+    def kick_and_drift(self, duration: float, ahead: float) -> None:
+        """Kick the particle for ``duration`` s, and let it drift for ``ahead`` s."""
+        forces = self._forces
+        if (force := forces[0]) is None:
+            forces[1] = None
+        else:
+            forces[0] = None
+            forces[1] = force
+        inverse_mass = self._inverse_mass
+        if not inverse_mass:
+            return
+        keep = self._keep if duration == self._span else self._factor(duration)
+        position = self.position
+        velocity = self.velocity
+        acceleration = self.acceleration
+        x = acceleration.x
+        y = acceleration.y
+        z = acceleration.z
+        if force is not None:
+            fx, fy, fz = force
+            x += fx * inverse_mass
+            y += fy * inverse_mass
+            z += fz * inverse_mass
+        velocity.x = x = (velocity.x + x * duration) * keep
+        velocity.y = y = (velocity.y + y * duration) * keep
+        velocity.z = z = (velocity.z + z * duration) * keep
+        position.x += x * ahead
+        position.y += y * ahead
+        position.z += z * ahead
+
+    def kick_from(self, u: float, v: float, w: float, force: Numbers, duration: float) -> None:
+        """Kick the particle, which can move, from the velocity (u, v, w) and by this force."""
+        forces = self._forces
+        forces[0] = None
+        forces[1] = force
+        keep = self._keep if duration == self._span else self._factor(duration)
+        inverse_mass = self._inverse_mass
+        velocity = self.velocity
+        acceleration = self.acceleration
+        x, y, z = force
+        velocity.x = (u + (acceleration.x + x * inverse_mass) * duration) * keep
+        velocity.y = (v + (acceleration.y + y * inverse_mass) * duration) * keep
+        velocity.z = (w + (acceleration.z + z * inverse_mass) * duration) * keep
+
     def integrate(self, duration: float) -> None:
         if duration != self._span and not self._renew(duration):
             self.kick(duration)  # which clears the forces of an immovable particle, too
             return
-        position, velocity, acceleration = self.position, self.velocity, self.acceleration
-        keep, u, v, w = self._keep, velocity.x, velocity.y, velocity.z
-        position.x += u * duration
-        position.y += v * duration
-        position.z += w * duration
-        x, y, z = acceleration.x, acceleration.y, acceleration.z
+        position = self.position
+        velocity = self.velocity
+        position.x += velocity.x * duration
+        position.y += velocity.y * duration
+        position.z += velocity.z * duration
+        acceleration = self.acceleration
+        keep = self._keep
         forces = self._forces
-        force, last_force = forces
-        if force is not last_force:
-            forces[0], forces[1] = None, force
-        if force is not None:
-            fx, fy, fz = force
+        if (force := forces[0]) is None:
+            forces[1] = None
+            velocity.x = (velocity.x + acceleration.x * duration) * keep
+            velocity.y = (velocity.y + acceleration.y * duration) * keep
+            velocity.z = (velocity.z + acceleration.z * duration) * keep
+        else:
+            forces[0] = None
+            forces[1] = force
             inverse_mass = self._inverse_mass
-            x += fx * inverse_mass
-            y += fy * inverse_mass
-            z += fz * inverse_mass
-        velocity.x = (u + x * duration) * keep
-        velocity.y = (v + y * duration) * keep
-        velocity.z = (w + z * duration) * keep
+            x, y, z = force
+            velocity.x = (velocity.x + (acceleration.x + x * inverse_mass) * duration) * keep
+            velocity.y = (velocity.y + (acceleration.y + y * inverse_mass) * duration) * keep
+            velocity.z = (velocity.z + (acceleration.z + z * inverse_mass) * duration) * keep
+
+    drift_and_kick = integrate  # of the particle itself, whatever a subclass does
+
+
+def _kick_and_drift(particle: Particle, duration: float, ahead: float) -> None:
+    particle.kick(duration)
+    particle.drift(ahead)
+
+
+def _kick_from(
+    particle: Particle, u: float, v: float, w: float, force: Numbers, duration: float
+) -> None:
+    velocity = particle.velocity
+    velocity.x, velocity.y, velocity.z = u, v, w
+    particle._forces[0] = force
+    particle.kick(duration)

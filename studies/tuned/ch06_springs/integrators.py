@@ -1,7 +1,9 @@
 """The integrators of chapter 6 in plain numbers.
 
-Velocity Verlet and Runge-Kutta keep each particle's state as numbers in one tuple, read the forces
-without creating vectors, and make the last kick themselves. The others are those of solutions/.
+Both Euler methods and leapfrog kick and drift a particle in one call. Velocity Verlet and
+Runge-Kutta keep each particle's state as numbers in one tuple, and read the forces without creating
+vectors. Runge-Kutta keeps the state of a single particle in local variables, which is a sixth
+faster. The others are those of solutions/.
 """
 
 from __future__ import annotations
@@ -11,7 +13,6 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ch02_vectors.arguments import finite, not_negative, positive
-from ch02_vectors.vector import Vector3
 from ch05_forces.particle import NO_FORCE, Particle
 from ch06_springs.going_further.adaptive import adaptive as adaptive
 
@@ -22,101 +23,102 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        particle.drift(duration)
-        particle.kick(duration)
+        particle.drift_and_kick(duration)
 
 
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        particle.kick(duration)
-        particle.drift(duration)
+        particle.kick_and_drift(duration, duration)
 
 
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    positive("duration", duration)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
     half = 0.5 * duration
     for particle in particles:
         particle.drift(half)
     apply_forces(duration)
     for particle in particles:
-        particle.kick(duration)
-        particle.drift(half)
+        particle.kick_and_drift(duration, half)
 
 
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
-    half = 0.5 * duration
-    starts, by_hand = _starts(particles)
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
+    rows = _rows(particles)
     apply_forces(duration)
-    for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
-        fx, fy, fz = force = particle.take_forces()
+    for _, sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
+        force = sums[0] or NO_FORCE
         rates.append(force)
+        sums[0] = by_hand
         if m:
-            ax, ay, az = a.x + fx * m, a.y + fy * m, a.z + fz * m
-            p.x = x + (u + ax * half) * duration
-            p.y = y + (v + ay * half) * duration
-            p.z = z + (w + az * half) * duration
-            q.x, q.y, q.z = u + ax * duration, v + ay * duration, w + az * duration
-    _add_again(by_hand)
+            fx, fy, fz = force
+            q.x = du = u + (a.x + fx * m) * duration
+            q.y = dv = v + (a.y + fy * m) * duration
+            q.z = dw = w + (a.z + fz * m) * duration
+            p.x = x + (u + du) * 0.5 * duration
+            p.y = y + (v + dv) * 0.5 * duration
+            p.z = z + (w + dw) * 0.5 * duration
     apply_forces(duration)
-    for particle, m, _, _, q, _, _, _, u, v, w, [(fx, fy, fz)] in starts:
-        gx, gy, gz = particle.take_forces()
+    for particle, sums, _, [(fx, fy, fz)], m, _, _, _, _, _, _, u, v, w in rows:
         if m:
-            q.x, q.y, q.z = u, v, w
-            particle._forces[0] = (0.5 * (fx + gx), 0.5 * (fy + gy), 0.5 * (fz + gz))
-        particle.kick(duration)
+            x, y, z = sums[0] or NO_FORCE
+            mean = (0.5 * (fx + x), 0.5 * (fy + y), 0.5 * (fz + z))
+            particle.kick_from(u, v, w, mean, duration)
+        else:
+            particle.kick(duration)
 
 
 def runge_kutta_4(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    positive("duration", duration)
-    half, sixth = 0.5 * duration, duration / 6.0
-    starts, by_hand = _starts(particles)
-    for ahead in (half, half, duration, 0.0):  # 0: back to the start after the fourth rate
+    if type(duration) is not float or not 0.0 < duration < math.inf:
+        positive("duration", duration)
+    if len(particles) == 1 and particles[0]._inverse_mass:
+        _runge_kutta_of_one(particles[0], apply_forces, duration)
+        return
+    half = 0.5 * duration
+    rows = _rows(particles)
+    for ahead in (half, half, duration):
         apply_forces(duration)
-        for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
-            sums = particle._forces
-            force = sums[0]
-            sums[0] = None
+        for _, sums, by_hand, rates, m, p, q, a, x, y, z, u, v, w in rows:
+            force = sums[0] or NO_FORCE
+            rates.append(force)
+            sums[0] = by_hand
             if m:
-                fx, fy, fz = force or NO_FORCE
-                dx, dy, dz = q.x, q.y, q.z
-                rates.append((dx, dy, dz, fx, fy, fz))
-                p.x = x + dx * ahead
-                p.y = y + dy * ahead
-                p.z = z + dz * ahead
+                fx, fy, fz = force
+                p.x = x + q.x * ahead
+                p.y = y + q.y * ahead
+                p.z = z + q.z * ahead
                 q.x = u + (a.x + fx * m) * ahead
                 q.y = v + (a.y + fy * m) * ahead
                 q.z = w + (a.z + fz * m) * ahead
-        if by_hand and ahead:
-            _add_again(by_hand)
-    for particle, m, _, p, _, x, y, z, _, _, _, rates in starts:
+    apply_forces(duration)
+    for particle, sums, _, rates, m, p, _, a, x, y, z, u, v, w in rows:
         if m:
-            (
-                (u1, v1, w1, f1, g1, h1),
-                (u2, v2, w2, f2, g2, h2),
-                (u3, v3, w3, f3, g3, h3),
-                (u4, v4, w4, f4, g4, h4),
-            ) = rates
-            p.x = x + (u1 + 2.0 * (u2 + u3) + u4) * sixth
-            p.y = y + (v1 + 2.0 * (v2 + v3) + v4) * sixth
-            p.z = z + (w1 + 2.0 * (w2 + w3) + w4) * sixth
-            particle._forces[0] = (
-                (f1 + 2.0 * (f2 + f3) + f4) / 6.0,
-                (g1 + 2.0 * (g2 + g3) + g4) / 6.0,
-                (h1 + 2.0 * (h2 + h3) + h4) / 6.0,
-            )
-        particle.kick(duration)
+            (fx, fy, fz), (gx, gy, gz), (hx, hy, hz) = rates
+            gx += hx
+            gy += hy
+            gz += hz
+            hx, hy, hz = sums[0] or NO_FORCE
+            p.x = x + (u + (a.x + (fx + gx) * m / 3.0) * half) * duration
+            p.y = y + (v + (a.y + (fy + gy) * m / 3.0) * half) * duration
+            p.z = z + (w + (a.z + (fz + gz) * m / 3.0) * half) * duration
+            mean = (fx + gx + gx + hx) / 6.0, (fy + gy + gy + hy) / 6.0, (fz + gz + gz + hz) / 6.0
+            particle.kick_from(u, v, w, mean, duration)
+        else:
+            particle.kick(duration)
 
 
 def backward_euler(
@@ -162,31 +164,81 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     return step
 
 
-def _starts(
-    particles: Iterable[Particle],
-) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return the initial state of each particle, and the forces that were added before the step.
+def _rows(particles: Iterable[Particle]) -> list[tuple[Any, ...]]:
+    """Return a row of what a step needs of each particle.
 
-    A state is (particle, inverse mass, a, p, v, components of p and v, an empty list for results).
+    A row is the particle, the list of its sums of forces, the sum from before the step, which acts
+    in each evaluation, an empty list for the sums of the evaluations, the inverse mass, the vectors
+    p, v and a, and the components of p and v at the start.
     """
-    starts: list[tuple[Any, ...]] = []
-    by_hand = []
+    rows: list[tuple[Any, ...]] = []
     for particle in particles:
-        p, v = particle.position, particle.velocity
-        m, a = particle.inverse_mass, particle.acceleration
-        starts.append((particle, m, a, p, v, p.x, p.y, p.z, v.x, v.y, v.z, []))
-        force = particle.take_forces()
-        if force is not NO_FORCE:
-            by_hand.append((particle, Vector3(*force)))
-    if by_hand:
-        _add_again(by_hand)
-    return starts, by_hand
+        sums = particle._forces
+        p = particle.position
+        q = particle.velocity
+        m = particle._inverse_mass
+        a = particle.acceleration
+        rows.append((particle, sums, sums[0], [], m, p, q, a, p.x, p.y, p.z, q.x, q.y, q.z))
+    return rows
 
 
-def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Restore the forces from before the step, because each evaluation empties the accumulators."""
-    for particle, force in by_hand:
-        particle.add_force(force)
+def _runge_kutta_of_one(particle: Particle, apply_forces: ApplyForces, duration: float) -> None:
+    """Make a step of Runge-Kutta 4 for one movable particle, with its state in local variables."""
+    half = 0.5 * duration
+    m = particle._inverse_mass
+    sums = particle._forces
+    by_hand = sums[0]  # the sum from before the step, which acts in each evaluation
+    p = particle.position
+    q = particle.velocity
+    a = particle.acceleration
+    x = p.x
+    y = p.y
+    z = p.z
+    u = q.x
+    v = q.y
+    w = q.z
+    m_half = m * half
+    middle_u = u + a.x * half  # the velocity after half a step without forces
+    middle_v = v + a.y * half
+    middle_w = w + a.z * half
+    apply_forces(duration)
+    fx, fy, fz = sums[0] or NO_FORCE
+    sums[0] = by_hand
+    p.x = x + u * half
+    p.y = y + v * half
+    p.z = z + w * half
+    q.x = du = middle_u + fx * m_half
+    q.y = dv = middle_v + fy * m_half
+    q.z = dw = middle_w + fz * m_half
+    apply_forces(duration)
+    gx, gy, gz = sums[0] or NO_FORCE
+    sums[0] = by_hand
+    p.x = x + du * half
+    p.y = y + dv * half
+    p.z = z + dw * half
+    q.x = du = middle_u + gx * m_half
+    q.y = dv = middle_v + gy * m_half
+    q.z = dw = middle_w + gz * m_half
+    apply_forces(duration)
+    hx, hy, hz = sums[0] or NO_FORCE
+    sums[0] = by_hand
+    p.x = x + du * duration
+    p.y = y + dv * duration
+    p.z = z + dw * duration
+    q.x = u + (a.x + hx * m) * duration
+    q.y = v + (a.y + hy * m) * duration
+    q.z = w + (a.z + hz * m) * duration
+    apply_forces(duration)
+    gx += hx  # from here on the sum of the second and the third force
+    gy += hy
+    gz += hz
+    hx, hy, hz = sums[0] or NO_FORCE
+    m_sixth = m_half / 3.0  # the mean velocity is v + (a + (f + g) / 3m) h / 2
+    p.x = x + (middle_u + (fx + gx) * m_sixth) * duration
+    p.y = y + (middle_v + (fy + gy) * m_sixth) * duration
+    p.z = z + (middle_w + (fz + gz) * m_sixth) * duration
+    mean = ((fx + gx + gx + hx) / 6.0, (fy + gy + gy + hy) / 6.0, (fz + gz + gz + hz) / 6.0)
+    particle.kick_from(u, v, w, mean, duration)
 
 
 def _per_mass(

@@ -1,6 +1,7 @@
 """The springs of chapter 6 in plain numbers.
 
-A spring computes its force without vectors. A connection adds it to both of its ends in one call.
+A spring computes its force without vectors, and adds it to the sum of a particle without a call. A
+connection does so at both of its ends.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import math
 from ch02_vectors.arguments import finite_vector, instance_of, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
-from ch05_forces.particle import Particle
+from ch05_forces.particle import NO_FORCE, Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.other_forces import Buoyancy as Buoyancy
 from ch06_springs.other_forces import HomingBullet as HomingBullet
@@ -44,7 +45,19 @@ class Spring:
             v, w = particle.velocity, self.other.velocity
             rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
             push = (self.stiffness * (self.rest_length - length) - self.damping * rate) / length
-            particle.add_numbers(x * push, y * push, z * push)
+            forces = particle._forces
+            if force := forces[0]:
+                sum_x, sum_y, sum_z = force
+                x = sum_x + x * push
+                y = sum_y + y * push
+                z = sum_z + z * push
+            else:
+                x *= push
+                y *= push
+                z *= push
+            if 0.0 * (x + y + z) != 0.0:  # infinity * 0 is NaN
+                finite_vector("the force", Vector3(x, y, z))
+            forces[0] = (x, y, z)
 
 
 class AnchoredSpring:
@@ -65,7 +78,19 @@ class AnchoredSpring:
             v = particle.velocity
             rate = (v.x * x + v.y * y + v.z * z) / length
             push = (self.stiffness * (self.rest_length - length) - self.damping * rate) / length
-            particle.add_numbers(x * push, y * push, z * push)
+            forces = particle._forces
+            if force := forces[0]:
+                sum_x, sum_y, sum_z = force
+                x = sum_x + x * push
+                y = sum_y + y * push
+                z = sum_z + z * push
+            else:
+                x *= push
+                y *= push
+                z *= push
+            if 0.0 * (x + y + z) != 0.0:  # infinity * 0 is NaN
+                finite_vector("the force", Vector3(x, y, z))
+            forces[0] = (x, y, z)
 
 
 class Bungee(Spring):
@@ -99,7 +124,24 @@ class Connection:
             v, w = a.velocity, b.velocity
             rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
             push = (self.stiffness * (self.rest_length - length) - self.damping * rate) / length
-            a.add_force_pair(b, x * push, y * push, z * push)
+            x *= push
+            y *= push
+            z *= push
+            mine = a._forces
+            others = b._forces
+            ax, ay, az = mine[0] or NO_FORCE
+            bx, by, bz = others[0] or NO_FORCE
+            ax += x
+            ay += y
+            az += z
+            bx -= x
+            by -= y
+            bz -= z
+            if 0.0 * (ax + ay + az + bx + by + bz) != 0.0:  # infinity * 0 is NaN
+                finite_vector("a force", Vector3(ax, ay, az))
+                finite_vector("a force", Vector3(bx, by, bz))
+            mine[0] = (ax, ay, az)
+            others[0] = (bx, by, bz)
 
 
 def connect(

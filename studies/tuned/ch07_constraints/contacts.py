@@ -7,10 +7,14 @@ two bodies apart. Impulses always conserve momentum, but they conserve kinetic e
 restitution is 1 (erratum E-7).
 
 Lengths are in m, velocities in m/s.
+
+This version computes in plain numbers. The resolver stores the separating velocities and depths in
+lists. After each resolution it updates only those of contacts with the same particles.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import Protocol
 
@@ -35,16 +39,21 @@ class Contact:
         penetration: float = 0.0,
     ) -> None:
         # Speed matters here, so arguments.py is called only for a value that looks wrong.
-        self.particle = instance_of("particle", particle, Particle)
-        self.other = None if other is None else instance_of("other", other, Particle)
+        if not isinstance(particle, Particle):
+            instance_of("particle", particle, Particle)
+        if other is not None and not isinstance(other, Particle):
+            instance_of("other", other, Particle)
         if other is particle:
             wanted = "particle and other must be two different particles"
             raise ValueError(f"{wanted}, got {other!r} twice")
-        if not (isinstance(normal, Vector3) and abs(normal.magnitude() - 1.0) <= UNIT_TOLERANCE):
+        self.particle = particle
+        self.other = other
+        if type(normal) is not Vector3:
             normal = finite_vector("normal", normal)
-            if abs(normal.magnitude() - 1.0) > UNIT_TOLERANCE:
-                wanted = f"normal must be a unit vector (within {UNIT_TOLERANCE:g})"
-                raise ValueError(f"{wanted}, got {normal!r}")
+        if not abs(math.hypot(normal.x, normal.y, normal.z) - 1.0) <= UNIT_TOLERANCE:
+            finite_vector("normal", normal)
+            wanted = f"normal must be a unit vector (within {UNIT_TOLERANCE:g})"
+            raise ValueError(f"{wanted}, got {normal!r}")
         self.normal = normal.copy()
         if not (type(restitution) is float and 0.0 <= restitution <= 1.0):
             restitution = a_restitution("restitution", restitution)
@@ -54,20 +63,24 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        velocity = self.particle.velocity
-        if self.other is not None:
-            velocity = velocity - self.other.velocity
-        return velocity.dot(self.normal)
+        v, n = self.particle.velocity, self.normal
+        if self.other is None:
+            return v.x * n.x + v.y * n.y + v.z * n.z
+        w = self.other.velocity
+        return (v.x - w.x) * n.x + (v.y - w.y) * n.y + (v.z - w.z) * n.z
 
     def velocity_after(self, duration: float = 0.0) -> float:
-        not_negative("duration", duration)
+        if not (type(duration) is float and 0.0 <= duration < math.inf):
+            not_negative("duration", duration)
         closing = self.separating_velocity()
         if closing >= 0.0:
             return closing
+        if not self.restitution:
+            return 0.0  # whatever has built up
         acceleration = Vector3()
-        if self.particle.inverse_mass:
+        if self.particle._inverse_mass:
             acceleration += self.particle.last_acceleration
-        if self.other is not None and self.other.inverse_mass:
+        if self.other is not None and self.other._inverse_mass:
             acceleration -= self.other.last_acceleration
         built_up = min(0.0, acceleration.dot(self.normal) * duration)
         return max(0.0, self.restitution * (built_up - closing))
@@ -79,21 +92,20 @@ class Contact:
         if closing >= 0.0 or total == 0.0:
             return
         impulse = (wanted - closing) / total
-        self.particle.velocity.add_scaled(self.normal, impulse * self.particle.inverse_mass)
+        _add_scaled(self.particle.velocity, self.normal, impulse * self.particle._inverse_mass)
         if self.other is not None:
-            self.other.velocity.add_scaled(self.normal, -impulse * self.other.inverse_mass)
+            _add_scaled(self.other.velocity, self.normal, -impulse * self.other._inverse_mass)
 
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
-        move, other_move = Vector3(), Vector3()
         total = self.total_inverse_mass()
         if self.penetration <= 0.0 or total == 0.0:
-            return move, other_move
+            return Vector3(), Vector3()
         share = self.penetration / total
-        move.add_scaled(self.normal, share * self.particle.inverse_mass)
-        self.particle.position.add_scaled(move, 1.0)  # += would check and copy the position again
+        move, other_move = self.normal * (share * self.particle._inverse_mass), Vector3()
+        _add_scaled(self.particle.position, move, 1.0)
         if self.other is not None:
-            other_move.add_scaled(self.normal, -share * self.other.inverse_mass)
-            self.other.position.add_scaled(other_move, 1.0)
+            other_move = self.normal * (-share * self.other._inverse_mass)
+            _add_scaled(self.other.position, other_move, 1.0)
         self.penetration = 0.0
         return move, other_move
 
@@ -104,8 +116,9 @@ class Contact:
 
     def total_inverse_mass(self) -> float:
         """Return 1 / ma + 1 / mb, which is 0 if neither particle can move."""
-        other = 0.0 if self.other is None else self.other.inverse_mass
-        return self.particle.inverse_mass + other
+        if self.other is None:
+            return self.particle._inverse_mass
+        return self.particle._inverse_mass + self.other._inverse_mass
 
 
 class ContactGenerator(Protocol):
@@ -131,45 +144,62 @@ class ContactResolver:
         self.iterations_used = used + self.resolve_penetrations(movable, limit)
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
+        near = _contacts_of_each(contacts)
+        speeds = [contact.separating_velocity() for contact in contacts]
         for used in range(limit):
-            worst, lowest = None, -VELOCITY_TOLERANCE
-            for contact in contacts:
-                # This is separating_velocity in plain floats. Every impulse compares all contacts.
-                v, n = contact.particle.velocity, contact.normal
-                if contact.other is None:
-                    velocity = v.x * n.x + v.y * n.y + v.z * n.z
-                else:
-                    w = contact.other.velocity
-                    velocity = (v.x - w.x) * n.x + (v.y - w.y) * n.y + (v.z - w.z) * n.z
-                if velocity < lowest:
-                    worst, lowest = contact, velocity
-            if worst is None:
+            lowest = min(speeds, default=0.0)
+            if lowest >= -VELOCITY_TOLERANCE:
                 return used
+            worst = contacts[speeds.index(lowest)]
             worst.resolve_velocity(duration)
+            for i, contact in near[worst.particle]:
+                speeds[i] = contact.separating_velocity()
+            if worst.other is not None:
+                for i, contact in near[worst.other]:
+                    speeds[i] = contact.separating_velocity()
         return limit
 
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
+        near = _contacts_of_each(contacts)
+        depths = [contact.penetration for contact in contacts]
         for used in range(limit):
-            worst, deepest = None, DEPTH_TOLERANCE
-            for contact in contacts:
-                if contact.penetration > deepest:
-                    worst, deepest = contact, contact.penetration
-            if worst is None:
+            deepest = max(depths, default=0.0)
+            if deepest <= DEPTH_TOLERANCE:
                 return used
-            a, b = worst.particle, worst.other
-            move_a, move_b = worst.resolve_penetration()
-            for contact in contacts:
-                if contact is worst:
+            at = depths.index(deepest)
+            worst = contacts[at]
+            moves = worst.resolve_penetration()
+            for particle, move in zip((worst.particle, worst.other), moves, strict=True):
+                if particle is None or not particle._inverse_mass:
                     continue
-                if contact.particle is a:
-                    contact.penetration -= move_a.dot(contact.normal)
-                elif contact.particle is b:
-                    contact.penetration -= move_b.dot(contact.normal)
-                if contact.other is a:
-                    contact.penetration += move_a.dot(contact.normal)
-                elif contact.other is b and b is not None:
-                    contact.penetration += move_b.dot(contact.normal)
+                x, y, z = move.x, move.y, move.z
+                for i, contact in near[particle]:
+                    if contact is not worst:
+                        n = contact.normal
+                        change = x * n.x + y * n.y + z * n.z
+                        contact.penetration -= change if contact.particle is particle else -change
+                        depths[i] = contact.penetration
+            depths[at] = worst.penetration
         return limit
+
+
+def _contacts_of_each(contacts: Iterable[Contact]) -> dict[Particle, list[tuple[int, Contact]]]:
+    """Return the contacts of each particle, with their indices."""
+    found: dict[Particle, list[tuple[int, Contact]]] = {}
+    for pair in enumerate(contacts):
+        contact = pair[1]
+        found.setdefault(contact.particle, []).append(pair)
+        if contact.other is not None:
+            found.setdefault(contact.other, []).append(pair)
+    return found
+
+
+def _add_scaled(vector: Vector3, other: Vector3, scale: float) -> None:
+    """Add a multiple of another vector, unless it is zero."""
+    if scale:
+        vector.x += other.x * scale
+        vector.y += other.y * scale
+        vector.z += other.z * scale
 
 
 def a_restitution(name: str, value: float) -> float:

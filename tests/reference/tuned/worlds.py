@@ -37,10 +37,24 @@ def vector(rng: Random, size: float) -> Vector3:
     return Vector3(*(rng.uniform(-size, size) for _ in range(3)))
 
 
-def drawn(rng: Random, count: int) -> list[Particle]:
+class Slowed(Particle):
+    """A particle with a kick and a drift of its own, which every integrator has to call."""
+
+    __slots__ = ()
+
+    def kick(self, duration: float) -> None:
+        super().kick(duration)
+        self.velocity *= 0.99
+
+    def drift(self, duration: float) -> None:
+        super().drift(0.5 * duration)
+        super().drift(0.5 * duration)
+
+
+def drawn(rng: Random, count: int, kind: type[Particle] = Particle) -> list[Particle]:
     """Draw particles near the origin. About one in five is immovable, and some are damped."""
     return [
-        Particle(
+        kind(
             vector(rng, 3.0),
             vector(rng, 2.0),
             GRAVITY,
@@ -64,11 +78,16 @@ def falling(rng: Random) -> Iterable[Particle]:
     return particles
 
 
-def on_springs(name: str) -> Callable[[Random], Iterable[Particle]]:
-    """Return a function that lets particles on springs and ropes swing by an integrator."""
+def on_springs(
+    name: str, moving: int = 8, kind: type[Particle] = Particle
+) -> Callable[[Random], Iterable[Particle]]:
+    """Return a function that lets particles on springs and ropes swing by an integrator.
+
+    Only the first ones of the eight particles move, if ``moving`` is smaller.
+    """
 
     def run(rng: Random) -> Iterable[Particle]:
-        particles = drawn(rng, 8)
+        particles = drawn(rng, 8, kind)
         registry = ForceRegistry()
         for one, other in zip(particles, [*particles[1:], particles[0]], strict=True):
             connect(registry, one, other, rng.uniform(1.0, 40.0), rng.uniform(0.0, 2.0), 0.1)
@@ -82,7 +101,7 @@ def on_springs(name: str) -> Callable[[Random], Iterable[Particle]]:
             for particle in particles:
                 if rng.random() < 0.2:
                     particle.add_force(vector(rng, 5.0))
-            step(particles, registry.update_forces, FRAME)
+            step(particles[:moving], registry.update_forces, FRAME)
         return particles
 
     return run
@@ -107,6 +126,35 @@ def in_contact(kind: type[ParticleWorld]) -> Callable[[Random], Iterable[Particl
         return balls
 
     return run
+
+
+def asleep_on_springs(rng: Random) -> Iterable[Particle]:
+    """Let balls fall asleep on springs, and move an anchor, a ball or nothing at random."""
+    balls = [Particle(Vector3(2.0 * i), mass=rng.uniform(0.5, 3.0)) for i in range(8)]
+    world = SleepingWorld(balls, sleep_frames=5)
+    springs = [AnchoredSpring(Vector3(2.0 * i, 1.0), rng.uniform(1.0, 9.0), 1.0) for i in range(8)]
+    for ball, spring in zip(balls, springs, strict=True):
+        world.registry.add(ball, spring)
+    world.registry.add(balls[0], Spring(balls[1], 2.0, 2.0, 0.1))
+    for _ in range(STEPS):
+        world.start_frame()
+        one = rng.randrange(8)
+        match rng.randrange(20):
+            case 0:
+                springs[one].anchor += vector(rng, 0.1)
+            case 1:
+                springs[one].stiffness *= 2.0
+            case 2:
+                balls[one].position += vector(rng, 0.1)
+            case 3:
+                balls[one].velocity = vector(rng, 0.1)
+            case 4:
+                balls[one].add_force(vector(rng, 1.0))
+            case 5:
+                balls[one].add_force(Vector3())  # which wakes nothing
+        world.run_physics(FRAME)
+    assert 0 < len(world.asleep) < 8, "choose other numbers"
+    return balls
 
 
 def on_a_chain(rng: Random) -> Iterable[Particle]:
@@ -148,18 +196,19 @@ def solved_by(solver: type[SequentialImpulses | SmallSteps]) -> Callable[..., It
     return run
 
 
+INTEGRATORS = (
+    "explicit_euler",
+    "semi_implicit_euler",
+    "leapfrog",
+    "velocity_verlet",
+    "runge_kutta_4",
+)
 WORLDS: dict[str, Callable[[Random], Iterable[Particle]]] = {
     "falling": falling,
-    **{
-        name: on_springs(name)
-        for name in (
-            "explicit_euler",
-            "semi_implicit_euler",
-            "leapfrog",
-            "velocity_verlet",
-            "runge_kutta_4",
-        )
-    },
+    **{name: on_springs(name) for name in INTEGRATORS},
+    **{f"{name} of one": on_springs(name, moving=1) for name in INTEGRATORS},
+    **{f"{name} of a subclass": on_springs(name, kind=Slowed) for name in INTEGRATORS},
+    "sleep on springs": asleep_on_springs,
     "contacts": in_contact(ParticleWorld),
     "contacts and sleep": in_contact(SleepingWorld),
     "chain": on_a_chain,

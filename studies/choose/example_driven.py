@@ -16,14 +16,14 @@ DURATION = 4.0  # s
 
 
 class Gusts:
-    """A force of 10 N cos(3 t) along X, where t is the time in s that a clock shows."""
+    """A force of 10 N cos(8 t) along X, where t is the time in s that a clock shows."""
 
     def __init__(self, clock: Particle) -> None:
         self.clock = clock
 
-    def update_force(self, particle: Particle, duration: float) -> None:
+    def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
         time = self.clock.position.x
-        particle.add_force(Vector3(10.0 * math.cos(3.0 * time)))
+        particle.add_force(Vector3(10.0 * math.cos(8.0 * time)))
 
 
 def build() -> ParticleWorld:
@@ -31,7 +31,7 @@ def build() -> ParticleWorld:
     clock = Particle(velocity=Vector3(1.0))
     sign = Particle()
     world = ParticleWorld([clock, sign])
-    world.registry.add(sign, AnchoredSpring(Vector3(), 4.0, 0.0))
+    world.registry.add(sign, AnchoredSpring(Vector3(), 100.0, 0.0))
     world.registry.add(sign, Gusts(clock))
     return world
 

@@ -89,9 +89,11 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
     """Return True if the observed orders of convergence are steady enough to estimate an error.
 
     They are steady if the last two are close to the order known from theory. They are also steady
-    if the last three are close to each other.
+    if the last three are close to each other, or if the last four are no lower than in theory.
     """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
+        return True
+    if len(orders) >= 4 and min(orders[-4:]) >= (1.0 - NEAR) * order:
         return True
     last = orders[-3:]
     return len(last) == 3 and min(last) >= LEAST and max(last) - min(last) <= NEAR

@@ -168,7 +168,7 @@ def _smooth_net(world: ParticleWorld) -> Step:
 def _solving(
     solver_of: type[SequentialImpulses | SmallSteps],
 ) -> Callable[[ParticleWorld], Step]:
-    """Build a model's ``step_of`` function, which uses a contact solver that moves the particles."""
+    """Build a model's ``step_of`` function, which uses a solver that moves the particles."""
 
     def step_of(world: ParticleWorld) -> Step:
         solver, forces = solver_of(world.particles, world.contact_generators), world.registry

@@ -15,7 +15,7 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 def is_guess(tried: Tried) -> bool:
     """Return True if the table shows an error of the model that is only a guess."""
-    return not tried.halved.is_steady and math.isfinite(tried.halved.errors[-1])
+    return not tried.halved.is_steady and any(map(math.isfinite, tried.halved.errors[-1:]))
 
 
 def contradiction(found: list[Tried], tolerance: float) -> str:

@@ -88,7 +88,7 @@ def main(arguments: list[str]) -> int:
         ):
             if title == "next cheaper" and not found:
                 continue
-            told = _told(scene, point) if point else none
+            told = _told(scene, point, options.tolerance) if point else none
             if point and point is cheaper:
                 fails = point.error > options.tolerance
                 told += ": not accurate enough" if fails else ": accurate only by chance"
@@ -98,18 +98,19 @@ def main(arguments: list[str]) -> int:
     return 1 if missed else 0
 
 
-def _told(scene: Scene, point: Point) -> str:
+def _told(scene: Scene, point: Point, tolerance: float) -> str:
     """Describe one timed run for the report, with its steps, time, work and error.
 
     For example, "leapfrog, 8 steps per frame: 3.2 ms (0.027 ms per frame), 960 evaluations of
     forces or formulas, error 3e-05".
     """
-    from studies.choose.report import took  # it imports chapters
+    from studies.choose.report import told_beside, took  # it imports chapters
 
     model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
-    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per frame"
+    per = "frame" if model.per == 1 else f"{model.per} frames"
+    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per {per}"
     return (
         f"{point.model}, {choice}: {took(point, scene.frames)}, {point.work} {scene.counted}, "
-        f"error {point.error:.2g}"
+        f"error {told_beside(tolerance, point.error, 2)}"
     )

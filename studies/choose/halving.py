@@ -20,6 +20,7 @@ Run = Sequence[Sequence[float]]  # what is measured, for each frame
 ROUNDING = 1e-12  # fraction of the measured values below which a difference is rounding
 NEAR = 0.3  # orders agree if they differ by at most this (for the expected order, as a fraction)
 LEAST = 0.7  # below this order, a model does not converge
+SLOW = 0.25  # the same for a single order of a method that takes a tolerance
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,12 @@ class Halved:
 
 
 def halved(
-    runs: Sequence[Run | None], ratio: float, order: float, *, may_repeat: bool = False
+    runs: Sequence[Run | None],
+    ratio: float,
+    order: float,
+    *,
+    may_repeat: bool = False,
+    may_vary: bool = False,
 ) -> Halved:
     """Estimate the error of each run of a simulation by comparing the runs with one another.
 
@@ -51,7 +57,8 @@ def halved(
     is a coincidence, and the estimate uses ``order``.
 
     Two equal runs usually mean that both are exact. Set ``may_repeat`` for a method that takes a
-    tolerance, because two tolerances can lead to the same time steps.
+    tolerance, because two tolerances can lead to the same time steps. Set ``may_vary`` for such a
+    method, too. Its error is proportional to the tolerance only on average, so its orders vary.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]
@@ -64,9 +71,12 @@ def halved(
     orders = [math.log(a / b, ratio) for a, b in pairwise(above)]
     is_exact = len(gaps) > 1 and max(gaps[-2:]) <= least
     is_exact = is_exact and (all(gaps[-2:]) or not may_repeat)
-    is_steady = is_exact or _is_steady(orders, order)
+    steady = _is_steady_on_average if may_vary else _is_steady
+    is_steady = is_exact or steady(orders, order)
     if is_exact:
         left = least
+    elif is_steady and may_vary:
+        left = gaps[-1] / (ratio ** min(*orders[-3:], order) - 1.0)
     elif is_steady:
         left = gaps[-1] / (ratio ** min(orders[-1], order) - 1.0)
     else:
@@ -79,12 +89,23 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
     """Return True if the observed orders of convergence are steady enough to estimate an error.
 
     They are steady if the last two are close to the order known from theory. They are also steady
-    if the last three are close to each other.
+    if the last three are close to each other, or if the last four are no lower than in theory.
     """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
+    if len(orders) >= 4 and min(orders[-4:]) >= (1.0 - NEAR) * order:
+        return True
     last = orders[-3:]
     return len(last) == 3 and min(last) >= LEAST and max(last) - min(last) <= NEAR
+
+
+def _is_steady_on_average(orders: Sequence[float], order: float) -> bool:
+    """Return True if the last three orders show that the error falls as the tolerance does.
+
+    The error must fall every time, and on average at least nearly as fast as in theory.
+    """
+    last = orders[-3:]
+    return len(last) == 3 and min(last) >= SLOW and sum(last) / 3.0 >= LEAST * order
 
 
 def distance(a: Run, b: Run) -> float:

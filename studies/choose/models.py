@@ -5,9 +5,10 @@ They depend on what the scene's ``ParticleWorld`` contains:
 - Without contacts, every integrator of chapter 6 can be used. If there are no forces either, a
   closed form is exact.
 - If all contacts come from rods and cables, a solver can compute all tensions at once.
-- If all contacts come from collision detectors, time division can stop a step at each impact.
-- With any kind of contacts, an integrator can move the particles before a resolver corrects the
-  contacts.
+- If all contacts come from collision detectors, time division can stop a step at each impact. The
+  solver with sequential impulses can be used, too.
+- With any kind of contacts, the solver with small steps can be used. Besides, an integrator can
+  move the particles before a resolver corrects the contacts.
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ from ch04_particle_engine.closed_form import state_after
 from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import Integrator
 from ch07_constraints.detectors import Detectors
+from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
+from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, TOLERANCES
@@ -91,18 +94,22 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """List the models that can be used only if all contacts are of the same kind.
+    """List the models for a world with contacts that do not use its resolver.
 
     If all contacts come from rods and cables without restitution, a solver can compute all tensions
-    at once. If all contacts come from collision detectors, time division can be used. Otherwise the
-    list is empty.
+    at once. If all contacts come from collision detectors, time division and sequential impulses
+    can be used. Small steps can be used with any contacts.
     """
     generators = world.contact_generators
+    found = []
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
-        return [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]
-    if all(hasattr(generator, "next_impact") for generator in generators):
-        return [Model("time division", 1, _time_division)]
-    return []
+        found = [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]
+    elif all(hasattr(generator, "next_impact") for generator in generators):
+        found = [
+            Model("time division", 1, _time_division),
+            Model("sequential impulses", 1, _solving(SequentialImpulses)),
+        ]
+    return [*found, Model("small steps", 1, _solving(SmallSteps))]
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
@@ -156,6 +163,23 @@ def _direct_net(world: ParticleWorld) -> Step:
 def _smooth_net(world: ParticleWorld) -> Step:
     net, forces = SmoothNet(world.contact_generators, world.particles), world.registry
     return lambda duration: net.step(duration, forces.update_forces)
+
+
+def _solving(
+    solver_of: type[SequentialImpulses | SmallSteps],
+) -> Callable[[ParticleWorld], Step]:
+    """Build a model's ``step_of`` function, which uses a solver that moves the particles."""
+
+    def step_of(world: ParticleWorld) -> Step:
+        solver, forces = solver_of(world.particles, world.contact_generators), world.registry
+
+        def step(duration: float) -> None:
+            forces.update_forces(duration)
+            solver.step(duration)
+
+        return step
+
+    return step_of
 
 
 def _time_division(world: ParticleWorld) -> Step:

@@ -1,7 +1,7 @@
 """Print the report of `make choose` on a scene that the user wrote.
 
-The report says which method is the fastest one that is accurate enough. It warns the user if the
-estimated errors cannot be trusted.
+The report says which method is the fastest one that is accurate enough. If methods contradict each
+other, it calls none of them accurate.
 """
 
 from __future__ import annotations
@@ -18,19 +18,18 @@ from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
 from studies.accuracy.scene import RATE
 from studies.choose import runs
-from studies.choose.halving import distance
+from studies.choose.doubts import contradiction, is_guess, warnings
 from studies.choose.runs import Tried
 from studies.choose.scene import OwnScene, load
 
-LOW = 0.7  # fraction of the expected order below which there is a warning
-APART = 3.0  # factor of the estimated errors beyond which two models contradict each other
+MOST_DIGITS = 17  # of a number, enough to tell any two numbers apart
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
     """Simulate the user's scene with every model, and report the fastest one that is good enough.
 
-    Its estimated error must be at most ``tolerance``. Return 0 if there is such a model, and 1
-    otherwise.
+    Its estimated error must be at most ``tolerance``. Return 0 if there is such a model that no
+    other model contradicts, and 1 otherwise.
 
     Raises:
         SceneError: The file does not describe a valid scene.
@@ -45,28 +44,56 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
         style="bold",
         soft_wrap=True,
     )
+    doubt = contradiction(found, tolerance)
+    chosen = None
+    if doubt:
+        print_wrapped(console, f"  {'cheapest:':14}unknown, because {doubt}", hanging=16)
+    else:
+        chosen = _print_choice(scene, found, tolerance, console)
+    console.print(_table(found, scene, tolerance, is_doubtful=bool(doubt)))
+    for warning in warnings(found, chosen, tolerance, is_doubtful=bool(doubt)):
+        print_wrapped(console, f"Warning: {warning}", hanging=2)
+    return 0 if chosen else 1
+
+
+def _print_choice(
+    scene: OwnScene, found: list[Tried], tolerance: float, console: Console
+) -> Point | None:
+    """Print the cheapest run that is accurate enough, and the next cheaper one, and return it."""
     steady = [point for tried in found if tried.halved.is_steady for point in tried.points(scene)]
     chosen, cheaper = cheapest(steady, tolerance)
+    longest = max(taken for tried in found for times in tried.times for taken in times)
     for title, point, none in (
-        ("cheapest", chosen, f"no model is accurate enough with runs of up to {runs.SLOWEST:g} s"),
+        ("cheapest", chosen, f"no model is accurate enough with runs of up to {longest:.2g} s"),
         ("next cheaper", cheaper, "no model is cheaper"),
     ):
-        told = _told(found, point, scene.frames) if point else none
+        told = _told(found, point, scene.frames, tolerance) if point else none
         if point and point is cheaper:
             fails = point.error > tolerance
             told += ": not accurate enough" if fails else ": accurate only by chance"
         if chosen or title == "cheapest":
             print_wrapped(console, f"  {title + ':':14}{told}", hanging=16)
-    console.print(_table(found, scene, tolerance))
-    for warning in warnings(found, chosen):
-        print_wrapped(console, f"Warning: {warning}", hanging=2)
-    return 0 if chosen else 1
+    return chosen
 
 
-def _told(found: list[Tried], point: Point, frames: int) -> str:
+def _told(found: list[Tried], point: Point, frames: int, tolerance: float) -> str:
     model = next(tried.model for tried in found if tried.model.name == point.model)
     choice = model.chosen(point.steps)
-    return f"{point.model}, {choice}: {took(point, frames)}, error about {point.error:.1g}"
+    error = told_beside(tolerance, point.error)
+    return f"{point.model}, {choice}: {took(point, frames)}, error about {error}"
+
+
+def told_beside(tolerance: float, error: float, digits: int = 1) -> str:
+    """Round an error to so many digits that the reader sees whether it exceeds the tolerance.
+
+    With a tolerance of 0.001, an error of 0.00102 is not rounded to 0.001. ``digits`` is the
+    smallest number of digits.
+    """
+    for count in range(digits, MOST_DIGITS):
+        told = f"{error:.{count}g}"
+        if error == tolerance or (float(told) - tolerance) * (error - tolerance) > 0.0:
+            return told
+    return f"{error:.{MOST_DIGITS}g}"
 
 
 def took(point: Point, frames: int) -> str:
@@ -75,10 +102,11 @@ def took(point: Point, frames: int) -> str:
     return f"{milliseconds:.3g} ms ({milliseconds / frames:.2g} ms per frame)"
 
 
-def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
+def _table(found: list[Tried], scene: OwnScene, tolerance: float, *, is_doubtful: bool) -> Table:
     """Build the report's table of how many time steps each model needs, and how long it takes.
 
-    If a model never meets the tolerance, its row shows the run with the shortest time steps.
+    If a model never meets the tolerance, its row shows the run with the shortest time steps. If the
+    models contradict each other, ``is_doubtful``, all errors are marked as guesses.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -88,11 +116,13 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
         first = first_within(points, tolerance)
         point = points[-1] if first is None else points[first]
         choice = tried.model.chosen(point.steps).replace(" steps per frame", "")
-        guess = "" if tried.halved.is_steady else "? "
+        failed = "failed" if tried.runs[-1] is None else "unknown"
+        mark = "? " if is_doubtful or is_guess(tried) else ""
+        error = mark + told_beside(tolerance, point.error)
         table.add_row(
             tried.model.name,
             f"not with {choice}" if first is None else choice,
-            f"{guess}{point.error:.1g}" if math.isfinite(point.error) else "failed",
+            error if math.isfinite(point.error) else failed,
             f"{1e3 * point.time:.3g}",
             _order(tried),
         )
@@ -108,64 +138,3 @@ def _order(tried: Tried) -> str:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
     return f"{seen} of {tried.model.order}"
-
-
-def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """List the reasons why the estimated errors may be wrong, as sentences for the report.
-
-    A model may not converge, or it may converge more slowly than in theory. Two models may also
-    contradict each other.
-    """
-    told = []
-    unsteady = [tried for tried in found if not tried.halved.is_steady]
-    if unsteady:
-        told.append(
-            "errors marked ? are only guesses, because they do not fall with the expected order as "
-            "the steps are halved"
-        )
-    for tried in unsteady:
-        if not tried.halved.orders:
-            told.append(f"{tried.model.name}: {tried.failure or 'its runs hardly differ'}")
-    if not chosen and len(unsteady) == len(found):
-        told.append(
-            "no model converges. If the motion is chaotic, shorten DURATION, or measure something "
-            "less sensitive to the initial state. If bodies collide or cables go taut, errors "
-            "shrink unevenly, so allow for an error several times as large"
-        )
-    for tried in found:
-        name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
-        # Leapfrog is expected to have only order 1 if a force depends on the velocity.
-        if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
-            told.append(
-                f"{name} converges with order {seen[-1]:.1f} instead of {order}, which is typical "
-                "of a force with a jump or a kink. Its error is estimated from the lower order"
-            )
-    if chosen and (other := _contradicting(found, chosen)):
-        told.append(other)
-    return told
-
-
-def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Compare the chosen model with the most accurate of the other models.
-
-    If their results differ by more than three times the sum of their estimated errors, at least one
-    estimate is wrong. Return a warning in that case, or if no other model converges. Otherwise
-    return an empty string.
-    """
-    mine = next(tried for tried in found if tried.model.name == chosen.model)
-    run = mine.runs[mine.model.choices.index(chosen.steps)]
-    others = [tried for tried in found if tried is not mine and tried.halved.is_steady]
-    if not others:
-        only = f"only {chosen.model} converges, so no other model confirms its error"
-        return "" if mine.halved.is_exact or len(found) == 1 else only
-    other = min(others, key=lambda tried: tried.halved.errors[-1])
-    finest = other.runs[-1]
-    assert run is not None
-    assert finest is not None  # a model whose last run failed is not steady
-    apart = distance(run, finest)
-    if apart <= APART * (chosen.error + other.halved.errors[-1]):
-        return ""
-    return (
-        f"{chosen.model} and {other.model.name} differ by {apart:.1g}, more than their "
-        "estimated errors allow, so at least one of them is wrong"
-    )

@@ -14,11 +14,15 @@ from dataclasses import dataclass, field
 from studies.accuracy.measure import LEAST, LONG, Point
 from studies.accuracy.results import first_within
 from studies.accuracy.scene import RATE
+from studies.choose.clocks import check_forces
+from studies.choose.halving import LEAST as CONVERGING
 from studies.choose.halving import Halved, Run, distance, halved
 from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
+PATIENCE = 5  # times SLOWEST, for a model whose runs begin to converge
+LONGEST = 10.0  # s for a run of a model that chooses its own steps
 ORDERS = 3  # a slow model is given up only after this many orders, which takes five runs
 STILL = 1e-12  # a change by less than this fraction of the measured values is only rounding
 
@@ -52,7 +56,13 @@ class Tried:
         ratio = model.choices[1] / model.choices[0]
         # If even the tightest tolerance repeats the run, then the run is exact.
         may_repeat = model.takes_tolerance and len(self.runs) < len(model.choices)
-        self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
+        self.halved = halved(
+            self.runs,
+            ratio,
+            model.order,
+            may_repeat=may_repeat,
+            may_vary=model.takes_tolerance,
+        )
 
     def is_enough(self, tolerance: float) -> bool:
         """Return True if the model does not need another run with shorter time steps.
@@ -65,9 +75,17 @@ class Tried:
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
 
-    def has_order(self) -> bool:
-        """Return True if enough runs exist to judge whether the order of convergence is steady."""
-        return len(self.halved.orders) >= ORDERS
+    def is_too_slow(self, taken: float) -> bool:
+        """Return True if the model gets no run with shorter steps after a run of ``taken`` s.
+
+        If the error falls at last, but not yet at a steady rate, the model may take longer. In a
+        chaotic scene, the long steps are useless, and only short ones show the order.
+        """
+        found = self.halved
+        if taken <= SLOWEST or len(found.orders) < ORDERS:
+            return False
+        is_promising = not found.is_steady and found.orders[-1] >= CONVERGING
+        return not (is_promising and taken <= PATIENCE * SLOWEST)
 
     def points(self, scene: OwnScene) -> list[Point]:
         """Convert the runs to points, so that they can be compared as in the accuracy study.
@@ -98,17 +116,21 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
     run, so that the caller can show the progress.
 
     Raises:
-        SceneError: The scene cannot be run, or none of the measured values changes.
+        SceneError: The scene cannot be run, a force has a memory, or none of the measured values
+            changes.
     """
     start = scene.check()
+    check_forces(scene)
     found = []
     for model in models_of(scene.built()):
         tried = Tried(model)
         for choice in model.choices:
             hear(f"{model.name}, {model.chosen(choice)}")
             run, taken = run_once(scene, model, choice)
+            if isinstance(run, str) and taken > LONGEST and tried.runs:
+                break  # what the model has done with larger tolerances still counts
             tried.add(run, taken)
-            if tried.is_enough(tolerance) or (taken > SLOWEST and tried.has_order()):
+            if tried.is_enough(tolerance) or tried.is_too_slow(taken):
                 break
         found.append(tried)
     runs = [run for tried in found for run in tried.runs if run is not None]
@@ -142,6 +164,8 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
             for _ in range(steps):
                 step(duration)
             values.append(scene.measured(world))
+            if model.takes_tolerance and time.process_time() - start > LONGEST:
+                raise ArithmeticError(f"the run is not finished after {LONGEST:g} s")
     except SceneError:
         raise
     except (ArithmeticError, ValueError) as error:

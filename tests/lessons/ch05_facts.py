@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from ch02_vectors.calculus import difference_quotients
 from ch02_vectors.recordings import FILTERS_MASS, falling_filters
@@ -10,6 +11,9 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.closed_form import drag_limits, quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, Gravity, InverseSquareGravity, drag_force
 from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, runge_kutta_4, semi_implicit_euler
+from ch06_springs.springs import AnchoredSpring
+from ch08_mass_aggregate.world import ParticleWorld
 
 
 def accelerated(mass: float, *forces: Vector3) -> Vector3:
@@ -115,10 +119,64 @@ def orbits() -> dict[str, float]:
     }
 
 
+class Gusts:
+    """A force of 10 N cos(8 t) along X, which gets the time from a function."""
+
+    def __init__(self, time_after: Callable[[float], float]) -> None:
+        self.time_after = time_after
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        particle.add_force(Vector3(10 * math.cos(8 * self.time_after(duration))))
+
+
+def adding() -> Callable[[float], float]:
+    """Return a clock that adds up the durations of its calls, and shows the time before each."""
+    durations = [0.0]
+
+    def time_after(duration: float) -> float:
+        durations.append(duration)
+        return sum(durations[:-1])
+
+    return time_after
+
+
+def largest_error(integrator: Integrator, clock_is_particle: bool) -> float:
+    """Return the largest error of the sign's position in m, against x'' = -100 x + 10 cos(8 t)."""
+    clock, sign = Particle(velocity=Vector3(1)), Particle()
+    world = ParticleWorld([clock, sign], integrator=integrator)
+    world.registry.add(sign, AnchoredSpring(Vector3(), 100, 0))
+    time_after = (lambda _: clock.position.x) if clock_is_particle else adding()
+    world.registry.add(sign, Gusts(time_after))
+    errors = []
+    for frame in range(1, 4 * 60 + 1):
+        world.step(1 / 60)
+        t = frame / 60
+        errors.append(abs(sign.position.x - driven(t)))
+    return max(errors)
+
+
+def driven(time: float) -> float:
+    return 10 / (100 - 8**2) * (math.cos(8 * time) - math.cos(10 * time))
+
+
+def clocks() -> dict[str, float]:
+    error = largest_error(semi_implicit_euler, True)
+    assert math.isclose(error, largest_error(semi_implicit_euler, False), rel_tol=1e-9)
+    wrong = largest_error(runge_kutta_4, False)
+    # "As much as the sign moves at all"
+    assert abs(wrong / max(abs(driven(n / 60)) for n in range(241)) - 1) < 0.1
+    return {
+        "20": 1000 * error,
+        "0.065": 1000 * largest_error(runge_kutta_4, True),
+        "0.58": wrong,
+    }
+
+
 SECTIONS = {
     "Forces add up": ("9.81 20 30 40 60 80 500", sums),
     "Drag": ("30 120 10 20 0.1 0.02 0.003 9.81", drags),
     "When drag explodes": ("5 10 15 20 25 0.1", explosions),
     "Four forces of your own": ("100", orbits),
+    "A force that needs the time": ("60 100", clocks),
     "Project: a sniper range": ("10 50 90 100 200", dict),
 }

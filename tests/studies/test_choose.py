@@ -27,9 +27,9 @@ from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
 from studies.accuracy.scene import RATE, Scene
 from studies.choose import runs
+from studies.choose.doubts import warnings
 from studies.choose.halving import distance, halved
 from studies.choose.models import models_of
-from studies.choose.report import warnings
 from studies.choose.scene import OwnScene, load
 from studies.runs.stability import INTEGRATORS
 
@@ -138,10 +138,14 @@ def test_models_follow_from_the_scene() -> None:
     assert special(world(Particle())) == ["exact steps", "adaptive"]
     assert special(spring()) == ["adaptive"]
     assert special(world(Particle(damping=0.9), Gravity(DOWN))) == []
-    assert special(held(0.0)) == ["direct net", "smooth net"]
-    assert special(held(0.5)) == []
+    assert special(held(0.0)) == ["direct net", "smooth net", "small steps"]
+    assert special(held(0.5)) == ["small steps"]
     ball = Particle()
-    assert special(ParticleWorld([ball], [GroundPlane([ball])])) == ["time division"]
+    assert special(ParticleWorld([ball], [GroundPlane([ball])])) == [
+        "time division",
+        "sequential impulses",
+        "small steps",
+    ]
     assert special(SleepingWorld([Particle()])) == ["its own step"]
 
 
@@ -156,24 +160,12 @@ def test_the_example_with_links_shows_that_the_resolver_fails_and_a_net_does_not
     assert "Warning: errors marked ? are only guesses" in told
 
 
-def test_models_that_contradict_each_other_warn() -> None:
-    model = models_of(spring())[0]
-
-    def tried(name: str, limit: float) -> runs.Tried:
-        found = runs.Tried(replace(model, name=name))
-        for n in range(5):
-            found.add([[limit + 0.5**n]], 1.0)
-        return found
-
-    mine, alike, other = tried("mine", 1.0), tried("alike", 1.01), tried("other", 2.0)
+def test_a_model_that_no_other_confirms_warns() -> None:
+    mine = runs.Tried(replace(models_of(spring())[0], name="mine"))
+    for n in range(5):
+        mine.add([[1.0 + 0.5**n]], 1.0)
     chosen = Point("", "mine", "ours", 16, mine.halved.errors[-1], 0)
-    assert chosen.error == pytest.approx(0.5**4)
-    assert warnings([mine, alike], chosen) == []
-    (contradiction,) = warnings([mine, other], chosen)
-    told = "mine and other differ by 1, more than their estimated errors allow"
-    assert contradiction.startswith(told)
-    alone = warnings([mine, runs.Tried(replace(mine.model, name="none"))], chosen)
-    assert alone[1:] == [
+    assert warnings([mine, runs.Tried(replace(mine.model, name="none"))], chosen, 0.1) == [
         "none: its runs hardly differ",
         "only mine converges, so no other model confirms its error",
     ]
@@ -205,7 +197,9 @@ def test_the_example_is_chosen_rightly_and_is_in_the_readme(
     assert choose.main([str(EXAMPLE), "--tolerance", "1e-3"]) == 0
     told = capsys.readouterr().out
     assert "2 s, error at most 0.001 in every frame" in told
-    assert "cheapest:     Runge-Kutta 4, once per frame: " in told
+    # The clear engine takes about as long for either of them.
+    either = r"(Runge-Kutta 4, once|leapfrog, 8 steps|velocity Verlet, 4 steps) per frame: "
+    assert re.search(rf"cheapest: +{either}", told)
     assert "make choose SCENE=studies/choose/example.py" in (ROOT / "studies/README.md").read_text(
         encoding="utf-8"
     )
@@ -293,7 +287,7 @@ def test_bounces_warn_that_halving_does_not_converge(
     cable = ", AnchoredCable(ball, Vector3(), 9.0)"
     status, told = run_on(tmp_path, BALL.format(cable), monkeypatch, capsys)
     assert status == 1
-    assert "cheapest: no model is accurate enough with runs of up to 0.01 s" in told
+    assert "cheapest: no model is accurate enough with runs of up to " in told
     assert "Warning: no model converges." in told
 
 

@@ -41,7 +41,7 @@ OWN = COLORS | {"adaptive": BROWN}  # these have the colors of the other picture
 OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, VIOLET, YELLOW)
 TITLES = (
     "our steps of the same equations",
-    "our better models: closed forms, angles, impacts, statics",
+    "our better models: closed forms, angles, impacts, rest",
 )
 OPEN = {
     "o": "open: pymunk's time is extrapolated",
@@ -144,7 +144,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
     ends = [end for found in rows for end in found.bounds if 0.0 < end < math.inf]
     low, high = min([0.1, *ends]) / 3.0, max([10.0, *ends]) * 10.0
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
-    looks = {
+    marks = {
         tolerance: (color, mark, up)
         for tolerance, color, mark, up in zip(
             tolerances, (ORANGE, BLUE, GREEN), "o^s", UP, strict=True
@@ -155,13 +155,13 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
         axes.axvspan(low, 1.0, color=GRAY, alpha=0.12, lw=0)
         axes.axvline(1.0, color=BLACK, lw=1)
         for found in rows:
-            color, mark, up = looks[found.tolerance]
+            color, mark, up = marks[found.tolerance]
             if found.is_formula == is_formula:
                 _draw_ratio(axes, found, scenes.index(found.scene) + up, color, mark)
         axes.set_xlabel("time of pymunk / time of our fastest model with the same error")
         axes.set_title(title, fontsize=11)
         axes.grid(alpha=0.3)
-    for tolerance, (color, mark, _) in looks.items():
+    for tolerance, (color, mark, _) in marks.items():
         label = f"error of {tolerance:g} of the scale"
         panels[0].plot([], [], mark, color=color, label=label)
     for mark, label in OPEN.items():
@@ -258,7 +258,7 @@ def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """
     styles: dict[str, dict[str, Any]] = {}
     for name, own in models_of(points).items():
-        color, marker = _looks()[name]
+        color, marker = looks()[name]
         is_single = math.isclose(own[0].steps, own[-1].steps)
         styles[name] = {"color": color, "marker": marker, "ls": "-", "ms": 11 if is_single else 5}
         if own[0].by == "pymunk":
@@ -267,11 +267,11 @@ def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
 
 
 @cache
-def _looks() -> dict[str, tuple[str, str]]:
+def looks() -> dict[str, tuple[str, str]]:
     """Return a color and a marker for every model of every scene."""
     from studies.accuracy.catalog import scenes_with
 
-    looks: dict[str, tuple[str, str]] = {}
+    found: dict[str, tuple[str, str]] = {}
     pairs = {
         "pymunk": ((c, m) for m in "x+*1234" for c in (BLACK, GRAY)),
         "the book": ((RED, m) for m in "+*x1234"),
@@ -279,7 +279,7 @@ def _looks() -> dict[str, tuple[str, str]]:
     }
     for scene in scenes_with(""):
         for model in scene.models:
-            if model.name not in looks:
+            if model.name not in found:
                 own = OWN.get(model.name)
-                looks[model.name] = (own, "o") if own else next(pairs[model.by])
-    return looks
+                found[model.name] = (own, "o") if own else next(pairs[model.by])
+    return found

@@ -72,10 +72,8 @@ class Model:
         """Describe a number of steps, as in "3 steps per 12 frames" or "tolerance 0.001"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / steps:g}"
-        if [*self.steps] == [1]:
-            return "once"
         frames = "frame" if self.per == 1 else f"{self.per} frames"
-        return f"{steps:,} step{'s' * (steps > 1)} per {frames}"
+        return f"{'once' if steps == 1 else f'{steps:,} steps'} per {frames}"
 
 
 @dataclass(frozen=True)

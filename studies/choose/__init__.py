@@ -107,10 +107,7 @@ def _told(scene: Scene, point: Point, tolerance: float) -> str:
     from studies.choose.report import told_beside, took  # it imports chapters
 
     model = next(model for model in scene.models if model.name == point.model)
-    steps = "once" if point.steps == 1 else f"{point.steps} steps"
-    per = "frame" if model.per == 1 else f"{model.per} frames"
-    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per {per}"
     return (
-        f"{point.model}, {choice}: {took(point, scene.frames)}, {point.work} {scene.counted}, "
-        f"error {told_beside(tolerance, point.error, 2)}"
+        f"{point.model}, {model.chosen(point.steps)}: {took(point, scene.frames)}, "
+        f"{point.work} {scene.counted}, error {told_beside(tolerance, point.error, 2)}"
     )

@@ -62,7 +62,7 @@ class Multistep:
         back = Order8(
             positions, [-v for v in velocities], lambda x, v: accelerations(x, [-w for w in v])
         )
-        states = [back.state, *back.states_at(h, order - 1, 10.0 ** (-2 - order), MOST)]
+        states = [back.state, *back.states_at(h, order - 1, 10.0 ** (-4 - order), MOST)]
         past = [back.accelerations(*state) for state in states]
         self.evaluations = back.evaluations + len(past)
         self.past = [deque(each, order) for each in zip(*past, strict=True)]

@@ -17,7 +17,7 @@ from ch07_constraints.links import AnchoredCable, Rod
 from ch08_mass_aggregate.bridge import links_of
 from ch08_mass_aggregate.bridge_plan import make_rows
 from studies.accuracy.catalog import scenes_with
-from studies.accuracy.in_pymunk import EXAMPLES, at_best
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.scenes import bridge
 from studies.drawing import slope
 
@@ -119,12 +119,15 @@ def test_no_place_near_the_truth_that_its_links_allow_is_lower() -> None:
 def test_what_holds_the_bridge_gives_by_no_more_than_what_falls_in_a_step(name: str) -> None:
     """In a step, the ends fall by g h^2 before there is a contact to resolve.
 
-    The worst model is pymunk with ten iterations, with 1.01, 0.86 and 0.88 times that.
+    The worst model with the default bias is pymunk with ten iterations, with 1.01, 0.86 and 0.88
+    times that. With three iterations and without a bias, joints correct each other's corrections,
+    and give by up to 6.8 times as much.
     """
+    most = 8.0 if name.startswith(BEST) else 1.5
     for steps in (1, 2, 4):
         falls = G / (60.0 * steps) ** 2
         # If nothing falls any more, the initial shift remains.
-        assert outcome(name, steps)[0] < 1.5 * falls + 10.0 * bridge.HAIR
+        assert outcome(name, steps)[0] < most * falls + 10.0 * bridge.HAIR
 
 
 @pytest.mark.parametrize("name", TWO_SIDED)
@@ -149,7 +152,7 @@ def test_pymunk_with_enough_iterations_stays_where_it_starts() -> None:
     # With 3 m of sag, the ends are lower by a few times the excess length of the cables.
     assert bridge.HAIR < start < 5.0 * bridge.HAIR
     for steps in (1, 4):
-        assert outcome(at_best(50), steps)[0] < 2.0 * start
+        assert outcome("pymunk, 50 iterations", steps)[0] < 2.0 * start
     assert outcome(EXAMPLES, 1)[0] > 1e4 * start
 
 

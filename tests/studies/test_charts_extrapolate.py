@@ -9,10 +9,13 @@ from pathlib import Path
 import pytest
 
 from studies import charts
+from studies.accuracy import chart
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import draw, draw_overview, said, told, told_ratio
+from studies.accuracy.in_pymunk import EXAMPLES
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Side, order_of, table
+from studies.accuracy.scene import Model, Outcome, Scene
 from studies.benchmarks import accuracy
 
 ERRORS, TIMES = [0.08, 0.04, 0.02, 0.01], [1.0, 2.0, 4.0, 8.0]
@@ -21,6 +24,10 @@ ERRORS, TIMES = [0.08, 0.04, 0.02, 0.01], [1.0, 2.0, 4.0, 8.0]
 def points(errors: list[float], model: str = "ours", by: str = "ours") -> list[Point]:
     """Return points whose steps double and whose times double, starting at 1 s."""
     return [Point("s", model, by, 2**i, error, 2**i, [2.0**i]) for i, error in enumerate(errors)]
+
+
+def run(_: int) -> Outcome:
+    return Outcome([(0.0,)], 1)
 
 
 THEIRS = points(ERRORS, "theirs", "pymunk")
@@ -68,10 +75,13 @@ def test_the_least_time_of_pymunk_s_models_counts() -> None:
     assert (side.model, side.time) == ("near", pytest.approx(400.0))
 
 
-def test_what_is_extrapolated_is_drawn(tmp_path: Path) -> None:
+def test_what_is_extrapolated_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    looks = {"ours": ("#0072b2", "o"), "theirs": ("#000000", "x")}
+    monkeypatch.setattr(chart, "looks", lambda: looks)
+    scene = Scene("s", 1, 1.0, lambda _: (0.0,), [Model("ours", run), Model("theirs", run)])
     measured = [*OURS, *THEIRS]
-    draw(measured, "work", tmp_path / "with.png")
-    draw([*OURS, *THEIRS[:3]], "work", tmp_path / "without.png")
+    draw(measured, scene, tmp_path / "with.png")
+    draw([*OURS, *THEIRS[:3]], scene, tmp_path / "without.png")
     draw_overview(table(measured), tmp_path / "overview.png")
     assert (tmp_path / "with.png").read_bytes() != (tmp_path / "without.png").read_bytes()
     assert (tmp_path / "overview.png").stat().st_size > 10_000
@@ -83,11 +93,11 @@ def test_a_line_of_the_benchmarks_is_extrapolated_by_the_order(
     (scene,) = scenes_with("projectile")
     monkeypatch.setattr(accuracy, "MOST", 64 * scene.frames)
     monkeypatch.setattr(accuracy, "versus", lambda *_: lambda: 3.0)
-    line = accuracy.line(scene.name, None, "pymunk", 1, tolerance=1e-5)
+    line = accuracy.line(scene.name, None, EXAMPLES, 1, tolerance=1e-5)
     assert "pymunk's time is extrapolated to 1e-05 with its order of 1.00" in line.what
     # 64 steps per frame are not enough. With 1024, the error follows order 1, apart from a
     # hundredth of the next order.
-    error = scene.error(accuracy.model_of(scene, "pymunk").run(1024))
+    error = scene.error(accuracy.model_of(scene, EXAMPLES).run(1024))
     assert line.once() == pytest.approx(3.0 * 16.0 * error / 1e-5, rel=0.02)
 
 

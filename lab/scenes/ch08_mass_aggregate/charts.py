@@ -38,7 +38,7 @@ class Charts(Scene):
     charted = Choice("elastic pendulum", "scene", [*CHARTED])
     method = Choice("semi-implicit Euler", "method", METHODS)
     steps = Choice(4, "steps per frame", [1, 2, 4, 8])
-    tolerance = Choice(1e-4, "tolerance of a method with its own steps", [1e-2, 1e-4, 1e-6, 1e-8], "m")
+    tolerance = Choice(1e-4, "tolerance of a method in own steps", [1e-2, 1e-4, 1e-6, 1e-8], "m")
     long_steps = Choice(4, "steps per 12 frames of a method in long steps", [2, 3, 4, 6])
 
     def build(self) -> None:

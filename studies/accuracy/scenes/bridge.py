@@ -81,6 +81,7 @@ def bridge() -> Scene:
         Model("direct net, seen from the side", partial(by_net, from_the_side), few),
         Model(FOUND_AT_REST, partial(by_equilibrium, FRAMES), (1,), is_formula=True),
         Model(EXAMPLES, partial(by_joints, 10), some, "pymunk"),
+        Model("pymunk, 50 iterations", partial(by_joints, 50), some, "pymunk"),
         *(
             Model(at_best(number), partial(by_joints, number, is_best=True), some, "pymunk")
             for number in (3, 10, 50)

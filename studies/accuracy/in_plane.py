@@ -6,6 +6,7 @@ They read the scene's equations from one function, from positions and velocities
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 
 from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place, in_frames
@@ -18,6 +19,13 @@ LONG_STEPS = (2, 3, 4, 6, *(LONG * 2**n for n in range(13)))
 ORDERS = (4, 6, 8)
 
 
+def flat(positions: Sequence[complex]) -> Place:
+    """List the coordinates of all bodies in one flat tuple: x1, y1, x2, y2 and so on."""
+    if len(positions) == 1:
+        return positions[0].real, positions[0].imag
+    return tuple([part for z in positions for part in (z.real, z.imag)])
+
+
 def in_plane(
     positions: Sequence[complex],
     velocities: Sequence[complex],
@@ -25,10 +33,14 @@ def in_plane(
     frames: int,
     *,
     is_damped: bool,
+    place: Callable[[Sequence[complex]], Place] = flat,
+    prefix: str = "",
 ) -> list[Model]:
     """Create the models of high order for a scene.
 
-    ``is_damped`` says whether the accelerations depend on the velocities.
+    ``is_damped`` says whether the accelerations depend on the velocities. ``place`` converts the
+    positions to coordinates, and ``prefix`` is the start of the models' names. A model with a
+    prefix steps other variables than the bodies' positions, such as angles.
     """
 
     def by_multistep(order: int, steps: int) -> Outcome:
@@ -43,28 +55,31 @@ def in_plane(
             is_damped=is_damped or is_long,  # the curve between two steps needs velocities
         )
         if is_long:
-            places = in_long_steps(bodies, LONG // steps, frames)
+            places = in_long_steps(bodies, LONG // steps, frames, place)
         else:
             places = in_frames(
-                lambda _: bodies.run(steps // LONG), lambda: flat(bodies.positions), frames, 1
+                lambda _: bodies.run(steps // LONG), lambda: place(bodies.positions), frames, 1
             )
         return Outcome(places, bodies.evaluations * len(positions))
 
     def by_tolerance(inverse: int) -> Outcome:
         bodies = Order8(positions, velocities, accelerations)
         places = bodies.positions_at(1.0 / RATE, frames, 1.0 / inverse)
-        return Outcome([*map(flat, places)], bodies.evaluations * len(positions))
+        return Outcome([*map(place, places)], bodies.evaluations * len(positions))
 
-    return [
+    models = [
         *(
             Model(f"multistep, order {order}", partial(by_multistep, order), LONG_STEPS, per=LONG)
             for order in ORDERS
         ),
         Model("order 8, own steps", by_tolerance, TOLERANCES, takes_tolerance=True),
     ]
+    return [replace(model, name=prefix + model.name, is_formula=bool(prefix)) for model in models]
 
 
-def in_long_steps(bodies: Multistep, every: int, frames: int) -> list[Place]:
+def in_long_steps(
+    bodies: Multistep, every: int, frames: int, place: Callable[[Sequence[complex]], Place]
+) -> list[Place]:
     """Simulate in steps of ``every`` frames, with cubic curves for the frames in between."""
     places: list[Place] = []
     while len(places) < frames:
@@ -73,16 +88,9 @@ def in_long_steps(bodies: Multistep, every: int, frames: int) -> list[Place]:
         new, later = bodies.positions, bodies.velocities
         for frame in range(1, every):
             between = hermite(old, fast, new, later, every / RATE, frame / every)
-            places.append(flat(between))
-        places.append(flat(new))
+            places.append(place(between))
+        places.append(place(new))
     return places[:frames]
-
-
-def flat(positions: Sequence[complex]) -> Place:
-    """List the coordinates of all bodies in one flat tuple: x1, y1, x2, y2 and so on."""
-    if len(positions) == 1:
-        return positions[0].real, positions[0].imag
-    return tuple([part for z in positions for part in (z.real, z.imag)])
 
 
 def on_all(acceleration: Callable[[complex, complex], complex]) -> Accelerations:

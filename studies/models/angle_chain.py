@@ -87,6 +87,11 @@ class AngleChain:
             self.angles[i] += sixth * (v1[i] + 2.0 * (v2[i] + v3[i]) + v4[i])
             velocities[i] += sixth * (a1[i] + 2.0 * (a2[i] + a3[i]) + a4[i])
 
+    def accelerations(self) -> list[float]:
+        """Return the angular accelerations in rad/s^2 in the present state."""
+        velocities = self.angular_velocities
+        return self._rates(0.0, velocities, velocities)[1]
+
     def _rates(
         self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
     ) -> tuple[list[float], list[float]]:

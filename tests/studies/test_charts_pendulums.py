@@ -115,7 +115,8 @@ def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: in
 def test_the_work_of_chains_is_rods_solved_for_in_every_evaluation() -> None:
     frames = {"double pendulum": 120, "five rods, heavy tip": 120}
     for name, rods in (("double pendulum", 2), ("five rods, heavy tip", 5)):
-        work = {model.name: model.run(2).work for model in SCENES[name].models}
+        models = [model for model in SCENES[name].models if model.per == 1]
+        work = {model.name: model.run(2).work for model in models if not model.takes_tolerance}
         once = 2 * frames[name] * rods
         assert work["direct chain"] == once
         assert work["by its angles, Runge-Kutta 4"] == 4 * once

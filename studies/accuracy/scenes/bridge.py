@@ -14,11 +14,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cache, partial
+from functools import partial
 from typing import Any
-
-import numpy
-from scipy.optimize import root  # type: ignore[import-untyped]
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
@@ -30,27 +27,21 @@ from ch08_mass_aggregate.bridge_plan import (
     CABLE_LENGTH,
     DAMPING,
     GRAVITY,
-    HEIGHT,
-    PLANK_MASS,
-    ROWS,
     Row,
-    anchor_of,
     make_rows,
-    support_length,
 )
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best, reading
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.scenes.hanging import HAIR, MASSES, cables, hanging, truth
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.heap_resolver import HeapResolver
 
 FRAMES = 60  # errors do not grow after this second
 LONG = 600  # frames of sleep
-MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
 FOUND_AT_REST = "found by equilibrium, then asleep"
-HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
 
 Links = Callable[[list[Row]], list[ContactGenerator]]
 
@@ -98,61 +89,6 @@ def sleeping() -> Scene:
         Model(BEST, partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
     ]
     return Scene("rope bridge asleep", LONG, CABLE_LENGTH, truth, models, "contacts resolved")
-
-
-def truth(_: float) -> Place:
-    """Return the exact positions of the planks' ends in the resting bridge, seen from the side.
-
-    Since the planks do not move, the positions do not depend on the time.
-    """
-    return tuple(part for place in hanging() for part in place) * 2
-
-
-def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """List the cables on one side of the rope bridge as tuples of start, end and length.
-
-    The end is the index of a plank. The start is the index of another plank, or the position of an
-    anchor. The length is in m, as seen from the side.
-    """
-    found: list[tuple[int | tuple[float, float], int, float]] = []
-    for i, (end, _) in enumerate(make_rows()):
-        anchor = anchor_of(end)
-        across = anchor.z - end.position.z
-        found.append(((anchor.x, anchor.y), i, math.sqrt(support_length(i) ** 2 - across**2)))
-    return found + [(i, i + 1, CABLE_LENGTH) for i in range(ROWS - 1)]
-
-
-@cache
-def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute where the planks' ends on one side of the rope bridge come to rest, using SciPy.
-
-    At rest, all cables are taut, and their tensions balance the weights. Every cable is made longer
-    by ``extra``, in m.
-    """
-    held = cables()
-
-    def off(state: Any) -> Any:
-        """Compute the errors of a state, all of which are 0 when the bridge is at rest.
-
-        The errors are the net force on each plank's end in N, and each cable's excess length in m.
-        """
-        rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
-        forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
-        too_long = []
-        for (start, end, length), pull in zip(held, pulls, strict=True):
-            way = rows[end] - (rows[start] if isinstance(start, int) else start)
-            now = numpy.hypot(*way)
-            too_long.append(now - length - extra)
-            forces[end] -= pull / now * way
-            if isinstance(start, int):
-                forces[start] += pull / now * way
-        return numpy.concatenate([forces.ravel(), too_long])
-
-    start = [part for end, _ in make_rows() for part in (end.position.x, 0.75 * HEIGHT)]
-    found = root(off, [*start, *(10.0 for _ in held)], tol=1e-12)
-    if not found.success:
-        raise ArithmeticError(f"SciPy did not find where the bridge hangs: {found.message}")
-    return [(float(x), float(y)) for x, y in found.x[: 2 * ROWS].reshape(ROWS, 2)]
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
 from typing import Any
@@ -30,16 +30,14 @@ from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
 from studies.accuracy.in_plane import in_plane
 from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, in_frames, solved
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, in_frames, solved
 from studies.models.angle_chain import AngleChain
 from studies.models.angle_rope import AngleRope
+from studies.models.order_8 import Numbers
 from studies.models.plane_rods import accelerations_on_rods
 from studies.models.rod_tensions import RodTensions
-from studies.models.smooth_net import hermite
 from studies.runs.constraints import resolving
 
-LONG = 12  # frames; the number of long steps is given per this many frames
-LONG_STEPS = (1, 2, 3, 4, 6, 8, 9, 10)
 COUNTED = "contacts resolved, or rods solved for"
 
 
@@ -129,14 +127,11 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS, *iterations: int) -> l
     the numbers of steps per frame with which most of our models are run. ``iterations`` lists how
     often pymunk's solver runs in each step when it is at its best.
     """
-    angles = [
-        Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
-        Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS, per=LONG),
-    ]
     start = [complex(body.position.x, body.position.y) for body in chain.particles()]
     rods = accelerations_on_rods(chain.masses, [chain.length] * len(start), chain.gravity)
     return [
-        *(replace(model, is_formula=True) for model in angles),
+        Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps, is_formula=True),
+        *by_angles_of_high_order(chain),
         *in_plane(start, [0j] * len(start), rods, chain.frames, is_damped=True),
         Model("rods as forces, Runge-Kutta 4", partial(by_tensions, chain), steps),
         Model("direct chain", partial(by_direct_chain, chain), steps),
@@ -165,31 +160,33 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
-def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Simulate a chain of rods by its angles, in time steps that are longer than a frame.
-
-    There are ``steps`` time steps in every twelve frames. The angles at the frames in between are
-    interpolated with cubic polynomials.
-    """
+def by_angles_of_high_order(chain: Chain) -> list[Model]:
+    """Create the models that step the angles of the rods with methods of high order."""
     angles = chain.by_its_angles()
-    length, places, made = LONG / steps, [], 0  # frames of a step
-    old, fast = [*angles.angles], [*angles.angular_velocities]
-    for frame in range(1, chain.frames + 1):
-        while made * length < frame - 1e-9:
-            old, fast = [*angles.angles], [*angles.angular_velocities]
-            angles.step(length / RATE)
-            made += 1
-        share = 1.0 - (made * length - frame) / length
-        new, later = angles.angles, angles.angular_velocities
-        turned = hermite(old, fast, new, later, length / RATE, share)
-        place, x, y = [], 0.0, 0.0
+
+    def accelerations(turned: Numbers, turning: Numbers) -> Numbers:
+        angles.angles, angles.angular_velocities = turned, turning  # type: ignore[assignment]
+        return [*angles.accelerations()]
+
+    def place(turned: Sequence[Any]) -> Place:
+        parts, x, y = [], 0.0, 0.0
         for angle in turned:
             x += chain.length * math.sin(angle)
             y -= chain.length * math.cos(angle)
-            place.append(x)
-            place.append(y)
-        places.append(tuple(place))
-    return Outcome(places, 4 * made * len(chain.masses))
+            parts.append(x)
+            parts.append(y)
+        return tuple(parts)
+
+    start = [chain.angle] * len(chain.masses)
+    return in_plane(
+        start,
+        [0.0] * len(start),
+        accelerations,
+        chain.frames,
+        is_damped=len(start) > 1,
+        place=place,
+        prefix="by its angles, ",
+    )
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:

@@ -47,8 +47,8 @@ def pendulum() -> Scene:
         places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), chain.frames, steps)
         return Outcome(places, 4 * chain.frames * steps)
 
-    by_particles = models_of(chain, STEPS, 1)[2:]  # by_angle replaces the models by angles
-    models = [Model("by its angle, Runge-Kutta 4", by_angle, is_formula=True), *by_particles]
+    _, *others = models_of(chain, STEPS, 1)  # by_angle replaces the first one
+    models = [Model("by its angle, Runge-Kutta 4", by_angle, is_formula=True), *others]
     return Scene("pendulum from horizontal", chain.frames, 1.0, truth, models, COUNTED)
 
 

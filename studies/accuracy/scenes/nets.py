@@ -20,14 +20,17 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
+from studies.accuracy.in_plane import ORDERS
 from studies.accuracy.in_pymunk import EXAMPLES, at_best
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
-from studies.accuracy.scenes.bridge import MASSES, cables, hanging
+from studies.accuracy.scenes.hanging import MASSES, cables, hanging
 from studies.accuracy.scenes.planes import (
     COUNTED,
     LONG,
     Plane,
     Walker,
+    by_links,
     by_long_steps,
     by_net,
     in_pymunk,
@@ -63,10 +66,17 @@ def scene_of(
     def run(by: Callable[..., Outcome], *chosen: Any) -> Callable[[int], Outcome]:
         return lambda steps: by(plane(), *chosen, steps)
 
+    smooth = [
+        Model("smooth net in long steps", run(by_long_steps), LONG_STEPS, per=LONG),
+        *(
+            Model(f"multistep, order {order}", run(by_links, order), MULTISTEPS, per=LONG)
+            for order in ORDERS
+        ),
+    ]
     models = [
         Model("direct net", run(by_net, DirectNet), STEPS[:6]),
         Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
-        *[Model("smooth net in long steps", run(by_long_steps), LONG_STEPS, per=LONG)] * is_smooth,
+        *([] if not is_smooth else smooth),
         Model(EXAMPLES, in_pymunk(plane, 10), STEPS, "pymunk"),
         *(
             Model(

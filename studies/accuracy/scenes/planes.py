@@ -22,11 +22,14 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable
+from studies.accuracy.in_plane import ORDERS, flat, in_plane
 from studies.accuracy.in_pymunk import InSpace, Step, by_pymunk
 from studies.accuracy.scene import RATE, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
 from studies.models.direct_net import DirectNet
 from studies.models.net import Strut
+from studies.models.order_8 import Numbers
+from studies.models.plane_links import Link, accelerations_on_links
 from studies.models.smooth_net import SmoothNet, hermite
 
 if TYPE_CHECKING:
@@ -195,6 +198,41 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
         places.append(tuple(new))
         old, fast = new, later
     return Outcome(places, 4 * plane.frames // every * len(plane.ties))
+
+
+def by_links(plane: Plane, order: int, steps: int) -> Outcome:
+    """Simulate a net with a multistep method, while all cables are taut.
+
+    The last body is a clock: it moves by 1 m per s, so that the moving load knows the time.
+    """
+    weights = complex(0.0, -plane.gravity)
+
+    def free(positions: Numbers) -> Numbers:
+        found = [weights] * len(plane.masses) + [0j]
+        if plane.walker:
+            start, pace, weight = plane.walker
+            xs = [position.real for position in positions[:-1]]
+            knot, share = borne(xs, start + pace * positions[-1].real)
+            found[knot] -= 1j * (1.0 - share) * weight / plane.masses[knot]
+            found[knot + 1] -= 1j * share * weight / plane.masses[knot + 1]
+        return found
+
+    links: list[Link] = [
+        (start if isinstance(start, int) else complex(*start), end, length)
+        for start, end, length, _ in plane.ties
+    ]
+    positions = [*(complex(*place) for place in plane.places), 0j]
+    masses = [*plane.masses, 1.0]
+    models = in_plane(
+        positions,
+        [*[0j] * len(plane.places), 1.0],
+        accelerations_on_links(masses, links, free),
+        plane.frames,
+        is_damped=True,
+        place=lambda positions: flat(positions[:-1]),
+    )
+    outcome = models[ORDERS.index(order)].run(steps)
+    return Outcome(outcome.places, outcome.work // len(positions) * len(links))
 
 
 def in_pymunk(

@@ -1,0 +1,80 @@
+"""Compute where the loaded rope bridge of chapter 8 comes to rest, with SciPy."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy
+from scipy.optimize import root  # type: ignore[import-untyped]
+
+from ch08_mass_aggregate.bridge_plan import (
+    CABLE_LENGTH,
+    GRAVITY,
+    HEIGHT,
+    PLANK_MASS,
+    ROWS,
+    anchor_of,
+    make_rows,
+    support_length,
+)
+from studies.accuracy.scene import Place
+
+MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
+HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
+
+
+def truth(_: float) -> Place:
+    """Return the exact positions of the planks' ends in the resting bridge, seen from the side.
+
+    Since the planks do not move, the positions do not depend on the time.
+    """
+    return tuple(part for place in hanging() for part in place) * 2
+
+
+def cables() -> list[tuple[int | tuple[float, float], int, float]]:
+    """List the cables on one side of the rope bridge as tuples of start, end and length.
+
+    The end is the index of a plank. The start is the index of another plank, or the position of an
+    anchor. The length is in m, as seen from the side.
+    """
+    found: list[tuple[int | tuple[float, float], int, float]] = []
+    for i, (end, _) in enumerate(make_rows()):
+        anchor = anchor_of(end)
+        across = anchor.z - end.position.z
+        found.append(((anchor.x, anchor.y), i, math.sqrt(support_length(i) ** 2 - across**2)))
+    return found + [(i, i + 1, CABLE_LENGTH) for i in range(ROWS - 1)]
+
+
+@cache
+def hanging(extra: float = 0.0) -> list[Place]:
+    """Compute where the planks' ends on one side of the rope bridge come to rest, using SciPy.
+
+    At rest, all cables are taut, and their tensions balance the weights. Every cable is made longer
+    by ``extra``, in m.
+    """
+    held = cables()
+
+    def off(state: Any) -> Any:
+        """Compute the errors of a state, all of which are 0 when the bridge is at rest.
+
+        The errors are the net force on each plank's end in N, and each cable's excess length in m.
+        """
+        rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
+        forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
+        too_long = []
+        for (start, end, length), pull in zip(held, pulls, strict=True):
+            way = rows[end] - (rows[start] if isinstance(start, int) else start)
+            now = numpy.hypot(*way)
+            too_long.append(now - length - extra)
+            forces[end] -= pull / now * way
+            if isinstance(start, int):
+                forces[start] += pull / now * way
+        return numpy.concatenate([forces.ravel(), too_long])
+
+    start = [part for end, _ in make_rows() for part in (end.position.x, 0.75 * HEIGHT)]
+    found = root(off, [*start, *(10.0 for _ in held)], tol=1e-12)
+    if not found.success:
+        raise ArithmeticError(f"SciPy did not find where the bridge hangs: {found.message}")
+    return [(float(x), float(y)) for x, y in found.x[: 2 * ROWS].reshape(ROWS, 2)]

@@ -151,7 +151,8 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
         )
     }
     for axes, is_formula, title in zip(panels, (False, True), TITLES, strict=True):
-        axes.set(xscale="log", xlim=(low, high), yticks=range(len(scenes)), yticklabels=scenes)
+        axes.set(xscale="log", xlim=(low, high), ylim=(-0.7, len(scenes) - 0.3))
+        axes.set(yticks=range(len(scenes)), yticklabels=scenes)
         axes.axvspan(low, 1.0, color=GRAY, alpha=0.12, lw=0)
         axes.axvline(1.0, color=BLACK, lw=1)
         for found in rows:
@@ -273,7 +274,7 @@ def looks() -> dict[str, tuple[str, str]]:
 
     found: dict[str, tuple[str, str]] = {}
     pairs = {
-        "pymunk": ((c, m) for m in "x+*1234" for c in (BLACK, GRAY)),
+        "pymunk": ((c, m) for m in "x+*1234|_" for c in (BLACK, GRAY)),
         "the book": ((RED, m) for m in "+*x1234"),
         "ours": ((c, m) for m in MARKERS for c in OURS),
     }

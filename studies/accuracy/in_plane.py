@@ -6,13 +6,12 @@ They read the scene's equations from one function, from positions and velocities
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 
 from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place, in_frames
 from studies.models.multistep import LoneMultistep, Multistep
 from studies.models.order_8 import Accelerations, Order8
-from studies.models.smooth_net import hermite
+from studies.models.smooth_net import hermite_weights
 
 LONG = 12  # frames; the number of steps is given per this many frames
 LONG_STEPS = (2, 3, 4, 6, *(LONG * 2**n for n in range(13)))
@@ -34,14 +33,14 @@ def in_plane(
     *,
     is_damped: bool,
     place: Callable[[Sequence[complex]], Place] = flat,
-    prefix: str = "",
+    units: int = 0,
 ) -> list[Model]:
     """Create the models of high order for a scene.
 
     ``is_damped`` says whether the accelerations depend on the velocities. ``place`` converts the
-    positions to coordinates, and ``prefix`` is the start of the models' names. A model with a
-    prefix steps other variables than the bodies' positions, such as angles.
+    positions to coordinates. An evaluation counts as ``units`` of work, or as one for each body.
     """
+    units = units or len(positions)
 
     def by_multistep(order: int, steps: int) -> Outcome:
         is_long = steps < LONG
@@ -60,21 +59,20 @@ def in_plane(
             places = in_frames(
                 lambda _: bodies.run(steps // LONG), lambda: place(bodies.positions), frames, 1
             )
-        return Outcome(places, bodies.evaluations * len(positions))
+        return Outcome(places, bodies.evaluations * units)
 
     def by_tolerance(inverse: int) -> Outcome:
         bodies = Order8(positions, velocities, accelerations)
         places = bodies.positions_at(1.0 / RATE, frames, 1.0 / inverse)
-        return Outcome([*map(place, places)], bodies.evaluations * len(positions))
+        return Outcome([*map(place, places)], bodies.evaluations * units)
 
-    models = [
+    return [
         *(
             Model(f"multistep, order {order}", partial(by_multistep, order), LONG_STEPS, per=LONG)
             for order in ORDERS
         ),
         Model("order 8, own steps", by_tolerance, TOLERANCES, takes_tolerance=True),
     ]
-    return [replace(model, name=prefix + model.name, is_formula=bool(prefix)) for model in models]
 
 
 def in_long_steps(
@@ -82,17 +80,18 @@ def in_long_steps(
 ) -> list[Place]:
     """Simulate in steps of ``every`` frames, with cubic curves for the frames in between."""
     places: list[Place] = []
+    curve = [hermite_weights(every / RATE, frame / every) for frame in range(1, every)]
     while len(places) < frames:
         old, fast = [*bodies.positions], [*bodies.velocities]
         bodies.run(1)
         new, later = bodies.positions, bodies.velocities
-        for frame in range(1, every):
-            between = hermite(old, fast, new, later, every / RATE, frame / every)
-            places.append(place(between))
+        ends = [*zip(old, fast, new, later, strict=True)]
+        for a, b, c, d in curve:
+            places.append(place([a * x + b * v + c * y + d * w for x, v, y, w in ends]))
         places.append(place(new))
     return places[:frames]
 
 
 def on_all(acceleration: Callable[[complex, complex], complex]) -> Accelerations:
-    """Return a function for a list with one body, from that for the body itself."""
+    """Turn the acceleration of one body into a function that takes and returns lists."""
     return lambda positions, velocities: [acceleration(positions[0], velocities[0])]

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 # The number of rounds, and the time in s for the slowest run of our models and of pymunk's. Pymunk
 # gets more time, because it needs many steps to become as accurate as our models.
 QUICK = (3, 0.05, 0.05)
-FULL = (5, 0.3, 2.0)
+FULL = (3, 0.3, 1.0)
 SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
@@ -47,7 +47,7 @@ def main(arguments: list[str]) -> int:
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
-        "--quick", action="store_true", help="take three minutes: fewer points, fewer rounds"
+        "--quick", action="store_true", help="take four minutes: fewer points, fewer rounds"
     )
     parser.add_argument("--scene", default="", help="only scenes with this text in their name")
     parser.add_argument(

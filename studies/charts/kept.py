@@ -1,37 +1,114 @@
 """Copy the results of a complete run of `make charts` into the repository.
 
-The results are the page with all charts, the overview picture, and a description of the picture.
+The results are the page with all charts, the overview picture with a description, all ratios, and a
+table of them in studies/README.md.
 """
 
 from __future__ import annotations
 
+import json
 import math
+import platform
 import re
 import textwrap
 from collections.abc import Sequence
+from datetime import date
+from importlib import metadata
 from pathlib import Path
+from typing import Any
 
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
-from studies.accuracy.results import Row
+from autograder.text.marked import with_text
+from studies.accuracy.results import TOLERANCES, Row
 
 PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
+FIGURES = "studies/accuracy/figures.json"
 READMES = ("README.md", "studies/README.md")
 SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
+BEGIN, END = "<!-- ratios: `make charts` writes this -->", "<!-- end of ratios -->"
+# How many times as long as ours pymunk should take at each tolerance, in a smooth scene.
+GOALS = {False: (0.8, 2.0, 15.0), True: (3.0, 30.0, 300.0)}
+ROUGH = ("ball", "net of", "at rest", "asleep", "spheres", "thousand")  # not smooth, or no motion
+
+Figure = dict[str, Any]
 
 
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
-    """Copy the overview picture and the page with all charts from ``out`` into the repository.
+    """Copy the overview picture, the page with all charts and the ratios into the repository.
 
-    The description of the picture in the READMEs is updated, too.
+    ``out`` is the folder of the picture and the page. The READMEs get a new description of the
+    picture, and one of them a new table.
     """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
+    figures = figures_of(rows)
+    found = {
+        "measured": date.today().isoformat(),
+        "python": platform.python_version(),
+        "pymunk": metadata.version("pymunk"),
+        "rows": figures,
+    }
+    replace_bytes(root / FIGURES, (json.dumps(found, indent=1) + "\n").encode())
     for name in READMES:
         path = root / name
-        text = path.read_text(encoding="utf-8")
-        new = SHOWN.sub(_wrapped(described(rows)), text)
-        replace_bytes(path, new.encode())
+        text = SHOWN.sub(_wrapped(described(rows)), path.read_text(encoding="utf-8"))
+        if BEGIN in text:
+            text = with_text(text, BEGIN, END, table(figures))
+        replace_bytes(path, text.encode())
+
+
+def figures_of(rows: Sequence[Row]) -> list[Figure]:
+    """Return what the READMEs quote of each comparison, with ratios to three digits."""
+    return [
+        {
+            "scene": row.scene,
+            "is_formula": row.is_formula,
+            "tolerance": row.tolerance,
+            "ours": row.ours.model,
+            "pymunk": row.pymunk.model,
+            "ratio": float(f"{row.ratio:.3g}") if row.ratio else None,
+            "is_extrapolated": row.is_extrapolated,
+            "low": float(f"{row.bounds[0]:.3g}"),
+            "high": float(f"{row.bounds[1]:.3g}") if row.bounds[1] < math.inf else None,
+            "never": "ours" * row.ours.never or "pymunk" * row.pymunk.never,
+        }
+        for row in rows
+    ]
+
+
+def table(figures: Sequence[Figure]) -> str:
+    """Return the table of all ratios, in Markdown. A ratio that misses its goal is in italics."""
+    cells = {(f["scene"], f["is_formula"], f["tolerance"]): told(f) for f in figures}
+    heads = [f"{kind} {tolerance:g}" for kind in ("steps,", "model,") for tolerance in TOLERANCES]
+    lines = [["scene", *heads], ["---", *["---:"] * len(heads)]]
+    for scene in dict.fromkeys(figure["scene"] for figure in figures):
+        keys = [(scene, kind, tolerance) for kind in (False, True) for tolerance in TOLERANCES]
+        lines.append([scene, *(cells.get(key, "") for key in keys)])
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def told(figure: Figure) -> str:
+    """Return a ratio as it stands in the table."""
+    if figure["ratio"]:
+        text = "~" * figure["is_extrapolated"] + _rounded(figure["ratio"])
+    elif figure["never"] == "pymunk" and figure["ours"]:
+        text = "pymunk never"
+    elif figure["never"] == "ours" and figure["pymunk"]:
+        text = "ours never"
+    elif figure["low"]:
+        text = f"> {_rounded(figure['low'])}"
+    else:
+        text = f"< {_rounded(figure['high'])}" if figure["high"] else "-"
+    return f"*{text}*" if misses(figure) else text
+
+
+def misses(figure: Figure) -> bool:
+    """Return True if a ratio in a smooth scene is below its goal."""
+    if any(part in figure["scene"] for part in ROUGH):
+        return False
+    goal = GOALS[figure["is_formula"]][TOLERANCES.index(figure["tolerance"])]
+    return not (figure["never"] == "pymunk" or (figure["ratio"] or figure["low"]) >= goal)
 
 
 def _wrapped(alt: str) -> str:
@@ -45,29 +122,32 @@ def described(rows: Sequence[Row]) -> str:
     its alternative text.
     """
     scenes = len({row.scene for row in rows})
-    told = [
+    words = [
         f"For each of {scenes} scenes, the time of pymunk at its best as a multiple of ours, at "
         "errors of 1e-2, 1e-4 and 1e-6 of the scene's size."
     ]
     for is_formula, ours in ((False, "our steps"), (True, "our better models")):
         own = [row for row in rows if row.is_formula == is_formula]
-        ratios = {row.ratio: row for row in own if row.ratio}
-        if slower := [ratio for ratio in ratios if ratio > 1.0]:
-            most = max(slower)
-            told.append(
-                f"Against {ours}, pymunk takes longer in {len(slower)} of {len(ratios)} "
-                f"comparisons, up to {_rounded(most)} times as long ({ratios[most].scene}"
-                f"{', extrapolated' if ratios[most].is_extrapolated else ''})."
+        known = [(row.ratio, row) for row in own if row.ratio]
+        if slower := [pair for pair in known if pair[0] > 1.0]:
+            most, row = max(slower, key=lambda pair: pair[0])
+            words.append(
+                f"Against {ours}, pymunk takes longer in {len(slower)} of {len(known)} "
+                f"comparisons, up to {_rounded(most)} times as long ({row.scene}"
+                f"{', extrapolated' if row.is_extrapolated else ''})."
             )
-        if faster := [ratio for ratio in ratios if ratio < 1.0]:
-            least = min(faster)
-            told.append(
+        if faster := [pair for pair in known if pair[0] < 1.0]:
+            least, row = min(faster, key=lambda pair: pair[0])
+            words.append(
                 f"It is faster in {len(faster)}, and takes as little as 1/{_rounded(1.0 / least)} "
-                f"of our time ({ratios[least].scene})."
+                f"of our time ({row.scene})."
             )
-        missed = sum(row.ours.time is not None and row.pymunk.time is None for row in own)
-        told.append(f"In {missed} more, only ours reach the error.")
-    return " ".join(told)
+        only_ours = sum(bool(row.ours.time) and not row.pymunk.time for row in own)
+        only_theirs = sum(bool(row.pymunk.time) and not row.ours.time for row in own)
+        words.append(
+            f"Only ours reach the error in {only_ours} more, and only pymunk in {only_theirs}."
+        )
+    return " ".join(words)
 
 
 def _rounded(value: float) -> str:

@@ -1,8 +1,9 @@
 """Going further: Runge-Kutta of order 8, which takes long steps and reads the frames in between.
 
-A step needs 12 evaluations. If the motion is smooth, it is accurate even when it lasts for many
-frames, and a polynomial of degree 7 gives the positions within it. The method estimates its error,
-and chooses the length of its steps accordingly. SciPy supplies the coefficients.
+A step needs 12 evaluations, and three more if a frame ends in it. If the motion is smooth, it is
+accurate even when it lasts for many frames, and a polynomial of degree 7 gives the positions within
+it. The method estimates its error, and chooses the length of its steps accordingly. SciPy supplies
+the coefficients.
 
 The bodies move in the X-Y plane. A complex number x + iy holds a position or a velocity, so that
 one operation of Python does the work of two.
@@ -22,7 +23,7 @@ from scipy.integrate import DOP853  # type: ignore[import-untyped]
 from ch02_vectors.arguments import positive
 
 MANY = 10**6  # steps
-FIRST = 8  # the first step that is tried, as a multiple of the distance of the results
+FIRST = 8  # the first step that is tried, as a multiple of the time between two results
 SAFETY, LEAST, MOST = 0.9, 0.2, 6.0  # for the next step, as a multiple of this one
 STAGES = [[*map(float, row[:i])] for i, row in enumerate(DOP853.A) if i]
 END = [*map(float, DOP853.B)]
@@ -83,6 +84,8 @@ class Order8:
             factor = min(max(share, LEAST), MOST)
             if not error < 1.0:
                 step *= factor
+                if not time + step > time:
+                    raise ArithmeticError(f"the steps of order 8 become too short at {time:g} s")
                 continue
             start = self.state
             self.state = _moved(start, END, stages, step)

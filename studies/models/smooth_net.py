@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 from ch02_vectors.arguments import positive
 from ch05_forces.particle import Particle
@@ -30,7 +30,6 @@ CORRECTIONS = 4  # of the positions after a step
 MOST = 5000  # impacts in a step
 LEAST = 1e-9  # the fraction of a step that is not worth a step
 
-Number = TypeVar("Number", float, complex)
 Force = tuple[float, float, float]
 Forces = Callable[[float], object]
 Solved = tuple[list[Way], list[float]]  # the directions of the links, and the factors with them
@@ -243,27 +242,37 @@ class SmoothNet(Net):
 
 
 def hermite(
-    old: Sequence[Number],
-    fast: Sequence[Number],
-    new: Sequence[Number],
-    later: Sequence[Number],
+    old: Sequence[float],
+    fast: Sequence[float],
+    new: Sequence[float],
+    later: Sequence[float],
     duration: float,
     share: float,
-) -> list[Number]:
+) -> list[float]:
     """Return positions within a step, from the positions and velocities at its two ends.
 
     ``share`` is the elapsed fraction of the step, and ``duration`` is its length in s. ``old`` and
     ``new`` are the positions at the start and the end. ``fast`` and ``later`` are the velocities at
-    the start and the end. The cubic curve through them has an error of order 4, like the step
-    itself.
+    the start and the end.
+    """
+    a, b, c, d = hermite_weights(duration, share)
+    ends = zip(old, fast, new, later, strict=True)
+    return [a * x0 + b * v0 + c * x1 + d * v1 for x0, v0, x1, v1 in ends]
+
+
+def hermite_weights(duration: float, share: float) -> tuple[float, float, float, float]:
+    """Return the weights of the cubic curve through a step's ends, after a share of the step.
+
+    They belong to the position and the velocity at the start, and to those at the end. ``duration``
+    is that of the step in s. The curve has an error of order 4, like the step itself.
     """
     s, left = share, 1.0 - share
-    p, q = left * left * (1.0 + 2.0 * s), s * s * (3.0 - 2.0 * s)
-    u, v = duration * s * left * left, -duration * s * s * left
-    return [
-        p * x0 + q * x1 + u * v0 + v * v1
-        for x0, v0, x1, v1 in zip(old, fast, new, later, strict=True)
-    ]
+    return (
+        left * left * (1.0 + 2.0 * s),
+        duration * s * left * left,
+        s * s * (3.0 - 2.0 * s),
+        -duration * s * s * left,
+    )
 
 
 def _moved(places: Sequence[float], speeds: Sequence[float], time: float) -> list[float]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
 from typing import Any
@@ -143,10 +143,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS, *iterations: int) -> l
             )
         ),
         by_pymunk(EXAMPLES, partial(in_space, chain, 10), chain.frames),  # its default
-        *(
-            by_pymunk(at_best(number), partial(ahead, chain, number), chain.frames)
-            for number in iterations
-        ),
+        *(by_pymunk(at_best(number), ahead(chain, number), chain.frames) for number in iterations),
     ]
 
 
@@ -178,15 +175,17 @@ def by_angles_of_high_order(chain: Chain) -> list[Model]:
         return tuple(parts)
 
     start = [chain.angle] * len(chain.masses)
-    return in_plane(
+    models = in_plane(
         start,
         [0.0] * len(start),
         accelerations,
         chain.frames,
         is_damped=len(start) > 1,
         place=place,
-        prefix="by its angles, ",
     )
+    return [
+        replace(model, name=f"by its angles, {model.name}", is_formula=True) for model in models
+    ]
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
@@ -240,26 +239,36 @@ def in_space(chain: Chain, iterations: int, _: float) -> InSpace:
     space = pymunk.Space()
     space.gravity, space.iterations = (0.0, -chain.gravity), iterations
     before, bodies = space.static_body, []
-    for particle in chain.particles():
-        body = pymunk.Body(particle.mass, math.inf)
-        body.position = (particle.position.x, particle.position.y)
+    x, y = chain.length * math.sin(chain.angle), -chain.length * math.cos(chain.angle)
+    for i, mass in enumerate(chain.masses, 1):
+        body = pymunk.Body(mass, math.inf)
+        body.position = (i * x, i * y)
         space.add(body, pymunk.PinJoint(before, body))
         bodies.append(body)
         before = body
     return space, bodies
 
 
-def ahead(chain: Chain, iterations: int, duration: float) -> InSpace:
-    """Create the chain in pymunk at its best: half a step ahead, and joints without a bias."""
-    space, bodies = in_space(chain, iterations, duration)
-    first = chain.rates(0.0, numpy.array([*[chain.angle] * len(bodies), *[0.0] * len(bodies)]))
-    turning = first[len(bodies) :] * 0.5 * duration * chain.length  # m/s
+def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
+    """Return a function that creates the chain in pymunk at its best.
+
+    It starts half a step ahead, and its joints have no bias.
+    """
+    count = len(chain.masses)
+    turning = chain.rates(0.0, numpy.array([chain.angle] * count + [0.0] * count))[count:]
     along, up = math.cos(chain.angle), math.sin(chain.angle)
-    for body, speed in zip(bodies, numpy.cumsum(turning), strict=True):
-        body.velocity = (float(speed * along), float(speed * up))
-    for joint in space.constraints:
-        joint.error_bias = 0.0
-    return space, bodies
+    first = [
+        (float(gain * along), float(gain * up)) for gain in numpy.cumsum(turning * chain.length)
+    ]
+
+    def make(duration: float) -> InSpace:
+        space, bodies = in_space(chain, iterations, duration)
+        half = 0.5 * duration
+        for body, joint, (x, y) in zip(bodies, space.constraints, first, strict=True):
+            body.velocity, joint.error_bias = (half * x, half * y), 0.0
+        return space, bodies
+
+    return make
 
 
 def places_of(particles: Sequence[Particle]) -> Place:

@@ -18,7 +18,7 @@ from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import explicit_euler
 from ch06_springs.springs import Buoyancy
 from studies.accuracy.in_plane import in_plane, on_all
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk, lone
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk, lone, space_with
 from studies.accuracy.scene import (
     RATE,
     Made,
@@ -119,7 +119,7 @@ def quadratic_drag() -> Scene:
         return 0.0, -u * u / G * math.log(math.cosh(G * time / u))
 
     def in_equal_frames(_: int) -> Outcome:
-        """Turn cosh and sinh of the time on by a frame, with the formulas for their sums."""
+        """Compute cosh and sinh of each frame from those of the frame before, by addition."""
         turn = math.sqrt(k2 * G) / RATE
         c, s, cosh, sinh = math.cosh(turn), math.sinh(turn), 1.0, 0.0
         places: list[Place] = []
@@ -200,6 +200,19 @@ def floating_block() -> Scene:
         share = min(max((s - position.imag) / (2.0 * s), 0.0), 1.0)
         return 1j * (1000.0 * volume * share / mass - 1.0) * G
 
+    def on_spring(duration: float) -> InSpace:
+        """Replace the weight and the buoyancy by a spring, as the block stays partly submerged."""
+        import pymunk  # here, because a chapter's plots do not need it
+
+        start = -0.5 * duration * amplitude * stiffness / mass
+        space, (body,) = space_with((0.0, low + amplitude), (0.0, start))
+        anchor = (0.0, low)
+        body.mass = mass
+        space.add(
+            pymunk.DampedSpring(body, space.static_body, (0.0, 0.0), anchor, 0.0, stiffness, 0.0)
+        )
+        return space, [body]
+
     def in_equal_frames(_: int) -> Outcome:
         heights = oscillation_in_frames(amplitude, stiffness / mass, 0.0, 1.0 / RATE, frames)
         return Outcome([(0.0, low + height) for height in heights], frames)
@@ -210,6 +223,7 @@ def floating_block() -> Scene:
         *by_integrators(make, frames),
         *in_plane([1j * (low + amplitude)], [0j], on_all(acceleration), frames, is_damped=False),
         *lone((0.0, low + amplitude), (0.0, 0.0), acceleration, frames, is_damped=False),
+        by_pymunk(f"{BEST}, as a spring", on_spring, frames),
     ]
     return Scene("floating block", frames, amplitude, truth, models)
 

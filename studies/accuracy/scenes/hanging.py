@@ -33,6 +33,7 @@ def truth(_: float) -> Place:
     return tuple(part for place in hanging() for part in place) * 2
 
 
+@cache
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
     """List the cables on one side of the rope bridge as tuples of start, end and length.
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy
@@ -24,7 +25,7 @@ from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable
 from studies.accuracy.in_plane import ORDERS, flat, in_plane
 from studies.accuracy.in_pymunk import InSpace, Step, by_pymunk
-from studies.accuracy.scene import RATE, Outcome, Place, in_frames
+from studies.accuracy.scene import RATE, Model, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
 from studies.models.direct_net import DirectNet
 from studies.models.net import Strut
@@ -200,39 +201,40 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
     return Outcome(places, 4 * plane.frames // every * len(plane.ties))
 
 
-def by_links(plane: Plane, order: int, steps: int) -> Outcome:
-    """Simulate a net with a multistep method, while all cables are taut.
+def by_links(plane: Plane) -> list[Model]:
+    """Create the multistep models of a net, which work while all cables are taut.
 
-    The last body is a clock: it moves by 1 m per s, so that the moving load knows the time.
+    If a load moves across the net, the last body is a clock: it moves by 1 m per s, so that the
+    load knows the time.
     """
-    weights = complex(0.0, -plane.gravity)
+    weight = complex(0.0, -plane.gravity)
+    clock = [0j] if plane.walker else []
 
     def free(positions: Numbers) -> Numbers:
-        found = [weights] * len(plane.masses) + [0j]
+        found = [weight] * len(plane.masses) + clock
         if plane.walker:
-            start, pace, weight = plane.walker
+            start, pace, load = plane.walker
             xs = [position.real for position in positions[:-1]]
             knot, share = borne(xs, start + pace * positions[-1].real)
-            found[knot] -= 1j * (1.0 - share) * weight / plane.masses[knot]
-            found[knot + 1] -= 1j * share * weight / plane.masses[knot + 1]
+            found[knot] -= 1j * (1.0 - share) * load / plane.masses[knot]
+            found[knot + 1] -= 1j * share * load / plane.masses[knot + 1]
         return found
 
     links: list[Link] = [
         (start if isinstance(start, int) else complex(*start), end, length)
         for start, end, length, _ in plane.ties
     ]
-    positions = [*(complex(*place) for place in plane.places), 0j]
-    masses = [*plane.masses, 1.0]
+    count = len(plane.masses)
     models = in_plane(
-        positions,
-        [*[0j] * len(plane.places), 1.0],
-        accelerations_on_links(masses, links, free),
+        [*(complex(*place) for place in plane.places), *clock],
+        [*[0j] * count, *(1.0 for _ in clock)],
+        accelerations_on_links([*plane.masses, *(1.0 for _ in clock)], links, free),
         plane.frames,
         is_damped=True,
-        place=lambda positions: flat(positions[:-1]),
+        place=lambda positions: flat(positions[:count]),
+        units=len(links),
     )
-    outcome = models[ORDERS.index(order)].run(steps)
-    return Outcome(outcome.places, outcome.work // len(positions) * len(links))
+    return models[: len(ORDERS)]
 
 
 def in_pymunk(
@@ -244,6 +246,10 @@ def in_pymunk(
     With ``corrects``, the joints correct their whole error in each step.
     """
 
+    @cache
+    def first() -> list[tuple[float, float]]:
+        return [(float(x), float(y)) for x, y in plane().first_accelerations().reshape(-1, 2)]
+
     def make(duration: float) -> InSpace:
         import pymunk
 
@@ -252,11 +258,9 @@ def in_pymunk(
         space.gravity, space.iterations = (0.0, -net.gravity), iterations
         bodies = [pymunk.Body(mass, math.inf) for mass in net.masses]
         still = space.static_body
-        changes = 0.5 * duration * net.first_accelerations().reshape(-1, 2)
-        for body, point, change in zip(bodies, net.places, changes, strict=True):
-            body.position = point
-            if is_ahead:
-                body.velocity = (float(change[0]), float(change[1]))
+        half = 0.5 * duration * is_ahead
+        for body, point, (x, y) in zip(bodies, net.places, first(), strict=True):
+            body.position, body.velocity = point, (half * x, half * y)
         space.add(*bodies)
         for start, end, length, kind in net.ties:
             held, at = (bodies[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 
 from ch02_vectors.vector import Vector3
@@ -78,7 +77,7 @@ def spring(stiffness: float, damping: float) -> Scene:
     def as_in_examples(_: float) -> InSpace:
         return on_spring((1.0, 0.0), (0.0, 0.0), stiffness, damping)
 
-    by_hand, _ = lone((1.0, 0.0), (0.0, 0.0), acceleration, FRAMES, is_damped=True)
+    by_hand, *_ = lone((1.0, 0.0), (0.0, 0.0), acceleration, FRAMES, is_damped=True)
     models = [
         by_formula(place_at, FRAMES),
         Model("exact steps", in_equal_frames, (1,), is_formula=True),
@@ -86,9 +85,13 @@ def spring(stiffness: float, damping: float) -> Scene:
         *in_plane([1.0], [0.0], on_all(acceleration), FRAMES, is_damped=True),
         Model("backward Euler", partial(by_solver, backward_euler, stiffness, damping)),
         Model("trapezoidal rule", partial(by_solver, trapezoidal, stiffness, damping)),
-        Model("faked stiff spring", by_forces(make_fake, semi_implicit_euler, FRAMES)),
+        Model(
+            "faked stiff spring",
+            by_forces(make_fake, semi_implicit_euler, FRAMES),
+            is_formula=True,
+        ),
         by_pymunk(EXAMPLES, as_in_examples, FRAMES),
-        replace(by_hand, name="pymunk, force by hand"),
+        by_hand,
         by_pymunk(BEST, ahead, FRAMES),
     ]
     name = f"spring, k = {stiffness:g} N/m, c = {damping:.3g} N s/m"
@@ -125,14 +128,14 @@ def elastic_pendulum() -> Scene:
         space.gravity = (0.0, -gravity)
         return space, bodies
 
-    by_hand, _ = lone(place, velocity, acceleration, FRAMES, is_damped=False)
+    by_hand, *_ = lone(place, velocity, acceleration, FRAMES, is_damped=False)
     models = [
         *by_integrators(make, FRAMES),
         *in_plane(
             [complex(*place)], [complex(*velocity)], on_all(acceleration), FRAMES, is_damped=False
         ),
         by_pymunk(EXAMPLES, lambda _: in_space(0.0), FRAMES),
-        replace(by_hand, name="pymunk, force by hand"),
+        by_hand,
         by_pymunk(BEST, in_space, FRAMES),
     ]
     truth = solved(rates, [*place, *velocity], lambda state: (state[0], state[1]), FRAMES)

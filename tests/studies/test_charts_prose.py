@@ -1,0 +1,73 @@
+"""What the pages say about speed and accuracy is what `make charts` and `make bench` measured."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+
+import pytest
+
+from autograder.manifest import ROOT
+from autograder.text.marked import between
+from studies.accuracy.catalog import scenes_with
+from studies.charts.kept import BEGIN, END, FIGURES, ROUGH, misses, table
+
+ROWS = json.loads((ROOT / FIGURES).read_text(encoding="utf-8"))["rows"]
+PAGE = " ".join((ROOT / "studies/README.md").read_text(encoding="utf-8").split())
+# A sentence with a ratio: its words, the scene, whether it is about a better model, and the error.
+QUOTED = [
+    ("an overlap of at most 1 %, it needs 1/{} of our time", "stack of ten spheres, mass ratio 1"),
+    ("and for a net that catches a ball 1/{} at an error of 1e-2", "net of 6 by 6 cables"),
+    ("positions in 1/{} of the time of two flat lists", "a thousand bodies in free fall"),
+]
+LARGE = [
+    ("pymunk takes {} times as long as our steps of an elastic pendulum", "elastic pendulum"),
+    ("{} times as long for an orbit of eccentricity 0.5", "orbit of eccentricity 0.5"),
+]
+
+
+def ratio(scene: str, tolerance: float, *, is_formula: bool = False) -> float:
+    (found,) = (
+        row
+        for row in ROWS
+        if (row["scene"], row["tolerance"], row["is_formula"]) == (scene, tolerance, is_formula)
+    )
+    return float(found["ratio"] or found["low"])
+
+
+def rounded(value: float) -> str:
+    """Format a ratio to two digits, as the table of the page does."""
+    digits = max(0, 1 - math.floor(math.log10(value)))
+    return f"{float(f'{value:.2g}'):,.{digits}f}"
+
+
+def test_the_table_is_that_of_the_figures_and_has_all_scenes() -> None:
+    page = (ROOT / "studies/README.md").read_text(encoding="utf-8")
+    assert between(page, BEGIN, END) == table(ROWS)
+    assert {row["scene"] for row in ROWS} == {scene.name for scene in scenes_with("")}
+
+
+@pytest.mark.parametrize(("words", "scene"), QUOTED)
+def test_a_ratio_below_one_in_the_text_is_that_of_the_figures(words: str, scene: str) -> None:
+    assert words.format(rounded(1.0 / ratio(scene, 1e-2))) in PAGE
+
+
+@pytest.mark.parametrize(("words", "scene"), LARGE)
+def test_a_ratio_in_the_text_is_that_of_the_figures(words: str, scene: str) -> None:
+    assert words.format(rounded(ratio(scene, 1e-6))) in PAGE
+
+
+def test_each_goal_that_is_missed_is_counted_and_its_scene_is_named() -> None:
+    (told,) = re.findall(r"\*\*Which goals we miss\.\*\*.*?(?=\*\*What pymunk)", PAGE)
+    smooth = [row for row in ROWS if not any(part in row["scene"] for part in ROUGH)]
+    steps, models = (
+        (sum(misses(row) for row in own), len(own))
+        for own in (
+            [row for row in smooth if row["is_formula"] == is_formula]
+            for is_formula in (False, True)
+        )
+    )
+    assert f"our steps miss {steps[0]} of {steps[1]} goals" in told
+    assert f"our better models {models[0]} of {models[1]}" in told
+    assert all(f"*{row['scene']}*" in told for row in ROWS if misses(row))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 import sys
+from collections.abc import Callable
 
 from ch03_laws_of_motion.particle import Particle
 from studies.accuracy.in_pymunk import reading
@@ -86,12 +87,14 @@ def _against_pymunk(bodies: int, read: str) -> Measurement:
             position = body.position
             position.x, position.y  # noqa: B018
 
-    looks = {IN_TURN: in_turn, AT_ONCE: reading(space, others), NOT: lambda: None}[read]
+    ways: dict[str, Callable[[], object]]
+    ways = {IN_TURN: in_turn, AT_ONCE: reading(space, others), NOT: lambda: None}
+    look = ways[read]
 
     def theirs() -> None:
         for _ in range(frames):
             space.step(FRAME)
-            looks()
+            look()
 
     many = "1 body" if bodies == 1 else f"{bodies} bodies"
     what = f"step{read}"

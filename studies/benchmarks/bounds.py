@@ -20,7 +20,7 @@ from studies.models.order_8 import Accelerations
 from studies.models.plane_rods import accelerations_on_rods
 from studies.timing import Measurement, timer, versus
 
-TOLERANCES = (1e-2, 1e-4)
+TOLERANCE = 1e-4
 
 
 def lines() -> list[Measurement]:
@@ -29,7 +29,7 @@ def lines() -> list[Measurement]:
     five = accelerations_on_rods([1.0, 1.0, 1.0, 1.0, 10.0], [1.0] * 5, G)
     stiffness, damping = 10.0, 0.632
     return [
-        line(part, theirs, work, tolerance)
+        line(part, theirs, work)
         for part, theirs, work in (
             ("double pendulum", at_best(2), evaluating(double, 2)),
             ("five rods, heavy tip", at_best(50), evaluating(five, 5)),
@@ -40,15 +40,14 @@ def lines() -> list[Measurement]:
             ),
             ("projectile with linear drag", BEST, falling),
         )
-        for tolerance in TOLERANCES
     ]
 
 
-def line(part: str, theirs: str, work: Callable[[int], object], tolerance: float) -> Measurement:
-    """Divide pymunk's time at a tolerance by the time of bare arithmetic in as many frames."""
+def line(part: str, theirs: str, work: Callable[[int], object]) -> Measurement:
+    """Divide pymunk's time by the time of bare arithmetic in as many frames."""
     (scene,) = scenes_with(part)
     model = model_of(scene, theirs)
-    steps, error = fewest_steps(scene, model, tolerance)
+    steps, error = fewest_steps(scene, model, TOLERANCE)
     what = f"{scene.name}: {told(model, steps, error)} / the bare arithmetic of its frames"
     figure = versus(partial(seconds_of, model, steps), timer(partial(work, scene.frames)))
     return Measurement(what, figure, 15)

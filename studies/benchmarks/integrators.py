@@ -56,7 +56,7 @@ def lines() -> list[Measurement]:
             "one particle on a spring: a Runge-Kutta 4 step / a semi-implicit Euler step",
             versus(timer(stepping(runge_kutta_4)), once),
             ROUNDS,
-            Target("at most", 4.5),
+            Target("at most", 4.0),
         ),
     ]
 

@@ -37,7 +37,7 @@ def lines() -> list[Measurement]:
             "Particle.integrate / the same arithmetic in local variables",
             versus(step, timer(lambda: arithmetic(even))),
             ROUNDS,
-            Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.6),
+            Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.4),
         ),
         Measurement(
             "Particle.integrate / the same arithmetic, with steps of random length",

@@ -11,15 +11,17 @@ import pytest
 from autograder.manifest import ROOT
 from autograder.text.marked import between
 from studies.accuracy.catalog import scenes_with
+from studies.benchmarks.kept import kept
 from studies.charts.kept import BEGIN, END, FIGURES, ROUGH, misses, table
 
 ROWS = json.loads((ROOT / FIGURES).read_text(encoding="utf-8"))["rows"]
 PAGE = " ".join((ROOT / "studies/README.md").read_text(encoding="utf-8").split())
 # A sentence with a ratio: its words, the scene, whether it is about a better model, and the error.
 QUOTED = [
-    ("an overlap of at most 1 %, it needs 1/{} of our time", "stack of ten spheres, mass ratio 1"),
-    ("and for a net that catches a ball 1/{} at an error of 1e-2", "net of 6 by 6 cables"),
-    ("positions in 1/{} of the time of two flat lists", "a thousand bodies in free fall"),
+    ("of a diameter of where they belong, it needs 1/{}", "stack of ten spheres, mass ratio 1"),
+    ("for a pile of 45 spheres 1/{}", "pile of 45 spheres"),
+    ("for a net that catches a ball 1/{} at an error of 1e-2", "net of 6 by 6 cables"),
+    ("reads all positions in 1/{} of the time of two flat lists", "a thousand bodies in free fall"),
 ]
 LARGE = [
     ("pymunk takes {} times as long as our steps of an elastic pendulum", "elastic pendulum"),
@@ -40,6 +42,15 @@ def rounded(value: float) -> str:
     """Format a ratio to two digits, as the table of the page does."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"
+
+
+def test_the_bounds_in_the_text_are_those_of_the_benchmarks() -> None:
+    found = [figure for what, figure in kept().items() if "the bare arithmetic" in what]
+    double, five, ten, shot = map(rounded, found)
+    assert (
+        f"this bound is {double} for the double pendulum, {five} for the five rods, {ten} for the "
+        f"spring of 10 N/m and {shot} for the projectile"
+    ) in PAGE
 
 
 def test_the_table_is_that_of_the_figures_and_has_all_scenes() -> None:

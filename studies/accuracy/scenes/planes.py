@@ -204,8 +204,7 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 def by_links(plane: Plane) -> list[Model]:
     """Create the multistep models of a net, which work while all cables are taut.
 
-    If a load moves across the net, the last body is a clock: it moves by 1 m per s, so that the
-    load knows the time.
+    If a load moves across the net, the last body is its clock, which moves by 1 m per s.
     """
     weight = complex(0.0, -plane.gravity)
     clock = [0j] if plane.walker else []

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from studies import charts
-from studies.accuracy import chart
+from studies.accuracy import chart, measure
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import draw, draw_overview, said, told, told_ratio
-from studies.accuracy.in_pymunk import EXAMPLES
+from studies.accuracy.in_pymunk import EXAMPLES, at_best
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Side, order_of, table
 from studies.accuracy.scene import Model, Outcome, Scene
@@ -104,10 +104,19 @@ def test_a_line_of_the_benchmarks_is_extrapolated_by_the_order(
 def test_make_charts_says_what_the_sign_means(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(charts, "QUICK", (1, 1e-3, 1e-2))
-    assert charts.main(["--quick", "--scene", "double", "--out", str(tmp_path)]) == 0
+    """With made-up errors and times, so that the tolerances do not depend on the machine."""
+    name = "double pendulum"
+    errors = {"multistep, order 4": [1e-5], at_best(2): ERRORS}
+    measured = [
+        Point(name, model, "pymunk" if model == at_best(2) else "ours", 2**i, error, 2**i)
+        for model, found in errors.items()
+        for i, error in enumerate(found)
+    ]
+    monkeypatch.setattr(measure, "explore", lambda *_: measure.Measured(measured))
+    monkeypatch.setattr(measure, "seconds_of", lambda _, steps: 1e-3 * steps)
+    assert charts.main(["--quick", "--scene", name, "--out", str(tmp_path)]) == 0
     assert "~: pymunk's time is extrapolated" in capsys.readouterr().out
     with (tmp_path / "table.csv").open(encoding="utf-8") as file:
-        extrapolated = [row for row in csv.reader(file) if row[-1].startswith("~ ")]
-    assert extrapolated  # which tolerances these are depends on the machine
-    assert all("(extrapolated, order " in row[-2] for row in extrapolated)
+        (extrapolated,) = [row for row in csv.reader(file) if row[-1].startswith("~ ")]
+    assert extrapolated[1] == "0.0001"
+    assert "(extrapolated, order 1.00)" in extrapolated[-2]

@@ -93,7 +93,7 @@ test-all: test ## run all tests, as before a release
 TUNED := ch03_laws_of_motion.particle ch05_forces.forces ch05_forces.particle ch06_springs.springs \
 	ch06_springs.integrators ch07_constraints.contacts \
 	$(addprefix ch07_constraints.going_further.,direct_chain sequential_impulses small_steps) \
-	$(addprefix ch08_mass_aggregate.,sleeping world)
+	ch08_mass_aggregate.sleeping
 lint: .venv/everything ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .

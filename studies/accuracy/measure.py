@@ -19,7 +19,7 @@ import random
 import statistics
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from importlib import metadata
 from pathlib import Path
 
@@ -100,8 +100,7 @@ def explore(
                 taken = time.process_time() - start
                 error, work = (scene.error(outcome), outcome.work) if outcome else (math.inf, 0)
                 point = Point(scene.name, model.name, model.by, steps, error, work)
-                point.is_formula = model.is_formula
-                points.append(point)
+                points.append(replace(point, is_formula=model.is_formula))
                 if taken > (theirs if model.by == "pymunk" else slowest) or error < EXACT:
                     break
     return Measured(points)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from typing import Any
 
 from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place, in_frames
 from studies.models.multistep import LoneMultistep, Multistep
@@ -54,7 +55,13 @@ def in_plane(
             is_damped=is_damped or is_long,  # the curve between two steps needs velocities
         )
         if is_long:
-            places = in_long_steps(bodies, LONG // steps, frames, place)
+            places = in_long_steps(
+                lambda: bodies.run(1),
+                lambda: ([*bodies.positions], [*bodies.velocities]),
+                place,
+                LONG // steps,
+                frames,
+            )
         else:
             places = in_frames(
                 lambda _: bodies.run(steps // LONG), lambda: place(bodies.positions), frames, 1
@@ -76,19 +83,28 @@ def in_plane(
 
 
 def in_long_steps(
-    bodies: Multistep, every: int, frames: int, place: Callable[[Sequence[complex]], Place]
+    step: Callable[[], object],
+    state: Callable[[], tuple[list[Any], list[Any]]],
+    place: Callable[[list[Any]], Place],
+    every: int,
+    frames: int,
 ) -> list[Place]:
-    """Simulate in steps of ``every`` frames, with cubic curves for the frames in between."""
+    """Simulate in steps of ``every`` frames, with cubic curves for the frames in between.
+
+    ``step`` makes one step, and ``state`` returns the positions and the velocities. The curves are
+    accurate only while the motion is smooth: they cannot follow an impact.
+    """
     places: list[Place] = []
     curve = [hermite_weights(every / RATE, frame / every) for frame in range(1, every)]
+    old, fast = state()
     while len(places) < frames:
-        old, fast = [*bodies.positions], [*bodies.velocities]
-        bodies.run(1)
-        new, later = bodies.positions, bodies.velocities
+        step()
+        new, later = state()
         ends = [*zip(old, fast, new, later, strict=True)]
         for a, b, c, d in curve:
             places.append(place([a * x + b * v + c * y + d * w for x, v, y, w in ends]))
         places.append(place(new))
+        old, fast = new, later
     return places[:frames]
 
 

@@ -46,7 +46,8 @@ class Row:
 
     ``tolerance`` is the largest error allowed, as a fraction of the scene's size. Only models of
     one kind count as ours: those that know more than the equations of motion if ``is_formula`` is
-    true, and those that step the equations, as pymunk does, if it is false.
+    true, and those that step the equations if it is false. All of pymunk's models count in the
+    first case, and those that step the equations in the second.
     """
 
     scene: str
@@ -225,6 +226,7 @@ def row(points: Sequence[Point], tolerance: float, *, is_formula: bool) -> Row |
     own = [point for point in ours if point.is_formula == is_formula]
     if not own:
         return None
+    theirs = [point for point in theirs if is_formula or not point.is_formula]
     side = side_of(theirs, tolerance)
     if side.time is None:
         side = extrapolated(side, theirs, tolerance)

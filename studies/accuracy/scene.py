@@ -27,7 +27,7 @@ RATE = 60.0  # frames per second
 STEPS = tuple(2**n for n in range(11))  # per frame
 MANY = tuple(2**n for n in range(16))  # per frame, for pymunk
 TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, for a model that takes one
-Place = tuple[float, ...]  # all coordinates that are compared, in m
+Place = Sequence[float]  # all coordinates that are compared, in m
 Made = tuple[Particle, Sequence[ForceGenerator]]
 
 
@@ -40,7 +40,7 @@ class Outcome:
     resolved".
     """
 
-    places: list[Place]
+    places: Sequence[Place]
     work: int
 
 
@@ -53,7 +53,8 @@ class Model:
       it is (1,), because more steps would not change the result.
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
     - ``is_formula``: True if the model knows more about the scene than its equations of motion,
-      such as a closed form, the impacts, or the angles of rods. Otherwise it steps the equations.
+      such as a closed form, the impacts, the angles of rods, or that nothing moves. Otherwise it
+      steps the equations.
     - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
       1 / tolerance, so a larger number still means a more accurate run.
     - ``per``: the number of frames in which the steps are counted. It is 1, unless the steps are

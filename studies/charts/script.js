@@ -17,8 +17,7 @@ class Chart {
     const heads = all(panel, "thead th").map((head) => head.textContent);
     for (const point of all(this.svg, "[data-row]")) {
       const [model, choice, error, time, quartiles, work] = [...rows[point.dataset.row].children].map((cell) => cell.textContent);
-      const often = choice.includes("step") ? `${choice} per frame` : choice;
-      const said = `${model}, ${often}: error ${error} of the scale, ${time} ms (quartiles ${quartiles}), ${heads[5]}: ${work}`;
+      const said = `${model}, ${choice}: error ${error} of the scale, ${time} ms (quartiles ${quartiles}), ${heads[5]}: ${work}`;
       point.setAttribute("role", "img");
       point.setAttribute("aria-label", said);
       point.tabIndex = -1;

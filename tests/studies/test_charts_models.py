@@ -18,7 +18,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import runge_kutta_4
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import looks
-from studies.accuracy.in_pymunk import BATCH, reading
+from studies.accuracy.in_pymunk import BATCH, BEST, reading
 from studies.accuracy.scenes.chains import Chain
 from studies.drawing import slope
 from studies.models.exact_frames import oscillation_in_frames
@@ -29,6 +29,8 @@ from studies.models.rod_tensions import RodTensions
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
 SPRING = "spring, k = 100 N/m, c = 2 N s/m"
+RESTING = [f"stack of ten spheres, mass ratio {ratio}" for ratio in (1, 1000)]
+RESTING.append("pile of 45 spheres")
 
 
 @pytest.mark.parametrize(
@@ -54,6 +56,33 @@ def test_the_error_of_a_multistep_method_falls_by_its_order(scene: str, order: i
     errors = [SCENES[scene].error(model.run(count)) for count in steps]
     # Above the order is allowed, because the error of the next order may cancel a part of it.
     assert order - 0.3 < slope([1.0 / count for count in steps], errors) < order + 2.5
+
+
+@pytest.mark.parametrize(
+    ("scene", "finer"),
+    [("elastic pendulum", 4.0), ("orbit of eccentricity 0.5", 4.0), (SPRING, 3.0)],
+)
+def test_two_runs_of_pymunk_cancel_the_error_of_order_2(scene: str, finer: float) -> None:
+    """Leapfrog has only even orders. A force that depends on the velocity adds odd ones."""
+    one, two = (
+        next(model for model in SCENES[scene].models if model.name == name)
+        for name in (BEST, f"{BEST}, from two runs")
+    )
+    steps = (4, 8, 16)
+    for model, order in ((one, 2.0), (two, finer)):
+        errors = [SCENES[scene].error(model.run(count)) for count in steps]
+        # The next order of the error is still visible with such long steps.
+        assert slope([1.0 / count for count in steps], errors) == pytest.approx(order, abs=0.3)
+    assert two.run(4).work == one.run(4).work + one.run(8).work
+
+
+@pytest.mark.parametrize("name", ["rope bridge at rest", *RESTING])
+def test_bodies_that_sleep_stay_where_they_are(name: str) -> None:
+    scene = SCENES[name]
+    asleep = [model for model in scene.models if "asleep" in model.name]
+    assert {model.by for model in asleep} == {"ours", "pymunk"}
+    # The ends of the planks hang 3e-8 m lower, so that all cables are taut.
+    assert all(scene.error(model.run(1)) < 1e-7 for model in asleep)
 
 
 @pytest.mark.parametrize("order", [6, 8])  # order 4 is less accurate at the ends
@@ -176,7 +205,7 @@ def test_all_ways_to_read_pymunk_s_bodies_give_the_same(count: int) -> None:
 
 
 def test_spheres_at_rest_touch_and_weigh_on_each_other() -> None:
-    for name in ("stack of ten spheres, mass ratio 1000", "pile of 45 spheres"):
+    for name in RESTING:
         truth = SCENES[name].truth(0.0)
         assert truth == SCENES[name].truth(1.0)
         places = [complex(x, y) for x, y in zip(truth[::2], truth[1::2], strict=True)]

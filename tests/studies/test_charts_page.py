@@ -148,7 +148,9 @@ def test_keys_and_pointer_show_the_numbers_of_a_point(opened: Any) -> None:
     assert tip.is_hidden()
     assert chart.locator("figure > svg [tabindex='0']").count() == 1, "a chart is one stop of Tab"
     chart.locator("figure > svg [tabindex='0']").focus()
-    assert tip.inner_text().startswith("closed form, 1 step per frame: error 0 of the scale, 2 ms")
+    assert tip.inner_text().startswith("closed form, once per frame: error 0 of the scale, 2 ms")
+    opened.keyboard.press("ArrowDown")
+    assert tip.inner_text().startswith("exact steps, once per frame")
     opened.keyboard.press("ArrowDown")
     assert tip.inner_text().startswith("explicit Euler, 2 steps per frame: error 0.5 of the scale")
     opened.keyboard.press("ArrowRight")

@@ -32,15 +32,15 @@ from ch08_mass_aggregate.bridge_plan import (
 )
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best, reading
-from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.asleep import asleep, asleep_in_pymunk, place_of
+from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk
+from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames
 from studies.accuracy.scenes.hanging import HAIR, MASSES, cables, hanging, truth
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.heap_resolver import HeapResolver
 
 FRAMES = 60  # errors do not grow after this second
-LONG = 600  # frames of sleep
 
 Links = Callable[[list[Row]], list[ContactGenerator]]
 
@@ -69,24 +69,17 @@ def bridge() -> Scene:
         Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
         Model("direct net", partial(by_net, whole), few),
         Model("direct net, seen from the side", partial(by_net, from_the_side), few),
-        Model(EXAMPLES, partial(by_joints, 10), some, "pymunk"),
-        Model("pymunk, 50 iterations", partial(by_joints, 50), some, "pymunk"),
+        asleep(sleeping, FRAMES),
+        asleep(found_by_equilibrium, FRAMES, "found by equilibrium, then asleep"),
+        by_pymunk(EXAMPLES, partial(in_space, 10), FRAMES, some),
+        by_pymunk("pymunk, 50 iterations", partial(in_space, 50), FRAMES, some),
         *(
-            Model(at_best(number), partial(by_joints, number, is_best=True), some, "pymunk")
+            by_pymunk(at_best(number), partial(in_space, number, is_best=True), FRAMES, some)
             for number in (3, 10, 50)
         ),
+        asleep_in_pymunk(partial(in_space, 1, 0.0), FRAMES),
     ]
     return Scene("rope bridge at rest", FRAMES, CABLE_LENGTH, truth, models, "contacts resolved")
-
-
-def sleeping() -> Scene:
-    """Create the scene of a rope bridge that sleeps for 10 s, in our engine and in pymunk."""
-    models = [
-        Model("asleep", by_sleep, (1,), is_formula=True),
-        Model("found by equilibrium, then asleep", by_equilibrium, (1,), is_formula=True),
-        Model(BEST, partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
-    ]
-    return Scene("rope bridge asleep", LONG, CABLE_LENGTH, truth, models, "contacts resolved")
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
@@ -177,57 +170,30 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
     return Outcome(places, FRAMES * steps * len(links))
 
 
-def by_equilibrium(steps: int) -> Outcome:
-    """Compute the rest position of the rope bridge directly instead of simulating it.
+def sleeping() -> tuple[SleepingWorld, list[Particle]]:
+    """Build the rope bridge with all of its planks asleep.
 
-    The bridge then sleeps without any computation, so the work is the number of cables and rods.
+    Return the world and the planks' ends.
     """
-    ends, links = whole()
-    world = SleepingWorld(ends, links)
-    equilibrium(world)
-    place = kept_while(lambda: ends[0] in world.asleep, partial(place_of, ends))
-    return Outcome(in_frames(world.step, place, LONG, steps), len(links))
-
-
-def by_sleep(steps: int) -> Outcome:
-    """Simulate the rope bridge for 10 s with all of its planks asleep from the start."""
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
-    place = kept_while(lambda: ends[0] in world.asleep, partial(place_of, ends))
-    return Outcome(in_frames(world.step, place, LONG, steps), 0)
+    return world, ends
 
 
-def kept_while(sleeps: Callable[[], bool], place: Callable[[], Place]) -> Callable[[], Place]:
-    """Return a function that reads the positions of sleeping bodies only once."""
-    kept: Place = ()
-
-    def read() -> Place:
-        nonlocal kept
-        if not (kept and sleeps()):
-            kept = place()
-        return kept
-
-    return read
+def found_by_equilibrium() -> tuple[SleepingWorld, list[Particle]]:
+    """Compute where the rope bridge rests instead of simulating it. Its planks then sleep."""
+    ends, links = whole()
+    world = SleepingWorld(ends, links)
+    equilibrium(world)
+    return world, ends
 
 
-def place_of(ends: list[Particle]) -> Place:
-    """List the x and y coordinates of the planks' ends, as seen from the side of the bridge."""
-    return tuple([part for end in ends for part in (end.position.x, end.position.y)])
+def in_space(iterations: int, _: float, *, is_best: bool = False) -> InSpace:
+    """Create the rope bridge in pymunk, where slide joints act as the cables.
 
-
-def by_joints(
-    iterations: int,
-    steps: int,
-    frames: int = FRAMES,
-    *,
-    sleeps: bool = False,
-    is_best: bool = False,
-) -> Outcome:
-    """Simulate the rope bridge with pymunk, where slide joints act as the cables.
-
-    Pymunk's solver makes ``iterations`` iterations per step. If ``sleeps`` is true, the bridge
-    falls asleep after the first step.
+    Pymunk's solver makes ``iterations`` iterations per step. With ``is_best``, the joints correct
+    their whole error in each step.
     """
     import pymunk
 
@@ -245,20 +211,7 @@ def by_joints(
             if is_best:
                 joint.error_bias = 0.0
             space.add(joint)
-    ends = [end for side in sides for end in side]
-    place = reading(space, ends)
-    if sleeps:
-        space.sleep_time_threshold = 1e-3  # s: after the first step
-
-        def in_turn() -> Place:
-            return tuple([part for end in ends for part in end.position])
-
-        place = kept_while(lambda: ends[0].is_sleeping, in_turn)
-    work = 0 if sleeps else frames * steps * iterations * len(space.constraints)
-    places = in_frames(space.step, place, frames, steps)
-    for body in ends if sleeps else ():
-        body.activate()  # pymunk 7.3 crashes when it deletes bodies that sleep
-    return Outcome(places, work)
+    return space, [end for side in sides for end in side]
 
 
-BRIDGES: list[Callable[[], Scene]] = [bridge, sleeping]
+BRIDGES: list[Callable[[], Scene]] = [bridge]

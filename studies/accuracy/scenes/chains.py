@@ -29,7 +29,7 @@ from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
 from studies.accuracy.in_plane import in_plane
-from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk
+from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk, from_two_runs
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, in_frames, solved
 from studies.models.angle_chain import AngleChain
 from studies.models.angle_rope import AngleRope
@@ -129,6 +129,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS, *iterations: int) -> l
     """
     start = [complex(body.position.x, body.position.y) for body in chain.particles()]
     rods = accelerations_on_rods(chain.masses, [chain.length] * len(start), chain.gravity)
+    best = [by_pymunk(at_best(n), ahead(chain, n), chain.frames) for n in iterations]
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps, is_formula=True),
         *by_angles_of_high_order(chain),
@@ -143,7 +144,8 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS, *iterations: int) -> l
             )
         ),
         by_pymunk(EXAMPLES, partial(in_space, chain, 10), chain.frames),  # its default
-        *(by_pymunk(at_best(number), ahead(chain, number), chain.frames) for number in iterations),
+        *best,
+        *map(from_two_runs, best),
     ]
 
 

@@ -68,7 +68,7 @@ class Balls:
         bug in the engine cannot affect the result.
         """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
-        found = []
+        found: list[Place] = []
         for time in times:
             while (impact := self._next(heights, speeds))[0] <= time - now:
                 after, i = impact

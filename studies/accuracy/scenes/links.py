@@ -78,7 +78,7 @@ def heavy_tip() -> Scene:
     released at 60 degrees from straight down.
     """
     chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
-    models = models_of(chain, STEPS, 30, 50)
+    models = models_of(chain, STEPS, 35, 50)
     return Scene("five rods, heavy tip", chain.frames, 1.0, chain.truth(), models, COUNTED)
 
 
@@ -97,7 +97,7 @@ def rope() -> Scene:
 
     run = partial(by_resolver, chain, semi_implicit_euler, two_sided)
     models = models_of(chain, steps, 100, 300)
-    models.insert(-3, Model("semi-implicit Euler, two-sided rods", run, steps))
+    models.append(Model("semi-implicit Euler, two-sided rods", run, steps))
     return Scene("rope of 30 links", chain.frames, 3.0, chain.truth(), models, COUNTED)
 
 

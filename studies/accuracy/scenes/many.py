@@ -5,24 +5,30 @@
 - A pile of 45 spheres rests on a row of fixed ones.
 
 Nothing moves in the stacks and in the pile, and each sphere just touches its neighbors. The error
-is how far a solver lets the spheres move, as a fraction of their diameter. The work is the number
-of steps times the number of bodies.
+is how far a solver lets the spheres move, as a fraction of their diameter. A model that knows that
+nothing moves lets the spheres sleep. The work is the number of steps times the number of bodies.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from operator import add
+from typing import TYPE_CHECKING
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, at_best, by_pymunk
+from ch08_mass_aggregate.sleeping import SleepingWorld
+from studies.accuracy.asleep import asleep, asleep_in_pymunk, place_of
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Step, at_best, by_pymunk
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
+
+if TYPE_CHECKING:
+    import pymunk
 
 G = 10.0  # m/s^2
 RADIUS = 0.5  # m
@@ -57,25 +63,25 @@ def falling() -> Scene:
             for body in bodies:
                 body.integrate(duration)
 
-        def place() -> Place:
-            positions = [body.position for body in bodies]
-            return tuple([part for position in positions for part in (position.x, position.y)])
-
-        return Outcome(in_frames(step, place, LONG, steps), LONG * steps * BODIES)
+        return Outcome(
+            in_frames(step, partial(place_of, bodies), LONG, steps), LONG * steps * BODIES
+        )
 
     def by_lists(steps: int) -> Outcome:
-        """Add flat lists, with x and y in turn, which is about the least that Python can do."""
+        """Add lists of numbers, which is about the least that plain Python can do."""
         duration = 1.0 / (RATE * steps)
-        change = -G * duration * duration
-        places = [part for x in starts for part in (x, 0.0)]
-        moves = [part for v in speeds for part in (v * duration, 5.0 * duration + 0.5 * change)]
-        changes = [0.0, change] * BODIES
+        change = [-G * duration * duration] * BODIES
+        xs, across = starts, [v * duration for v in speeds]
+        ys, up = [0.0] * BODIES, [5.0 * duration + 0.5 * change[0]] * BODIES
         found: list[Place] = []
         for _ in range(LONG):
             for _ in range(steps):
-                places = [*map(add, places, moves)]
-                moves = [*map(add, moves, changes)]
-            found.append(tuple(places))
+                xs = [*map(add, xs, across)]
+                ys = [*map(add, ys, up)]
+                up = [*map(add, up, change)]
+            place = xs * 2
+            place[::2], place[1::2] = xs, ys
+            found.append(place)
         return Outcome(found, LONG * steps * BODIES)
 
     def in_space(duration: float) -> InSpace:
@@ -114,14 +120,18 @@ def falling() -> Scene:
     return Scene("a thousand bodies in free fall", LONG, 2.0, place_at, models, COUNTED)
 
 
-def resting(name: str, places: list[Place], fixed: int, masses: list[float]) -> Scene:
+def resting(
+    name: str, places: list[Place], fixed: int, masses: list[float], first: Sequence[int]
+) -> Scene:
     """Create the scene of spheres at rest, of which the first ``fixed`` ones cannot move.
 
-    Without fixed spheres, the lowest one stands on the ground.
+    Without fixed spheres, the lowest one stands on the ground. ``first`` lists the numbers of
+    iterations that pymunk makes in the first step.
     """
     moving = tuple([part for place in places[fixed:] for part in place])
+    units = len(places) - fixed
 
-    def ours(solver: str, steps: int) -> Outcome:
+    def made() -> tuple[list[Particle], list[ContactGenerator]]:
         spheres = [
             Particle(Vector3(x, y), acceleration=Vector3(0.0, -G), mass=mass)
             for (x, y), mass in zip(places, masses, strict=True)
@@ -129,16 +139,22 @@ def resting(name: str, places: list[Place], fixed: int, masses: list[float]) -> 
         contacts: list[ContactGenerator] = [ParticlePairs(spheres, RADIUS)]
         if not fixed:
             contacts.append(GroundPlane(spheres, radius=RADIUS))
-        free = spheres[fixed:]
+        return spheres, contacts
 
-        def place() -> Place:
-            positions = [sphere.position for sphere in free]
-            return tuple([part for position in positions for part in (position.x, position.y)])
-
+    def ours(solver: str, steps: int) -> Outcome:
+        spheres, contacts = made()
+        place = partial(place_of, spheres[fixed:])
         found = in_frames(SOLVERS[solver](spheres, contacts), place, FRAMES, steps)
-        return Outcome(found, FRAMES * steps * len(free))
+        return Outcome(found, FRAMES * steps * units)
 
-    def in_space(iterations: int, slop: float | None, _: float) -> InSpace:
+    def sleeping() -> tuple[SleepingWorld, list[Particle]]:
+        spheres, contacts = made()
+        world = SleepingWorld(spheres, contacts, sleep_frames=1)
+        world.fall_asleep(world.contacts())
+        return world, spheres[fixed:]
+
+    def in_space(iterations: int, slop: float | None, larger: float, _: float) -> InSpace:
+        """Create the spheres in pymunk, with radii that are larger by ``larger`` m."""
         import pymunk
 
         space = pymunk.Space()
@@ -148,30 +164,50 @@ def resting(name: str, places: list[Place], fixed: int, masses: list[float]) -> 
         bodies = []
         for i, ((x, y), mass) in enumerate(zip(places, masses, strict=True)):
             if i < fixed:
-                space.add(pymunk.Circle(space.static_body, RADIUS, (x, y)))
+                space.add(pymunk.Circle(space.static_body, RADIUS + larger, (x, y)))
                 continue
             body = pymunk.Body(mass, math.inf)
             body.position = (x, y)
-            space.add(body, pymunk.Circle(body, RADIUS))
+            space.add(body, pymunk.Circle(body, RADIUS + larger))
             bodies.append(body)
         if not fixed:
             space.add(pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0))
         return space, bodies
 
+    def first_step(space: pymunk.Space, _: list[pymunk.Body]) -> Step:
+        """Return a step that makes few iterations, except for the first time.
+
+        Pymunk's solver starts from the impulses of the last step, which stay the same here.
+        """
+
+        def step(duration: float) -> None:
+            space.step(duration)
+            space.iterations = 3
+
+        return step
+
     models = [
         Model(BOOK, partial(ours, BOOK), STEPS[:6], "the book"),
         Model(IMPULSES, partial(ours, IMPULSES), STEPS[:8]),
         Model(SMALL, partial(ours, SMALL), STEPS[:8]),
-        by_pymunk(EXAMPLES, partial(in_space, 10, None), FRAMES, units=len(places) - fixed),
+        asleep(sleeping, FRAMES),
+        by_pymunk(EXAMPLES, partial(in_space, 10, None, 0.0), FRAMES, units=units),
         *(
-            by_pymunk(
-                at_best(number),
-                partial(in_space, number, 0.0),
-                FRAMES,
-                units=len(places) - fixed,
-            )
+            by_pymunk(at_best(number), partial(in_space, number, 0.0, 0.0), FRAMES, units=units)
             for number in (3, 10, 30, 100)
         ),
+        *(
+            by_pymunk(
+                f"{BEST}, {number:,} iterations in the first step",
+                partial(in_space, number, 1e-8, 1e-9),  # so that all spheres touch at the start
+                FRAMES,
+                (1,),
+                first_step,
+                units,
+            )
+            for number in first
+        ),
+        asleep_in_pymunk(partial(in_space, 1, None, 0.0, 0.0), FRAMES),
     ]
     return Scene(name, FRAMES, 2.0 * RADIUS, lambda _: moving, models, COUNTED)
 
@@ -183,7 +219,8 @@ def stack(ratio: float) -> Scene:
     """
     places: list[Place] = [(0.0, (2 * i + 1) * RADIUS) for i in range(10)]
     name = f"stack of ten spheres, mass ratio {ratio:g}"
-    return resting(name, places, 0, [*[1.0] * 9, ratio])
+    first = (1000,) if ratio == 1.0 else (100_000, 300_000)
+    return resting(name, places, 0, [*[1.0] * 9, ratio], first)
 
 
 def pile() -> Scene:
@@ -192,7 +229,7 @@ def pile() -> Scene:
     places: list[Place] = [
         (2.0 * RADIUS * i + RADIUS * row, row * rise) for row in range(10) for i in range(10 - row)
     ]
-    return resting("pile of 45 spheres", places, 10, [*[math.inf] * 10, *[1.0] * 45])
+    return resting("pile of 45 spheres", places, 10, [*[math.inf] * 10, *[1.0] * 45], (1000,))
 
 
 MANY_BODIES: list[Callable[[], Scene]] = [

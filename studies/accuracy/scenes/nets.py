@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
@@ -20,14 +20,13 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.in_plane import LONG, ORDERS
 from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
-from studies.accuracy.in_plane import ORDERS
-from studies.accuracy.in_pymunk import EXAMPLES, at_best
+from studies.accuracy.in_pymunk import EXAMPLES, at_best, from_two_runs
 from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
 from studies.accuracy.scenes.hanging import MASSES, cables, hanging
 from studies.accuracy.scenes.planes import (
     COUNTED,
-    LONG,
     Plane,
     Walker,
     by_links,
@@ -45,13 +44,21 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(
-    name: str, frames: int, scale: float, make: Callable[[], Plane], *, is_smooth: bool = True
+    name: str,
+    frames: int,
+    scale: float,
+    make: Callable[[], Plane],
+    solvers: Sequence[tuple[int, bool]],
+    *,
+    is_smooth: bool = True,
 ) -> Scene:
     """Create the scene of a net of cables, with its exact solution and a model for each solver.
 
     ``make`` is a function that builds the net. It is called only once, when the net is first
     needed. SciPy computes the exact solution. To check it, ``Scene.differs`` compares it with our
-    own simulation in short steps. Long steps make sense only if the motion is smooth.
+    own simulation in short steps. Long steps and extrapolation make sense only if the motion is
+    smooth. ``solvers`` lists the numbers of iterations that pymunk makes in each step, and whether
+    its joints correct their whole error.
     """
     plane = cache(make)
 
@@ -77,20 +84,22 @@ def scene_of(
             for i, order in enumerate(ORDERS)
         ),
     ]
+    best = [
+        Model(
+            at_best(number) + ", default bias" * (not corrects),
+            in_pymunk(plane, number, is_ahead=True, corrects=corrects),
+            STEPS,
+            "pymunk",
+        )
+        for number, corrects in solvers
+    ]
     models = [
         Model("direct net", run(by_net, DirectNet), STEPS[:6]),
         Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
         *([] if not is_smooth else smooth),
         Model(EXAMPLES, in_pymunk(plane, 10), STEPS, "pymunk"),
-        *(
-            Model(
-                at_best(number) + ", default bias" * (not corrects),
-                in_pymunk(plane, number, is_ahead=True, corrects=corrects),
-                STEPS,
-                "pymunk",
-            )
-            for number, corrects in ((3, False), (10, False), (3, True), (10, True), (100, True))
-        ),
+        *best,
+        *(map(from_two_runs, best) if is_smooth else ()),
     ]
     return Scene(
         name, frames, scale, lambda t: exact()[round(t * RATE) - 1], models, COUNTED, differs
@@ -140,7 +149,9 @@ def swinging() -> Scene:
     def make() -> Plane:
         return settled(Plane(MASSES, hung(), bridge_ties(), 120), wind=3.0)
 
-    return scene_of("rope bridge swinging", 120, CABLE_LENGTH, make)
+    return scene_of(
+        "rope bridge swinging", 120, CABLE_LENGTH, make, ((3, False), (3, True), (10, True))
+    )
 
 
 def walked_over() -> Scene:
@@ -155,7 +166,9 @@ def walked_over() -> Scene:
         walker = (-3.6, 2.0, 0.5 * 5.0 * 9.81)
         return settled(Plane([PLANK_MASS] * ROWS, hung(), bridge_ties(), 216, walker))
 
-    return scene_of("rope bridge walked over", 216, CABLE_LENGTH, make)
+    return scene_of(
+        "rope bridge walked over", 216, CABLE_LENGTH, make, ((2, False), (3, False), (10, True))
+    )
 
 
 def catching() -> Scene:
@@ -194,7 +207,14 @@ def catching() -> Scene:
             ties=[*ties, *struts],
         )
 
-    return scene_of("net of 6 by 6 cables", 36, gap, make, is_smooth=False)
+    return scene_of(
+        "net of 6 by 6 cables",
+        36,
+        gap,
+        make,
+        ((20, False), (30, False), (100, True)),
+        is_smooth=False,
+    )
 
 
 NETS: list[Callable[[], Scene]] = [swinging, walked_over, catching]

@@ -23,7 +23,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable
-from studies.accuracy.in_plane import ORDERS, flat, in_plane
+from studies.accuracy.in_plane import LONG, ORDERS, flat, in_long_steps, in_plane
 from studies.accuracy.in_pymunk import InSpace, Step, by_pymunk
 from studies.accuracy.scene import RATE, Model, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
@@ -31,13 +31,12 @@ from studies.models.direct_net import DirectNet
 from studies.models.net import Strut
 from studies.models.order_8 import Numbers
 from studies.models.plane_links import Link, accelerations_on_links
-from studies.models.smooth_net import SmoothNet, hermite
+from studies.models.smooth_net import SmoothNet
 
 if TYPE_CHECKING:
     import pymunk
 
 COUNTED = "links solved for"
-LONG = 12  # frames; the number of long steps is given per this many frames
 FAR = 1e3  # m, more than the length that any slide joint reaches
 
 
@@ -178,26 +177,16 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
     """Simulate a net in time steps longer than a frame, and interpolate the frames in between.
 
-    There are ``steps`` time steps in every twelve frames. The interpolation uses cubic polynomials,
-    so it is accurate only while the motion is smooth. It cannot reproduce the sudden change of
-    velocity at an impact.
+    There are ``steps`` time steps in every twelve frames.
     """
     knots, step = made(plane, SmoothNet)
+    every = LONG // steps
 
     def state() -> tuple[list[float], list[float]]:
         points, moves = [k.position for k in knots], [k.velocity for k in knots]
         return [c for p in points for c in (p.x, p.y)], [c for v in moves for c in (v.x, v.y)]
 
-    every, places = LONG // steps, []
-    duration = every / RATE
-    old, fast = state()
-    for _ in range(plane.frames // every):
-        step(duration)
-        new, later = state()
-        for frame in range(1, every):
-            places.append(tuple(hermite(old, fast, new, later, duration, frame / every)))
-        places.append(tuple(new))
-        old, fast = new, later
+    places = in_long_steps(lambda: step(every / RATE), state, tuple, every, plane.frames)
     return Outcome(places, 4 * plane.frames // every * len(plane.ties))
 
 

@@ -17,7 +17,16 @@ from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import backward_euler, semi_implicit_euler, trapezoidal
 from ch06_springs.springs import AnchoredSpring, FakeStiffSpring
 from studies.accuracy.in_plane import in_plane, on_all
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Pair, by_pymunk, lone, space_with
+from studies.accuracy.in_pymunk import (
+    BEST,
+    EXAMPLES,
+    InSpace,
+    Pair,
+    by_pymunk,
+    from_two_runs,
+    lone,
+    space_with,
+)
 from studies.accuracy.scene import (
     RATE,
     Made,
@@ -77,7 +86,8 @@ def spring(stiffness: float, damping: float) -> Scene:
     def as_in_examples(_: float) -> InSpace:
         return on_spring((1.0, 0.0), (0.0, 0.0), stiffness, damping)
 
-    by_hand, *_ = lone((1.0, 0.0), (0.0, 0.0), acceleration, FRAMES, is_damped=True)
+    by_hand, *_ = lone((1.0, 0.0), (0.0, 0.0), acceleration, FRAMES)
+    best = by_pymunk(BEST, ahead, FRAMES)
     models = [
         by_formula(place_at, FRAMES),
         Model("exact steps", in_equal_frames, (1,), is_formula=True),
@@ -92,7 +102,8 @@ def spring(stiffness: float, damping: float) -> Scene:
         ),
         by_pymunk(EXAMPLES, as_in_examples, FRAMES),
         by_hand,
-        by_pymunk(BEST, ahead, FRAMES),
+        best,
+        from_two_runs(best),
     ]
     name = f"spring, k = {stiffness:g} N/m, c = {damping:.3g} N s/m"
     return Scene(name, FRAMES, 1.0, truth, models)
@@ -128,7 +139,8 @@ def elastic_pendulum() -> Scene:
         space.gravity = (0.0, -gravity)
         return space, bodies
 
-    by_hand, *_ = lone(place, velocity, acceleration, FRAMES, is_damped=False)
+    by_hand, *_ = lone(place, velocity, acceleration, FRAMES)
+    best = by_pymunk(BEST, in_space, FRAMES)
     models = [
         *by_integrators(make, FRAMES),
         *in_plane(
@@ -136,7 +148,8 @@ def elastic_pendulum() -> Scene:
         ),
         by_pymunk(EXAMPLES, lambda _: in_space(0.0), FRAMES),
         by_hand,
-        by_pymunk(BEST, in_space, FRAMES),
+        best,
+        from_two_runs(best),
     ]
     truth = solved(rates, [*place, *velocity], lambda state: (state[0], state[1]), FRAMES)
     return Scene("elastic pendulum", FRAMES, rest, truth, models)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place, in_frames
+from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place
 from studies.models.multistep import LoneMultistep, Multistep
 from studies.models.order_8 import Accelerations, Order8
 from studies.models.smooth_net import hermite_weights
@@ -56,16 +56,14 @@ def in_plane(
         )
         if is_long:
             places = in_long_steps(
-                lambda: bodies.run(1),
+                lambda: bodies.run(1, 1),
                 lambda: ([*bodies.positions], [*bodies.velocities]),
                 place,
                 LONG // steps,
                 frames,
             )
         else:
-            places = in_frames(
-                lambda _: bodies.run(steps // LONG), lambda: place(bodies.positions), frames, 1
-            )
+            places = [*map(place, bodies.run(steps // LONG, frames))]
         return Outcome(places, bodies.evaluations * units)
 
     def by_tolerance(inverse: int) -> Outcome:

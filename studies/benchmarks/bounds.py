@@ -33,7 +33,7 @@ def lines() -> list[Measurement]:
         line(part, theirs, work)
         for part, theirs, work in (
             ("double pendulum", at_best(2), evaluating(double, 2)),
-            ("five rods, heavy tip", at_best(50), evaluating(five, 5)),
+            ("five rods, heavy tip", at_best(35), evaluating(five, 5)),
             (
                 "spring, k = 10 N/m",
                 BEST,

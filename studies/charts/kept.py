@@ -91,15 +91,15 @@ def table(figures: Sequence[Figure]) -> str:
 def told(figure: Figure) -> str:
     """Return a ratio as it stands in the table."""
     if figure["ratio"]:
-        text = "~" * figure["is_extrapolated"] + _rounded(figure["ratio"])
+        text = "~" * figure["is_extrapolated"] + rounded(figure["ratio"])
     elif figure["never"] == "pymunk" and figure["ours"]:
         text = "pymunk never"
     elif figure["never"] == "ours" and figure["pymunk"]:
         text = "ours never"
     elif figure["low"]:
-        text = f"> {_rounded(figure['low'])}"
+        text = f"> {rounded(figure['low'])}"
     else:
-        text = f"< {_rounded(figure['high'])}" if figure["high"] else "-"
+        text = f"< {rounded(figure['high'])}" if figure["high"] else "-"
     return f"*{text}*" if misses(figure) else text
 
 
@@ -133,13 +133,13 @@ def described(rows: Sequence[Row]) -> str:
             most, row = max(slower, key=lambda pair: pair[0])
             words.append(
                 f"Against {ours}, pymunk takes longer in {len(slower)} of {len(known)} "
-                f"comparisons, up to {_rounded(most)} times as long ({row.scene}"
+                f"comparisons, up to {rounded(most)} times as long ({row.scene}"
                 f"{', extrapolated' if row.is_extrapolated else ''})."
             )
         if faster := [pair for pair in known if pair[0] < 1.0]:
             least, row = min(faster, key=lambda pair: pair[0])
             words.append(
-                f"It is faster in {len(faster)}, and takes as little as 1/{_rounded(1.0 / least)} "
+                f"It is faster in {len(faster)}, and takes as little as 1/{rounded(1.0 / least)} "
                 f"of our time ({row.scene})."
             )
         only_ours = sum(bool(row.ours.time) and not row.pymunk.time for row in own)
@@ -150,7 +150,7 @@ def described(rows: Sequence[Row]) -> str:
     return " ".join(words)
 
 
-def _rounded(value: float) -> str:
+def rounded(value: float) -> str:
     """Format a ratio to two significant digits, as in the overview picture."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

@@ -28,7 +28,7 @@ from math import comb
 from operator import mul
 
 from ch02_vectors.arguments import positive
-from studies.models.order_8 import Accelerations, Order8
+from studies.models.order_8 import Accelerations, Numbers, Order8
 
 # For each order, the error in m that a step before the start may have.
 START = {4: 1e-6, 6: 1e-8, 8: 1e-12}
@@ -72,37 +72,45 @@ class Multistep:
         self.past = [deque(each, order) for each in zip(*past, strict=True)]
         self.ways = [x - y for x, y in zip(positions, states[1][0], strict=True)]
 
-    def run(self, count: int) -> None:
-        """Move the bodies by ``count`` steps."""
+    def run(self, steps: int, times: int) -> list[Numbers]:
+        """Make ``steps`` steps, ``times`` times, and return the positions after each time."""
         bodies = range(len(self.positions))
         positions, velocities, ways = self.positions, self.velocities, self.ways
         move, change, past = self.move, self.change, self.past
-        for _ in range(count):
-            for i in bodies:
-                ways[i] += sum(map(mul, move, past[i]))
-                positions[i] += ways[i]
-                if self.is_damped:
-                    velocities[i] += sum(map(mul, change, past[i]))
-            for each, a in zip(past, self.accelerations(positions, velocities), strict=True):
-                each.appendleft(a)
-        self.evaluations += count
+        found = []
+        for _ in range(times):
+            for _ in range(steps):
+                for i in bodies:
+                    ways[i] += sum(map(mul, move, past[i]))
+                    positions[i] += ways[i]
+                    if self.is_damped:
+                        velocities[i] += sum(map(mul, change, past[i]))
+                for each, a in zip(past, self.accelerations(positions, velocities), strict=True):
+                    each.appendleft(a)
+            found.append([*positions])
+        self.evaluations += steps * times
+        return found
 
 
 class LoneMultistep(Multistep):
     """A faster form for a single body, without loops over the bodies."""
 
-    def run(self, count: int) -> None:
-        """Move the body by ``count`` steps."""
+    def run(self, steps: int, times: int) -> list[Numbers]:
+        """Make ``steps`` steps, ``times`` times, and return the positions after each time."""
         (x,), (v,), (way,), (past,) = self.positions, self.velocities, self.ways, self.past
         move, change, accelerations = self.move, self.change, self.accelerations
-        for _ in range(count):
-            way += sum(map(mul, move, past))
-            x += way
-            if self.is_damped:
-                v += sum(map(mul, change, past))
-            past.appendleft(accelerations([x], [v])[0])
+        found = []
+        for _ in range(times):
+            for _ in range(steps):
+                way += sum(map(mul, move, past))
+                x += way
+                if self.is_damped:
+                    v += sum(map(mul, change, past))
+                past.appendleft(accelerations([x], [v])[0])
+            found.append([x])
         self.positions, self.velocities, self.ways = [x], [v], [way]
-        self.evaluations += count
+        self.evaluations += steps * times
+        return found
 
 
 @cache

@@ -34,6 +34,7 @@ FIFTH, THIRD = ([*map(float, row)] for row in (DOP853.E5, DOP853.E3))
 Numbers = list[complex]  # one for each body
 Accelerations = Callable[[Numbers, Numbers], Numbers]  # from positions and velocities
 State = tuple[Numbers, Numbers]  # positions and velocities, or their rates
+Stages = tuple[list[Numbers], list[Numbers]]  # for each body, its rates at all stages of a step
 
 
 class Order8:
@@ -92,9 +93,9 @@ class Order8:
             self._first = self._rates(self.state)
             last = math.floor((time + step) / every + 1e-9)
             if len(found) < last:
-                stages.append(self._first)
+                _append(stages, self._first)
                 for row in MORE:
-                    stages.append(self._rates(_moved(start, row, stages, step)))
+                    _append(stages, self._rates(_moved(start, row, stages, step)))
                 curves = [self._curves(start, stages, step, kind) for kind in kinds]
                 while len(found) < min(last, count):
                     share = ((len(found) + 1) * every - time) / step
@@ -109,32 +110,37 @@ class Order8:
         self.evaluations += 1
         return state[1], self.accelerations(*state)
 
-    def _stages(self, step: float) -> list[State]:
+    def _stages(self, step: float) -> Stages:
         """Return the rates at the twelve stages of a step."""
-        stages = [self._first]
+        velocities, accelerations = self._first
+        stages = [[v] for v in velocities], [[a] for a in accelerations]
         for row in STAGES:
-            stages.append(self._rates(_moved(self.state, row, stages, step)))
+            _append(stages, self._rates(_moved(self.state, row, stages, step)))
         return stages
 
-    def _curves(self, start: State, stages: list[State], step: float, kind: int) -> list[Numbers]:
+    def _curves(self, start: State, stages: Stages, step: float, kind: int) -> list[Numbers]:
         """Return, for each body, the coefficients of its curve during the step that has ended."""
         curves = []
-        rates_of = zip(*(stage[kind] for stage in stages), strict=True)
-        for old, new, rates in zip(start[kind], self.state[kind], rates_of, strict=True):
+        for old, new, rates in zip(start[kind], self.state[kind], stages[kind], strict=True):
             far, first, last = new - old, step * rates[0], step * rates[len(END)]
             bends = [step * sum(map(mul, row, rates)) for row in CURVE]
             curves.append([old, far, first - far, 2.0 * far - last - first, *bends])
         return curves
 
 
-def _moved(start: State, row: list[float], stages: list[State], step: float) -> State:
+def _append(stages: Stages, rates: State) -> None:
+    for kind, values in zip(stages, rates, strict=True):
+        for each, value in zip(kind, values, strict=True):
+            each.append(value)
+
+
+def _moved(start: State, row: list[float], stages: Stages, step: float) -> State:
     """Return the state after a step whose rate is a weighted sum of the stages."""
-    weights = [step * weight for weight in row]
-    positions, velocities = (
-        [old + sum(map(mul, weights, rates)) for old, *rates in zip(*kind, strict=True)]
-        for kind in zip(start, *stages, strict=True)
+    (x, v), (xs, vs) = start, stages
+    return (
+        [old + step * sum(map(mul, row, rates)) for old, rates in zip(x, xs, strict=True)],
+        [old + step * sum(map(mul, row, rates)) for old, rates in zip(v, vs, strict=True)],
     )
-    return positions, velocities
 
 
 def _read_at(curves: list[Numbers], s: float) -> Numbers:
@@ -146,11 +152,11 @@ def _read_at(curves: list[Numbers], s: float) -> Numbers:
     ]
 
 
-def _error(stages: list[State]) -> float:
+def _error(stages: Stages) -> float:
     """Estimate the largest error of a position or velocity, divided by the duration of the step."""
     worst = 0.0
-    for kind in zip(*stages, strict=True):
-        for rates in zip(*kind, strict=True):
+    for kind in stages:
+        for rates in kind:
             fifth, third = abs(sum(map(mul, FIFTH, rates))), abs(sum(map(mul, THIRD, rates)))
             if fifth:
                 worst = max(worst, fifth * fifth / math.hypot(fifth, 0.1 * third))

@@ -163,7 +163,9 @@ def test_keys_and_pointer_show_the_numbers_of_a_point(opened: Any) -> None:
     opened.evaluate("document.activeElement.blur()")
     assert tip.is_hidden()
     points.last.hover(force=True)
-    assert tip.inner_text().startswith("pymunk at its best, 4 steps per frame: error 0.0001")
+    assert tip.inner_text().startswith(
+        "pymunk, as in its examples, 4 steps per frame: error 0.0001"
+    )
 
 
 def test_the_filter_shows_one_scene_or_one_model(opened: Any) -> None:

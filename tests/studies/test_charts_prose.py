@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 
 import pytest
@@ -12,7 +11,7 @@ from autograder.manifest import ROOT
 from autograder.text.marked import between
 from studies.accuracy.catalog import scenes_with
 from studies.benchmarks.kept import kept
-from studies.charts.kept import BEGIN, END, FIGURES, ROUGH, misses, table
+from studies.charts.kept import BEGIN, END, FIGURES, ROUGH, misses, rounded, table
 
 ROWS = json.loads((ROOT / FIGURES).read_text(encoding="utf-8"))["rows"]
 PAGE = " ".join((ROOT / "studies/README.md").read_text(encoding="utf-8").split())
@@ -36,12 +35,6 @@ def ratio(scene: str, tolerance: float, *, is_formula: bool = False) -> float:
         if (row["scene"], row["tolerance"], row["is_formula"]) == (scene, tolerance, is_formula)
     )
     return float(found["ratio"] or found["low"])
-
-
-def rounded(value: float) -> str:
-    """Format a ratio to two digits, as the table of the page does."""
-    digits = max(0, 1 - math.floor(math.log10(value)))
-    return f"{float(f'{value:.2g}'):,.{digits}f}"
 
 
 def test_the_bounds_in_the_text_are_those_of_the_benchmarks() -> None:

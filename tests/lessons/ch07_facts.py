@@ -170,7 +170,6 @@ def solvers() -> dict[str, float]:
     assert max(errors(SMALL, range(8, 129))) < 0.2
     assert time_within(points, named(STACK, 100), BOOK, 0.01) is None
     assert time_within(points, named(ROPE, 100), BOOK, 0.01) is None
-    assert 1.8 < time(ROPE, 1000, IMPULSES) / time(ROPE, 1000, SMALL) < 2.2
     equal = time(STACK, 1, IMPULSES)
     cable = Particle(Vector3(0, -1), acceleration=Vector3(0, -10), mass=3)
     soft = SmallSteps([cable], [AnchoredCable(cable, Vector3(), 1)], 0.001)
@@ -180,13 +179,14 @@ def solvers() -> dict[str, float]:
         "0.167": 10 * H,
         "1.67": 10 * 10 * H,
         "0.03": -1 - cable.position.y,
-        "8.9": time(STACK, 1, BOOK) / equal,
-        "7": time(STACK, 1, COLD) / equal,
-        "11": time(STACK, 1000, IMPULSES) / equal,
-        "10": time(STACK, 1000, SMALL) / time(STACK, 1, SMALL),
-        "46": time(ROPE, 1000, SMALL) / time(ROPE, 1000, NET),
-        "12": swinging(SMALL) / swinging(NET),
-        "17": swinging(IMPULSES) / swinging(NET),
+        "7.5": time(STACK, 1, BOOK) / equal,
+        "7.7": time(STACK, 1, COLD) / equal,
+        "9.5": time(STACK, 1000, IMPULSES) / equal,
+        "11": time(STACK, 1000, SMALL) / time(STACK, 1, SMALL),
+        "0.76": time(ROPE, 1000, SMALL) / time(ROPE, 1000, IMPULSES),
+        "80": time(ROPE, 1000, SMALL) / time(ROPE, 1000, NET),
+        "21": swinging(SMALL) / swinging(NET),
+        "18": swinging(IMPULSES) / swinging(NET),
     }
 
 
@@ -200,6 +200,6 @@ SECTIONS = {
     "Finding pairs of spheres": ("8", lambda: {"499,500": 1000 * 999 / 2}),
     "The exact moment of an impact": ("0.5 1.8 10", moments),
     "Going further: rods that pull and push": ("10 60", two_sided),
-    "Going further: other contact solvers": ("8 30 60 64 0.001 1,000", solvers),
+    "Going further: other contact solvers": ("8 10 30 60 64 0.001 1,000", solvers),
     "The book's exercises": ("0.01 0.5 0.64 0.75 9 10 20 60", exercises),
 }

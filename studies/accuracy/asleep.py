@@ -5,12 +5,12 @@ The positions of a body are read again only after it has woken up.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.sleeping import SleepingWorld
-from studies.accuracy.in_pymunk import InSpace
-from studies.accuracy.scene import Model, Outcome, Place, in_frames
+from studies.accuracy.in_pymunk import InSpace, in_turn
+from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 
 
 def asleep(
@@ -23,7 +23,7 @@ def asleep(
 
     def run(_: int) -> Outcome:
         world, particles = make()
-        place = kept_while(lambda: particles[0] in world.asleep, lambda: place_of(particles))
+        place = kept_while(lambda: particles[0] in world.asleep, lambda: places_of(particles))
         return Outcome(in_frames(world.step, place, frames, 1), 0)
 
     return Model(name, run, (1,), is_formula=True)
@@ -37,23 +37,14 @@ def asleep_in_pymunk(make: Callable[[], InSpace], frames: int) -> Model:
         space.sleep_time_threshold = 1.0  # s; without a limit, no body may sleep
         for body in bodies:
             body.sleep()
-
-        def place_in_space() -> Place:  # pymunk.batch leaves sleeping bodies out
-            return tuple([part for body in bodies for part in body.position])
-
-        place = kept_while(lambda: bodies[0].is_sleeping, place_in_space)
+        # pymunk.batch leaves sleeping bodies out
+        place = kept_while(lambda: bodies[0].is_sleeping, lambda: in_turn(bodies))
         places = in_frames(space.step, place, frames, 1)
         for body in bodies:
             body.activate()  # pymunk 7.3 crashes when it deletes bodies that sleep
         return Outcome(places, 0)
 
     return Model("pymunk, asleep", run, (1,), "pymunk", is_formula=True)
-
-
-def place_of(particles: Sequence[Particle]) -> Place:
-    """List the x and y coordinates of all particles."""
-    positions = [particle.position for particle in particles]
-    return tuple([part for position in positions for part in (position.x, position.y)])
 
 
 def kept_while(sleeps: Callable[[], bool], place: Callable[[], Place]) -> Callable[[], Place]:

@@ -162,13 +162,18 @@ def space_with(position: Pair, velocity: Pair) -> InSpace:
     return space, [body]
 
 
+def in_turn(bodies: Sequence[pymunk.Body]) -> Place:
+    """Read the coordinates of the bodies, one body after the other."""
+    return tuple([part for body in bodies for part in body.position])
+
+
 def reading(space: pymunk.Space, bodies: list[pymunk.Body]) -> Callable[[], Sequence[float]]:
     """Return the fastest function that reads the coordinates of all bodies of a space."""
     if len(bodies) == 1:
         (body,) = bodies
         return lambda: body.position  # a tuple of x and y
     if len(bodies) < BATCH:
-        return lambda: tuple([part for body in bodies for part in body.position])
+        return lambda: in_turn(bodies)
 
     import pymunk.batch
 

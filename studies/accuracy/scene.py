@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.going_further.adaptive import adaptive
@@ -153,6 +154,16 @@ def in_frames(
             step(duration)
         places.append(place())
     return places
+
+
+def places_of(particles: Sequence[Particle]) -> Place:
+    """List the coordinates of all particles in one flat tuple: x1, y1, x2, y2 and so on."""
+    return flat([particle.position for particle in particles])
+
+
+def flat(vectors: Sequence[Vector3]) -> Place:
+    """List the x and y coordinates of all vectors, in the same form."""
+    return tuple([part for vector in vectors for part in (vector.x, vector.y)])
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:

@@ -32,9 +32,9 @@ from ch08_mass_aggregate.bridge_plan import (
 )
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.asleep import asleep, asleep_in_pymunk, place_of
+from studies.accuracy.asleep import asleep, asleep_in_pymunk
 from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk
-from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames
+from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames, places_of
 from studies.accuracy.scenes.hanging import HAIR, MASSES, cables, hanging, truth
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
@@ -118,7 +118,7 @@ def by_world(
         world.step(duration)
         work += resolver.iterations_used
 
-    return Outcome(in_frames(step, partial(place_of, ends), FRAMES, steps), work)
+    return Outcome(in_frames(step, partial(places_of, ends), FRAMES, steps), work)
 
 
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
@@ -166,7 +166,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
     DirectNet can reuse its solution in later steps.
     """
     ends, links = make()
-    places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
+    places = in_frames(DirectNet(links).step, partial(places_of, ends), FRAMES, steps)
     return Outcome(places, FRAMES * steps * len(links))
 
 

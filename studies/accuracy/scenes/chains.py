@@ -30,7 +30,16 @@ from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
 from studies.accuracy.in_plane import in_plane
 from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk, from_two_runs
-from studies.accuracy.scene import STEPS, Model, Outcome, Place, in_frames, solved
+from studies.accuracy.scene import (
+    STEPS,
+    Model,
+    Outcome,
+    Place,
+    flat,
+    in_frames,
+    places_of,
+    solved,
+)
 from studies.models.angle_chain import AngleChain
 from studies.models.angle_rope import AngleRope
 from studies.models.order_8 import Numbers
@@ -271,19 +280,3 @@ def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
         return space, bodies
 
     return make
-
-
-def places_of(particles: Sequence[Particle]) -> Place:
-    """List the coordinates of all particles in one flat tuple: x1, y1, x2, y2 and so on.
-
-    The exact solution has the same form, so the two can be compared.
-    """
-    return flat([particle.position for particle in particles])
-
-
-def flat(vectors: Sequence[Vector3]) -> Place:
-    """List the coordinates of all vectors in one flat tuple: x1, y1, x2, y2 and so on.
-
-    The exact solution has the same form, so the two can be compared.
-    """
-    return tuple([part for vector in vectors for part in (vector.x, vector.y)])

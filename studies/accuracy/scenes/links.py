@@ -17,8 +17,8 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.going_further.angle_pendulum import AnglePendulum, DoublePendulum
 from ch07_constraints.links import TwoSidedRod
-from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
-from studies.accuracy.scenes.chains import COUNTED, Chain, by_resolver, flat, models_of
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, flat, in_frames
+from studies.accuracy.scenes.chains import COUNTED, Chain, by_resolver, models_of
 
 G = 9.81  # m/s^2
 ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope

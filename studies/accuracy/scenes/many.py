@@ -22,9 +22,9 @@ from ch05_forces.particle import Particle
 from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch08_mass_aggregate.sleeping import SleepingWorld
-from studies.accuracy.asleep import asleep, asleep_in_pymunk, place_of
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Step, at_best, by_pymunk
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.asleep import asleep, asleep_in_pymunk
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Step, at_best, by_pymunk, in_turn
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def falling() -> Scene:
                 body.integrate(duration)
 
         return Outcome(
-            in_frames(step, partial(place_of, bodies), LONG, steps), LONG * steps * BODIES
+            in_frames(step, partial(places_of, bodies), LONG, steps), LONG * steps * BODIES
         )
 
     def by_lists(steps: int) -> Outcome:
@@ -99,11 +99,8 @@ def falling() -> Scene:
 
     def read_in_turn(steps: int) -> Outcome:
         space, bodies = in_space(0.0)
-
-        def place() -> Place:
-            return tuple([part for body in bodies for part in body.position])
-
-        return Outcome(in_frames(space.step, place, LONG, steps), LONG * steps * BODIES)
+        places = in_frames(space.step, partial(in_turn, bodies), LONG, steps)
+        return Outcome(places, LONG * steps * BODIES)
 
     def by_formula(_: int) -> Outcome:
         places = [place_at(frame / RATE) for frame in range(1, LONG + 1)]
@@ -143,7 +140,7 @@ def resting(
 
     def ours(solver: str, steps: int) -> Outcome:
         spheres, contacts = made()
-        place = partial(place_of, spheres[fixed:])
+        place = partial(places_of, spheres[fixed:])
         found = in_frames(SOLVERS[solver](spheres, contacts), place, FRAMES, steps)
         return Outcome(found, FRAMES * steps * units)
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy
@@ -25,7 +25,7 @@ from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable
 from studies.accuracy.in_plane import LONG, ORDERS, flat, in_long_steps, in_plane
 from studies.accuracy.in_pymunk import InSpace, Step, by_pymunk
-from studies.accuracy.scene import RATE, Model, Outcome, Place, in_frames
+from studies.accuracy.scene import RATE, Model, Outcome, in_frames, places_of
 from studies.accuracy.scenes.taut import TautMotion, Tie
 from studies.models.direct_net import DirectNet
 from studies.models.net import Strut
@@ -165,13 +165,9 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
     """Simulate a net with a solver that computes all tensions at once, DirectNet or SmoothNet."""
     knots, step = made(plane, kind)
-
-    def place() -> Place:
-        return tuple([part for knot in knots for part in (knot.position.x, knot.position.y)])
-
     stages = 4 if kind is SmoothNet else 1
     work = stages * plane.frames * steps * len(plane.ties)
-    return Outcome(in_frames(step, place, plane.frames, steps), work)
+    return Outcome(in_frames(step, partial(places_of, knots), plane.frames, steps), work)
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:

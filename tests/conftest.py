@@ -27,8 +27,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
         "markers",
-        "exercise(id, weight=1, asks=words): the exercise of the manifest that a check belongs to, "
-        "and the words of the course that demand what it checks",
+        "exercise(id, weight=1, asks=words, read=place): the exercise of the manifest that a check "
+        "belongs to, the words of the course that demand what it checks, and what to read about it",
     )
     config.addinivalue_line(
         "markers", "robust: the check is about bad arguments, overflow or NaN, not the physics"

@@ -135,6 +135,7 @@ class Recorder:
         """
         self.send(Started(item.name))
         about.forget()
+        about.read = _marker(item).kwargs.get("read", "")
         # It is stopped after the report, since an exception's str() may hang.
         self.engine.start(hidden=self._is_hidden(item))
         try:

@@ -156,6 +156,8 @@ class Session:
         if callable(value):
             self._callbacks.append(value)
             return {"callback": len(self._callbacks) - 1}
+        if isinstance(value, tuple):  # a check's own kind of tuple
+            return {"tuple": [pack(item, self._refer) for item in value]}
         raise TypeError(
             f"only plain data, handles and functions can be sent to a worker, not {value!r}"
         )

@@ -7,121 +7,100 @@ from random import Random
 
 import pytest
 
+from calls import calls
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
-from draw import Components, components, direction, dot, number, positive_number
-from expect import about, blame, expect_close, expect_unchanged, xyz
-from impacts import of_mass
+from draw import Triple, number, positive_number, unit_vector, vector
+from expect import expect_close, expect_unchanged
 
-ZERO = (0.0, 0.0, 0.0)
-UP = (0.0, 1.0, 0.0)
+UP = Triple((0.0, 1.0, 0.0))
 PART = "book 7.1.3, Eq. 7.4, and the docstring of Contact.separating_velocity"
 AFTER = "book 7.1.2, 7.2.3, and the docstring of Contact.velocity_after"
 REST = "book 7.2.3, E-26, and the docstring of Contact.velocity_after"
 G = 9.81
 
 
-def along(n: Components, speed: float, rng: Random) -> Components:
+def along(n: Triple, speed: float, rng: Random) -> Triple:
     """Return a random velocity whose component along the normal is ``speed``."""
-    v = components(rng)
-    part = speed - dot(v, n)
-    return (v[0] + part * n[0], v[1] + part * n[1], v[2] + part * n[2])
+    v = vector(rng)
+    return v + n * (speed - v @ n)
 
 
-@pytest.mark.exercise("B7.1", asks="The result is (va - vb) . n")
+@pytest.mark.exercise("B7.1", asks="The result is (va - vb) . n", read=PART)
 def test_separating_velocity_of_two_moving_particles(rng: Random) -> None:
-    about.read = PART
-    p, q, one, two = (components(rng) for _ in range(4))
-    m = direction(rng)
+    p, q, one, two, m = vector(rng), vector(rng), vector(rng), vector(rng), unit_vector(rng)
     for v, w, n, mass in (
-        ((2.0, 7.0, 0.0), (-3.0, 4.0, 0.0), (-1.0, 0.0, 0.0), 3.0),
+        (Triple((2.0, 7.0, 0.0)), Triple((-3.0, 4.0, 0.0)), Triple((-1.0, 0.0, 0.0)), 3.0),
         (one, two, m, 3.0),
         (two, one, m, 3.0),
         (one, two, m, math.inf),
     ):
-        about.call = f"particle a at {p} with velocity {v}; particle b ({of_mass(mass)}) at {q} "
-        about.call += f"with velocity {w}; c = Contact(a, b, normal=Vector3{n}, restitution=0.5, "
-        about.call += "penetration=-1.0); c.separating_velocity()"
-        about.cause = "The separating velocity is (va - vb) . n, where n is the contact's normal. "
-        about.cause += "It does not depend on the masses, the positions or the penetration."
-        a = Particle(Vector3(*p), Vector3(*v), mass=2.0)
-        b = Particle(Vector3(*q), Vector3(*w), mass=mass)
-        got = Contact(a, b, Vector3(*n), 0.5, -1.0).separating_velocity()
-        wanted = dot(v, n) - dot(w, n)
-        line = tuple(x - y for x, y in zip(p, q, strict=True))
-        over = sum((x - y) * z for x, y, z in zip(v, w, line, strict=True)) / math.hypot(*line)
-        whole = math.dist(v, w)
-        mistakes = [
-            (whole, "You returned the whole relative speed. Only its part along the contact's "
-                    "normal n counts, so compute (va - vb) . n."),
-            (v[1] - w[1], "You used only the velocities along Y. The contact's normal n can point "
-                          "in any direction, so compute (va - vb) . n."),
-            (-wanted, "The sign is wrong: your result is positive when the particles approach. "
-                      "Compute (va - vb) . n, where n is the contact's normal."),
-            (dot(v, n), "You used only a's velocity, but b is moving too. Subtract the velocity of "
-                        "b before you multiply by the normal n, as in (va - vb) . n."),
-            (dot(v, n) + dot(w, n), "You added the two velocities. How fast the particles separate "
-                                    "depends on their difference, so compute (va - vb) . n with "
-                                    "the contact's normal n."),
-            (over, "You measured the velocity along the line between the two positions. Measure it "
-                   "along the contact's normal instead."),
-        ]  # fmt: skip
-        blame(got, mistakes)
+        with calls(
+            "The separating velocity is (va - vb) . n, where n is the contact's normal. It does "
+            "not depend on the masses, the positions or the penetration."
+        ):
+            a = Particle(Vector3(*p), Vector3(*v), mass=2.0)
+            b = Particle(Vector3(*q), Vector3(*w), mass=mass)
+            c = Contact(a, b, normal=Vector3(*n), restitution=0.5, penetration=-1.0)
+            got = c.separating_velocity()
+        slips = {
+            "You returned the whole relative speed.": abs(v - w),
+            "You used only the velocities along Y.": v[1] - w[1],
+            "The sign is wrong: your result is positive when the particles approach.": (w - v) @ n,
+            "You used only a's velocity, but b is moving too.": v @ n,
+            "You added the two velocities.": (v + w) @ n,
+            "You measured the velocity along the line between the two positions.":
+                (v - w) @ (p - q) / abs(p - q),
+        }  # fmt: skip
         # A few roundings of numbers up to 20.
-        expect_close(got, wanted, tolerance=1e-13, unit="m/s")
+        expect_close(got, (v - w) @ n, slips, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.1", asks="or 0 if it is None")
+@pytest.mark.exercise("B7.1", asks="or 0 if it is None", read=PART)
 def test_the_world_does_not_move(rng: Random) -> None:
-    about.read = PART
-    v = components(rng)
-    for n in (UP, direction(rng)):
-        about.call = f"particle a with velocity {v}; "
-        about.call += f"Contact(a, None, normal=Vector3{n}).separating_velocity()"
-        about.cause = "In a contact with the immovable world, self.other is None, so there is no "
-        about.cause += "second velocity to subtract. Return va . n, where n is the contact's "
-        about.cause += "normal."
-        got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
-        why = "The sign is wrong: your result is positive when the particle approaches. Return va "
-        why += ". n, where n is the contact's normal."
-        blame(got, [(-dot(v, n), why)])
-        expect_close(got, dot(v, n), tolerance=1e-13, unit="m/s")
+    v = vector(rng)
+    for n in (UP, unit_vector(rng)):
+        with calls(
+            "In a contact with the immovable world, self.other is None, so there is no second "
+            "velocity to subtract. Return va . n, where n is the contact's normal."
+        ):
+            a = Particle(velocity=Vector3(*v))
+            got = Contact(a, None, normal=Vector3(*n)).separating_velocity()
+        slips = {
+            "The sign is wrong: your result is positive when the particle approaches.": -(v @ n)
+        }
+        expect_close(got, v @ n, slips, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.1", asks="This method changes nothing")
+@pytest.mark.exercise("B7.1", asks="This method changes nothing", read=PART)
 def test_separating_velocity_changes_nothing(rng: Random) -> None:
-    about.read = PART
-    v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
-    about.call = f"particle a with velocity {v}; particle b with velocity {w}; c = Contact(a, b, "
-    about.call += f"normal=Vector3{n}); c.separating_velocity()"
-    about.cause = "separating_velocity has changed a vector in place, as -= does. Use va - vb "
-    about.cause += "instead, which creates a new vector."
-    a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
-    c = Contact(a, b, Vector3(*n))
-    c.separating_velocity()
-    for name, now, before in (
-        ("a.velocity", xyz(a.velocity), v),
-        ("b.velocity", xyz(b.velocity), w),
-        ("c.normal", xyz(c.normal), n),
+    v, w, n, m = vector(rng), vector(rng), unit_vector(rng), unit_vector(rng)
+    with calls(
+        "separating_velocity has changed a vector in place, as -= does. Use va - vb instead, which "
+        "creates a new vector."
     ):
-        expect_unchanged(name, now, before)
-    about.call += f"; c.normal = Vector3{m}; a.velocity = Vector3(); c.separating_velocity()"
-    about.cause = "The velocity of a and the normal have changed since the first call. Don't store "
-    about.cause += "the result: compute it from their current values on every call."
-    c.normal = Vector3(*m)
-    a.velocity = Vector3()
-    got = c.separating_velocity()
-    expect_close(got, -dot(w, m), tolerance=1e-13, unit="m/s")
+        a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
+        c = Contact(a, b, normal=Vector3(*n))
+        c.separating_velocity()
+    expect_unchanged("a.velocity", a.velocity, v)
+    expect_unchanged("b.velocity", b.velocity, w)
+    expect_unchanged("c.normal", c.normal, n)
+    with calls(
+        "The velocity of a and the normal have changed since the first call. Don't store the "
+        "result: compute it from their current values on every call.",
+        more=True,
+    ):
+        c.normal = Vector3(*m)
+        a.velocity = Vector3()
+        got = c.separating_velocity()
+    expect_close(got, -(w @ m), tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="bounces with the restitution c")
+@pytest.mark.exercise("B7.2", asks="bounces with the restitution c", read=AFTER)
 def test_a_closing_contact_bounces(rng: Random) -> None:
-    about.read = AFTER
-    m = direction(rng)
-    middle = round(rng.uniform(0.2, 0.8), 3)
-    w = (0.0, 1.0, 0.0)
-    samples = [(0.5, -4.0, UP, (1.0, -3.0, 2.0), w)]
+    m, middle = unit_vector(rng), round(rng.uniform(0.2, 0.8), 3)
+    samples = [(0.5, -4.0, UP, Triple((1.0, -3.0, 2.0)), UP)]
     for restitution, closing in (
         (0.0, -positive_number(rng)),
         (middle, -positive_number(rng)),
@@ -129,39 +108,33 @@ def test_a_closing_contact_bounces(rng: Random) -> None:
         (middle, -0.01),
         (middle, -1e-9),
     ):
-        w = components(rng)
-        samples.append((restitution, closing, m, along(m, closing + dot(w, m), rng), w))
+        w = vector(rng)
+        samples.append((restitution, closing, m, along(m, closing + w @ m, rng), w))
     for restitution, closing, n, v, w in samples:
-        about.call = f"particle a with velocity {v}; particle b with velocity {w}; Contact(a, b, "
-        about.call += f"normal=Vector3{n}, restitution={restitution}).velocity_after()"
-        about.cause = f"The particles approach at {-closing} m/s, so they should separate at the "
-        about.cause += "restitution times that speed. Slow contacts bounce too."
-        a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
-        got = Contact(a, b, Vector3(*n), restitution).velocity_after()
+        with calls(
+            f"The particles approach at {-closing} m/s. Slow contacts bounce too: return -c v_s, "
+            "with the restitution c and the separating velocity v_s before the bounce."
+        ):
+            a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
+            c = Contact(a, b, normal=Vector3(*n), restitution=restitution)
+            got = c.velocity_after()
         wanted = -restitution * closing
-        mistakes = [
-            (-wanted,
-             "The sign is wrong: the particles still approach after your bounce. Return -c v_s, "
-             "where c is the restitution and v_s the separating velocity before the bounce."),
-            (-closing, "You left out the restitution c, so the bounce loses no speed. Return -c "
-                       "v_s, where v_s is the separating velocity before the bounce."),
-            (closing, "You returned v_s, the separating velocity before the bounce. Return the one "
-                      "after it, which is -c v_s with the restitution c."),
-            (wanted - closing,
-             "You returned the change in the separating velocity. Return its value after the "
-             "bounce, which is minus the restitution times its value before."),
-            (0.0, f"You returned 0, but the particles approach at {-closing} m/s. Slow contacts "
-                  "bounce too: return -c v_s with the restitution c."),
-        ]  # fmt: skip
-        if closing < -1e-3:  # below, all of these are near 0
-            blame(got, mistakes)
-        expect_close(got, wanted, tolerance=1e-12, unit="m/s")
+        slips = {
+            "The sign is wrong: the particles still approach after your bounce.": -wanted,
+            "You left out the restitution, so the bounce loses no speed.": -closing,
+            "You returned the separating velocity before the bounce.": closing,
+            "You returned the change in the separating velocity.": wanted - closing,
+            "You returned 0.": 0.0,
+        }
+        if closing > -1e-3:  # all of these are near 0
+            slips = {}
+        expect_close(got, wanted, slips, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="is 0 or positive, the result is v_s")
+@pytest.mark.exercise("B7.2", asks="is 0 or positive, the result is v_s", read=AFTER)
 def test_a_separating_contact_does_not_bounce(rng: Random) -> None:
-    about.read = AFTER
-    n = direction(rng)
+    n = unit_vector(rng)
+    down = n * -G
     for duration, parting in (
         (0.0, positive_number(rng)),
         (0.5, positive_number(rng)),
@@ -169,36 +142,34 @@ def test_a_separating_contact_does_not_bounce(rng: Random) -> None:
         (0.0, 1e-6),
     ):
         v = along(n, parting, rng)
-        about.call = f"particle a with velocity {v}; c = Contact(a, None, normal=Vector3{n}, "
-        about.call += f"restitution=0.5); c.velocity_after({duration})"
-        about.cause = "This contact is already separating, so it doesn't bounce. Return its "
-        about.cause += "separating velocity unchanged."
-        down = Vector3(*n) * -G
-        a = Particle(velocity=Vector3(*v), acceleration=down)
-        got = Contact(a, None, Vector3(*n), 0.5).velocity_after(duration)
-        scaled = "You multiplied the separating velocity by the restitution, but this contact is "
-        scaled += "already separating and doesn't bounce. Return the separating velocity itself."
-        stopped = f"You returned 0, but this contact is already separating at {parting:g} m/s. "
-        stopped += "Return its separating velocity unchanged."
-        if parting > 1e-3:  # below, both of these are near 0
-            blame(got, [(0.5 * parting, scaled), (0.0, stopped)])
-        expect_close(got, dot(v, n), tolerance=1e-12, unit="m/s")
-    about.call = "particle a at rest, with gravity pulling it down; Contact(a, None, "
-    about.call += "normal=Vector3(0, 1, 0), restitution=0.5).velocity_after(0.5)"
-    about.cause = "The separating velocity is 0, so the particle neither approaches nor leaves the "
-    about.cause += "ground, and it doesn't bounce. Return 0."
-    a = Particle(acceleration=Vector3(0.0, -G, 0.0))
-    got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
+        with calls(
+            "This contact is already separating, so it doesn't bounce. Return its separating "
+            "velocity unchanged."
+        ):
+            a = Particle(velocity=Vector3(*v), acceleration=Vector3(*down))
+            c = Contact(a, None, normal=Vector3(*n), restitution=0.5)
+            got = c.velocity_after(duration)
+        slips = {
+            "You multiplied the separating velocity by the restitution.": 0.5 * parting,
+            f"You returned 0, but the particle leaves at {parting:g} m/s.": 0.0,
+        }
+        if parting < 1e-3:  # both of these are near 0
+            slips = {}
+        expect_close(got, v @ n, slips, tolerance=1e-12, unit="m/s")
+    with calls(
+        "The separating velocity is 0, so the particle neither approaches nor leaves the ground, "
+        "and it doesn't bounce. Return 0."
+    ):
+        a = Particle(acceleration=Vector3(0.0, -G, 0.0))
+        got = Contact(a, None, normal=Vector3(*UP), restitution=0.5).velocity_after(0.5)
     expect_close(got, 0.0, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="return c (a h - v_s), but never less than 0")
+@pytest.mark.exercise("B7.2", asks="return c (a h - v_s), but never less than 0", read=REST)
 def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
-    about.read = REST
-    n, h, c = direction(rng), 0.02, round(rng.uniform(0.3, 0.9), 3)
-    side = Vector3(*n).cross(Vector3(*direction(rng)))  # at right angles to n
-    x, y, z = xyz(side)
-    pull = (5.0 * x - G * n[0], 5.0 * y - G * n[1], 5.0 * z - G * n[2])
+    n, h, c = unit_vector(rng), 0.02, round(rng.uniform(0.3, 0.9), 3)
+    across = n.cross(unit_vector(rng))
+    pull = across * 5.0 - n * G
     for closing, wanted, cause in (
         (G * h, 0.0,
          "The particle is at rest: gravity has added its closing speed of 0.1962 m/s in this "
@@ -210,116 +181,98 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
          "The acceleration added 0.1962 m/s of the closing speed of 5 m/s. Subtract this part "
          "before you multiply by the restitution."),
     ):  # fmt: skip
-        about.cause = cause
-        size = math.hypot(*pull)
-        mistakes = [
-            (c * closing, "Your bounce includes the speed that the acceleration has added in this "
-                          "time step. Leave it out, or a resting body will jitter."),
-            (c * closing - G * h,
-             "You multiplied by the restitution first and then subtracted the velocity that "
-             "this time step has added. Subtract it before you multiply by the restitution."),
-            (c * (closing + G * h),
-             "You added the velocity that this time step has built up to the closing speed. "
-             "Subtract it instead."),
-            (c * (closing - G * h * h),
-             "You multiplied the acceleration by the duration twice. The velocity that it adds in "
-             "this time step is the acceleration times the duration."),
-            (c * (closing - size * h),
-             "You used the magnitude of the acceleration. Use only its component along the "
-             "normal, which is the scalar product of the acceleration and the normal."),
-            (0.0,
-             "You returned 0, but the acceleration added only 0.1962 m/s of the closing speed of 5 "
-             "m/s. Multiply the acceleration along the normal by the duration, and subtract the "
-             "result."),
-        ]  # fmt: skip
         v = along(n, -closing, rng)
-        about.call = f"particle a (3 kg, damping 0.25) with velocity {v}; its acceleration is "
-        about.call += f"{pull}; c = Contact(a, None, normal=Vector3{n}, restitution={c}); "
-        about.call += f"c.velocity_after({h})"
-        a = Particle(None, Vector3(*v), Vector3(*pull), mass=3.0, damping=0.25)
-        got = Contact(a, None, Vector3(*n), c).velocity_after(h)
-        blame(got, mistakes)
-        expect_close(got, wanted, tolerance=1e-12, unit="m/s")
-    about.call = f"particle a with velocity (0, -5, 0) and acceleration (0, -{G}, 0); Contact(a, "
-    about.call += "None, normal=Vector3(0, 1, 0), restitution=1.0).velocity_after(0.0)"
-    about.cause = "The duration is 0, so the acceleration has not added any velocity. The whole "
-    about.cause += "closing speed of 5 m/s bounces."
-    a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
-    got = Contact(a, None, Vector3(*UP), 1.0).velocity_after(0.0)
+        with calls(cause):
+            a = Particle(None, Vector3(*v), Vector3(*pull), mass=3.0, damping=0.25)
+            got = Contact(a, None, normal=Vector3(*n), restitution=c).velocity_after(h)
+        slips = {
+            "Your bounce includes the speed that the acceleration has added in this time step. "
+            "Leave it out, or a resting body will jitter.": c * closing,
+            "You multiplied by the restitution first and then subtracted the velocity that this "
+            "time step has added. Subtract it first.": c * closing - G * h,
+            "You added the velocity that this time step has built up to the closing speed. "
+            "Subtract it instead.": c * (closing + G * h),
+            "You multiplied the acceleration by the duration twice. Multiply by it once.":
+                c * (closing - G * h * h),
+            "You used the magnitude of the acceleration. Use only its component along the normal, "
+            "acceleration . n.": c * (closing - abs(pull) * h),
+            "You returned 0, but the acceleration added only 0.1962 m/s. Multiply the acceleration "
+            "along the normal by the duration.": 0.0,
+        }  # fmt: skip
+        expect_close(got, wanted, slips, tolerance=1e-12, unit="m/s")
+    with calls(
+        "The duration is 0, so the acceleration has not added any velocity. The whole closing "
+        "speed of 5 m/s bounces."
+    ):
+        a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
+        got = Contact(a, None, normal=Vector3(*UP), restitution=1.0).velocity_after(0.0)
     expect_close(got, 5.0, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="is zero or positive, leave it out")
+@pytest.mark.exercise("B7.2", asks="is zero or positive, leave it out", read=REST)
 def test_an_acceleration_away_from_the_contact_does_not_count(rng: Random) -> None:
-    about.read = REST
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
-    about.call = f"particle a with velocity (0, -2, 0) and acceleration (3, {pull}, 3); Contact(a, "
-    about.call += f"None, normal=Vector3(0, 1, 0), restitution={c}).velocity_after(0.25)"
-    about.cause = "You included an acceleration that points away from the contact. This "
-    about.cause += "acceleration doesn't add to the closing speed, so use all of the 2 m/s."
-    a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
-    got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
+    with calls(
+        "You included an acceleration that points away from the contact. This acceleration doesn't "
+        "add to the closing speed, so use all of the 2 m/s."
+    ):
+        a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
+        got = Contact(a, None, normal=Vector3(*UP), restitution=c).velocity_after(0.25)
     expect_close(got, 2.0 * c, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="of the particles, which includes forces")
+@pytest.mark.exercise("B7.2", asks="of the particles, which includes forces", read=REST)
 def test_accelerations_by_forces_count_too(rng: Random) -> None:
-    about.read = REST
     mass, c, h = positive_number(rng), round(rng.uniform(0.3, 0.9), 3), 0.02
-    about.call = f"particle a of {mass} kg, initially at rest; a.add_force(Vector3(0, -{mass} * "
-    about.call += f"{G}, 0)); a.integrate({h}); Contact(a, None, normal=Vector3(0, 1, 0), "
-    about.call += f"restitution={c}).velocity_after({h})"
-    about.cause = "You used only the constant acceleration of particle a and left out the force, "
-    about.cause += "as the book does (E-26). Use last_acceleration, which includes all forces."
-    a = Particle(mass=mass)
-    a.add_force(Vector3(0.0, -mass * G, 0.0))
-    a.integrate(h)
-    got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
+    with calls(
+        "You used only the constant acceleration of particle a and left out the force, as the book "
+        "does (E-26). Use last_acceleration, which includes all forces."
+    ):
+        a = Particle(mass=mass)
+        a.add_force(Vector3(0.0, -mass * G, 0.0))
+        a.integrate(h)
+        got = Contact(a, None, normal=Vector3(*UP), restitution=c).velocity_after(h)
     expect_close(got, 0.0, tolerance=1e-13, unit="m/s")
-    about.call = f"particle a of {mass} kg with acceleration (0, -4, 0); a.add_force(Vector3(0, "
-    about.call += f"{-5.0 * mass}, 0)); a.integrate({h}); a.velocity.y = -1; Contact(a, None, "
-    about.call += f"normal=Vector3(0, 1, 0), restitution={c}).velocity_after({h})"
-    about.cause = "Both the constant acceleration and the force accelerate the particle. Use "
-    about.cause += "last_acceleration, which is their sum: -9 m/s^2 along y."
-    a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
-    a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
-    a.integrate(h)
-    a.velocity.y = -1.0
-    got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
+    with calls(
+        "Both the constant acceleration and the force accelerate the particle. Use "
+        "last_acceleration, which is their sum: -9 m/s^2 along y."
+    ):
+        a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
+        a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
+        a.integrate(h)
+        a.velocity.y = -1.0
+        got = Contact(a, None, normal=Vector3(*UP), restitution=c).velocity_after(h)
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12, unit="m/s")
-    about.call = f"particle a at rest; particle b of {mass} kg; b.add_force(Vector3(0, 7 * {mass}, "
-    about.call += f"0)); b.integrate({h}); b.velocity.y = 1; Contact(a, b, normal=Vector3(0, 1, "
-    about.call += f"0), restitution={c}).velocity_after({h})"
-    about.cause = "Either you ignored the force that accelerates b, or you added b's acceleration "
-    about.cause += "to a's. Subtract b's last_acceleration, which includes forces, from a's."
-    b = Particle(mass=mass)
-    b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
-    b.integrate(h)
-    b.velocity.y = 1.0
-    got = Contact(Particle(), b, Vector3(*UP), c).velocity_after(h)
+    with calls(
+        "Either you ignored the force that accelerates b, or you added b's acceleration to a's. "
+        "Subtract b's last_acceleration, which includes forces, from a's."
+    ):
+        a, b = Particle(), Particle(mass=mass)
+        b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
+        b.integrate(h)
+        b.velocity.y = 1.0
+        got = Contact(a, b, normal=Vector3(*UP), restitution=c).velocity_after(h)
     expect_close(got, c * (1.0 - 7.0 * h), tolerance=1e-12, unit="m/s")
-    about.call = (
-        f"particle a of {mass} kg with acceleration (0, {-G}, 0) and an upward force equal "
-    )
-    about.call += f"to its weight; a.integrate({h}); a.velocity.y = -1; Contact(a, None, "
-    about.call += f"normal=Vector3(0, 1, 0), restitution={c}).velocity_after({h})"
-    about.cause = "The force cancels gravity, so the time step has added no velocity. The whole "
-    about.cause += "closing speed of 1 m/s should bounce."
-    a = Particle(acceleration=Vector3(0.0, -G, 0.0), mass=mass)
-    a.add_force(Vector3(0.0, mass * G, 0.0))
-    a.integrate(h)
-    a.velocity.y = -1.0
-    got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
+    with calls(
+        "The force cancels gravity, so the time step has added no velocity. The whole closing "
+        "speed of 1 m/s should bounce."
+    ):
+        a = Particle(acceleration=Vector3(0.0, -G, 0.0), mass=mass)
+        a.add_force(Vector3(0.0, mass * G, 0.0))
+        a.integrate(h)
+        a.velocity.y = -1.0
+        got = Contact(a, None, normal=Vector3(*UP), restitution=c).velocity_after(h)
     expect_close(got, c, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="Use 0 for an immovable or missing particle")
+@pytest.mark.exercise("B7.2", asks="Use 0 for an immovable or missing particle", read=REST)
 def test_the_difference_of_both_accelerations_counts(rng: Random) -> None:
-    about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
-    immovable = "You included the last_acceleration of the immovable particle, but it doesn't "
-    immovable += "accelerate. Use 0 as its acceleration."
+    immovable = (
+        "You included the last_acceleration of the immovable particle, but it doesn't accelerate. "
+        "Use 0 as its acceleration."
+    )
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,
          "Both particles have the same acceleration, so it adds nothing to their closing speed. "
@@ -332,40 +285,37 @@ def test_the_difference_of_both_accelerations_counts(rng: Random) -> None:
          "Particle b is immovable, so it doesn't accelerate. Use the whole acceleration of a."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
-        about.cause = cause
-        about.call = f"particle a ({of_mass(mass_a)}) with velocity (0, -1, 0) and acceleration "
-        about.call += f"(0, {pa:g}, 0); particle b ({of_mass(mass_b)}) with velocity (0, 2, 0) and "
-        about.call += f"acceleration (0, {pb:g}, 0); Contact(a, b, normal=Vector3(0, 1, 0), "
-        about.call += f"restitution={c}).velocity_after({h})"
-        a = Particle(None, Vector3(0.0, -1.0, 0.0), Vector3(0.0, pa, 0.0), mass=mass_a)
-        b = Particle(None, Vector3(0.0, 2.0, 0.0), Vector3(0.0, pb, 0.0), mass=mass_b)
-        got = Contact(a, b, Vector3(*UP), c).velocity_after(h)
+        with calls(cause):
+            a = Particle(None, Vector3(0.0, -1.0, 0.0), Vector3(0.0, pa, 0.0), mass=mass_a)
+            b = Particle(None, Vector3(0.0, 2.0, 0.0), Vector3(0.0, pb, 0.0), mass=mass_b)
+            got = Contact(a, b, normal=Vector3(*UP), restitution=c).velocity_after(h)
         expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
-@pytest.mark.exercise("B7.2", asks="This method changes nothing")
+@pytest.mark.exercise("B7.2", asks="This method changes nothing", read=AFTER)
 def test_velocity_after_changes_nothing(rng: Random) -> None:
-    about.read = AFTER
-    v = components(rng)[0], -positive_number(rng), components(rng)[2]
-    about.call = f"particle a with velocity {v} and acceleration (0, -2, 0); particle b at rest; c "
-    about.call += "= Contact(a, b, normal=Vector3(0, 1, 0), restitution=0.5); c.velocity_after(0.5)"
-    about.cause = "velocity_after has changed a vector, but it should only compute a velocity. "
-    about.cause += "Work on new vectors."
-    a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))
-    b = Particle(acceleration=Vector3(0.0, -1.0, 0.0))
-    c = Contact(a, b, Vector3(*UP), 0.5)
-    c.velocity_after(0.5)
+    v = Triple((number(rng), -positive_number(rng), number(rng)))
+    with calls(
+        "velocity_after has changed a vector, but it should only compute a velocity. Work on new "
+        "vectors."
+    ):
+        a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))
+        b = Particle(acceleration=Vector3(0.0, -1.0, 0.0))
+        c = Contact(a, b, normal=Vector3(*UP), restitution=0.5)
+        c.velocity_after(0.5)
     for name, now, before in (
-        ("a.velocity", xyz(a.velocity), v),
-        ("a.acceleration", xyz(a.acceleration), (0.0, -2.0, 0.0)),
-        ("b.acceleration", xyz(b.acceleration), (0.0, -1.0, 0.0)),
-        ("b.velocity", xyz(b.velocity), ZERO),
-        ("c.normal", xyz(c.normal), UP),
+        ("a.velocity", a.velocity, v),
+        ("a.acceleration", a.acceleration, (0.0, -2.0, 0.0)),
+        ("b.acceleration", b.acceleration, (0.0, -1.0, 0.0)),
+        ("b.velocity", b.velocity, (0.0, 0.0, 0.0)),
+        ("c.normal", c.normal, UP),
     ):
         expect_unchanged(name, now, before)
-    about.call += "; c.restitution = 0.25; c.velocity_after(0.0)"
-    about.cause = "The restitution has changed since the first call, and this duration is 0. Read "
-    about.cause += "the restitution on every call, and don't store the result."
-    c.restitution = 0.25
-    got = c.velocity_after(0.0)
+    with calls(
+        "The restitution has changed since the first call, and this duration is 0. Read the "
+        "restitution on every call, and don't store the result.",
+        more=True,
+    ):
+        c.restitution = 0.25
+        got = c.velocity_after(0.0)
     expect_close(got, -0.25 * v[1], unit="m/s")

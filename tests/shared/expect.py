@@ -81,16 +81,22 @@ def expect_vector(v: Any, **words: Unpack[Words]) -> tuple[float, float, float]:
 def expect_close(
     got: Any,
     wanted: float | Sequence[float],
+    slips: Mapping[str, float | Sequence[float]] | None = None,
     *,
     tolerance: float | None = None,
     **words: Unpack[Words],
 ) -> None:
     """Expect a number, or a sequence of numbers, each within the tolerance of the wanted one.
 
-    The default tolerance is ROUNDING times the largest wanted number.
+    The default tolerance is ROUNDING times the largest wanted number. ``slips`` lists likely
+    mistakes, as in ``named``.
     """
     __tracebackhide__ = True
     wanted_numbers = _as_tuple(wanted)
+    if len(wanted_numbers) == 3 and not isinstance(got, (tuple, list, NoVector)):
+        got = xyz(got)
+    if slips:
+        words["cause"] = named(got, about.but(words)[1], slips)
     if tolerance is None:
         tolerance = ROUNDING * max(abs(number) for number in wanted_numbers)
     got_numbers = _as_tuple(got)
@@ -146,11 +152,10 @@ def expect_nan(got: Any, **words: Unpack[Words]) -> None:
         _complain(_shown(got), "nan", words)
 
 
-def expect_unchanged(
-    name: str, now: Sequence[float], before: Sequence[float], **words: Unpack[Words]
-) -> None:
+def expect_unchanged(name: str, now: Any, before: Sequence[float], **words: Unpack[Words]) -> None:
     """Expect that a call did not change a vector that it should only read."""
     __tracebackhide__ = True
+    now = now if isinstance(now, (tuple, list)) else xyz(now)
     if tuple(now) != tuple(before):
         after, kept = _told(now, before)
         _complain(f"{name} is {after} after the call", f"{name} is still {kept}", words)

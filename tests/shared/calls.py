@@ -1,0 +1,133 @@
+"""Show the code that a check runs, with the numbers that it has drawn, as the call in its message.
+
+A check puts its calls of the student's code into a block:
+
+    with calls("The magnitude is the length of the vector."):
+        got = Vector3(*a).magnitude()
+
+If the check fails, its message shows Vector3(2.0, 3.0, 6.0).magnitude() as the call. Every name of
+a number, a text or a tuple is replaced by its value, and so is arithmetic with such names. Other
+names, such as that of a particle, stay as they are, so create the particle in the block, too.
+"""
+
+from __future__ import annotations
+
+import ast
+import linecache
+import math
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from types import FrameType
+from typing import Any
+
+from autograder.checks.asked import about
+
+PLAIN = (bool, int, float, str, type(None))
+CALCULATION = (
+    *(ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Subscript, ast.operator, ast.unaryop),
+    *(ast.expr_context, ast.JoinedStr, ast.FormattedValue),
+)
+GAP = re.compile(r"(\*?)\0(\d+)\0")
+
+
+@contextmanager
+def calls(cause: str, text: str = "", *, more: bool = False) -> Iterator[None]:
+    """Run a block of code, and show it as the call if this check fails.
+
+    ``cause`` says what the student has probably done wrong, if the code raises an exception or the
+    next expectation fails. ``text`` is shown instead of the code, for example because it runs in a
+    loop. With ``more``, the code is appended to that of the block before.
+    """
+    shown = text or _shown(sys._getframe(2))
+    about(f"{about.call}; {shown}" if more else shown, cause=cause)
+    yield
+
+
+def _shown(frame: FrameType) -> str:
+    """Return the statements of the block that a frame enters, on one line."""
+    text, gaps = _template(frame.f_code.co_filename, frame.f_lineno)
+    known = {**frame.f_globals, **frame.f_locals}
+
+    def filled(gap: re.Match[str]) -> str:
+        star, source = gap[1], gaps[int(gap[2])]
+        names = {name.id: known.get(name.id, known) for name in _names(ast.parse(source))}
+        if not all(map(_is_plain, names.values())):
+            return star + source
+        value = eval(source, {}, names)
+        return ", ".join(map(_literal, value)) if star else _literal(value)
+
+    return GAP.sub(filled, text)
+
+
+@cache
+def _blocks(file: str) -> dict[int, ast.With]:
+    """Return the with-statements of a file, by each line of their headers."""
+    found: dict[int, ast.With] = {}
+    for node in ast.walk(ast.parse("".join(linecache.getlines(file)))):
+        if isinstance(node, ast.With):
+            found |= dict.fromkeys(range(node.lineno, node.body[0].lineno), node)
+    return found
+
+
+@cache
+def _template(file: str, line: int) -> tuple[str, list[str]]:
+    """Return the statements of a block with gaps, and the source of each gap."""
+    block = _blocks(file)[line]
+    gaps = Gaps({name.id for name in _names(block) if isinstance(name.ctx, ast.Store)})
+    copy = ast.parse("\n".join(map(ast.unparse, block.body)))
+    return "; ".join(_told([gaps.visit(statement) for statement in copy.body])), gaps.found
+
+
+class Gaps(ast.NodeTransformer):
+    """Replaces each expression that only calculates with names from outside by a gap."""
+
+    def __init__(self, own: set[str]) -> None:
+        self.own = own
+        self.found: list[str] = []
+
+    def visit(self, node: ast.AST) -> Any:
+        """Return the node, or a gap in its place."""
+        names = {name.id for name in _names(node)}
+        is_plain = all(isinstance(each, CALCULATION) for each in ast.walk(node))
+        if not (isinstance(node, ast.expr) and is_plain and names) or names & self.own:
+            return self.generic_visit(node)
+        self.found.append(ast.unparse(node))
+        return ast.Name(f"\0{len(self.found) - 1}\0", ast.Load())
+
+
+def _names(node: ast.AST) -> list[ast.Name]:
+    return [each for each in ast.walk(node) if isinstance(each, ast.Name)]
+
+
+def _told(statements: list[ast.stmt]) -> Iterator[str]:
+    """Write each statement on one line. Of the last one, only the value is shown."""
+    for statement in statements:
+        if not isinstance(statement, ast.Assign):
+            yield ast.unparse(statement)
+            continue
+        value, target = statement.value, statement.targets[0]
+        parts = value.elts if isinstance(value, ast.Tuple) else [value]
+        text = ", ".join(map(ast.unparse, parts))
+        is_result = statement is statements[-1] and isinstance(target, ast.Name)
+        yield text if is_result else f"{ast.unparse(target).strip('()')} = {text}"
+
+
+def _is_plain(value: Any) -> bool:
+    if isinstance(value, (tuple, list)):
+        return all(map(_is_plain, value))
+    return type(value) in PLAIN
+
+
+def _literal(value: Any) -> str:
+    """Write a value as code that gives it again."""
+    if isinstance(value, (tuple, list)):
+        inside = ", ".join(map(_literal, value))
+        if isinstance(value, list):
+            return f"[{inside}]"
+        return f"({inside},)" if len(value) == 1 else f"({inside})"
+    if isinstance(value, float) and not math.isfinite(value):
+        return "math.nan" if math.isnan(value) else "math.inf" if value > 0.0 else "-math.inf"
+    return repr(value)

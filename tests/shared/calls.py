@@ -17,7 +17,7 @@ import linecache
 import math
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
 from types import FrameType
@@ -30,6 +30,7 @@ CALCULATION = (
     *(ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Subscript, ast.operator, ast.unaryop),
     *(ast.expr_context, ast.JoinedStr, ast.FormattedValue),
 )
+MATRICES = (9, 12)  # the numbers of a Matrix3 and a Matrix4
 GAP = re.compile(r"(\*?)\0(\d+)\0")
 
 
@@ -57,7 +58,7 @@ def _shown(frame: FrameType) -> str:
         if not all(map(_is_plain, names.values())):
             return star + source
         value = eval(source, {}, names)
-        return ", ".join(map(_literal, value)) if star else _literal(value)
+        return _spread(value) if star else _literal(value)
 
     return GAP.sub(filled, text)
 
@@ -119,6 +120,15 @@ def _is_plain(value: Any) -> bool:
     if isinstance(value, (tuple, list)):
         return all(map(_is_plain, value))
     return type(value) in PLAIN
+
+
+def _spread(values: Sequence[Any]) -> str:
+    """Write the arguments of a starred tuple, those of a long matrix with a line for each row."""
+    texts = [*map(_literal, values)]
+    across = len(texts) // 3
+    if len(texts) not in MATRICES or sum(map(len, texts)) < 60:
+        return ", ".join(texts)
+    return ",\n    ".join(", ".join(texts[i : i + across]) for i in range(0, 3 * across, across))
 
 
 def _literal(value: Any) -> str:

@@ -81,6 +81,19 @@ def test_a_long_matrix_has_a_line_for_each_row() -> None:
     assert [row.count(",") for row in (one, *rows)] == [4, 4, 3]
 
 
+def test_a_second_block_may_use_the_result_of_the_first() -> None:
+    def block() -> None:
+        with calls("cause"):
+            a, b = make(1), make(2)
+            a.x = b.x = 9.0
+            got = make(a)
+        with calls("cause", more=True):
+            make(got)
+
+    wanted = "a = make(1); b = make(2); a.x = b.x = 9.0; got = make(a); make(got)"
+    assert call_of(block) == wanted
+
+
 def test_a_second_block_or_a_text_continues_the_call() -> None:
     def block() -> None:
         with calls("cause", "p.integrate(1 / 60) 600 times"):

@@ -20,6 +20,8 @@ from expect import (
     expect_unchanged,
 )
 
+BOTH = "book 2.1.7, Eq. 2.4, and 2.1.8, Eq. 2.6"
+DOC = "the docstring of the function"
 DOT = "book 2.1.7, Eq. 2.4"
 CROSS = "book 2.1.8, Eq. 2.6"
 FIRST, SECOND = "; the first result, the scalar product", "; the second result, the kind of angle"
@@ -108,11 +110,7 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 # 2.5 The angle between two vectors, in two ways
 
 
-@pytest.mark.exercise(
-    "2.5",
-    asks="Return both in radians, the smaller one first",
-    read="book 2.1.7, Eq. 2.4, and 2.1.8, Eq. 2.6",
-)
+@pytest.mark.exercise("2.5", asks="Return both in radians, the smaller one first", read=BOTH)
 def test_the_angles_of_the_book() -> None:
     with calls(BY_COSINE):
         a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
@@ -237,7 +235,7 @@ def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
         expect_close(got, [math.pi / 2.0] * 2, tolerance=1e-7, cause=perpendicular)
 
 
-@pytest.mark.exercise("2.5", asks="A zero vector has no direction")
+@pytest.mark.exercise("2.5", asks="A zero vector has no direction", read=DOC)
 @pytest.mark.robust
 @pytest.mark.parametrize("name", ["angle_by_scalar_product", "angles_by_vector_product"])
 def test_the_angle_of_a_zero_vector_is_refused(rng: Random, name: str) -> None:
@@ -250,16 +248,10 @@ def test_the_angle_of_a_zero_vector_is_refused(rng: Random, name: str) -> None:
             call=f"{name}(Vector3{one}, Vector3{other})",
             cause="You don't check for a zero vector, which has no direction and so no angle to "
             "the other vector. Raise ValueError.",
-            read=f"the docstring of {name}",
         )
 
 
-@pytest.mark.exercise(
-    "2.5",
-    asks="The angles of NaN are NaN",
-    weight=0.5,
-    read="the docstrings of angle_by_scalar_product and angles_by_vector_product",
-)
+@pytest.mark.exercise("2.5", asks="The angles of NaN are NaN", weight=0.5, read=DOC)
 @pytest.mark.robust
 def test_the_angle_of_a_vector_with_nan_is_nan() -> None:
     clamp = (

@@ -10,14 +10,7 @@ import pytest
 from calls import calls
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
 from draw import Triple, rounded, vector
-from expect import (
-    expect_close,
-    expect_error,
-    expect_that,
-    expect_unchanged,
-    expect_vector,
-    named,
-)
+from expect import expect_close, expect_error, expect_that, expect_unchanged, expect_vector, named
 
 READ = "book 2.1.9, and the docstring of make_orthonormal_basis"
 ORDER = (

@@ -21,7 +21,7 @@ TIMES = [0.0, 0.5, 2.5]
 # Numbers of up to 200 and intervals of at least 0.2 s have rounding errors below this limit.
 SMALL = 1e-11
 ZERO = Triple((0.0, 0.0, 0.0))
-QUOTIENTS = "book 2.2.1; the docstring of difference_quotients"
+RATES = "book 2.2.1; the docstring of difference_quotients"
 SUMS = "book 2.2.2, Eq. 2.8 and 2.9; the docstring of add_up_accelerations"
 IN_PLACE = (
     "Your function changes a vector of the table, because -= and /= work in place. Write "
@@ -123,15 +123,10 @@ def expect_the_same_table(values: list[Any], rows: list[Triple]) -> None:
 # B2.12 Average rates of change
 
 
-@pytest.mark.exercise(
-    "B2.12", asks="the change of the vector divided by the duration", read=QUOTIENTS
-)
+@pytest.mark.exercise("B2.12", asks="the change of the vector divided by the duration", read=RATES)
 def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> None:
     rows = [vector(rng) for _ in TIMES]
-    cause = (
-        "In each interval, subtract the vector at its start from the vector at its end, and divide "
-        "the difference by the duration of this interval."
-    )
+    cause = "Subtract the earlier vector from the later one, and divide by the interval's duration."
     values, _, got = quotients_of(TIMES, rows, cause)
     expect_the_same_table(values, rows)
     first, second = rows[1] - rows[0], rows[2] - rows[1]
@@ -152,15 +147,10 @@ def test_a_quotient_is_the_change_divided_by_its_own_interval(rng: Random) -> No
     expect_close(got, wanted, slips, then="; the quotients", tolerance=SMALL)
 
 
-@pytest.mark.exercise(
-    "B2.12", asks="Return the times in the middle of the intervals", read=QUOTIENTS
-)
+@pytest.mark.exercise("B2.12", asks="Return the times in the middle of the intervals", read=RATES)
 def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
     times = draw_times(rng, 4)
-    cause = (
-        "A quotient is the average over its whole interval, so its time is the middle of the "
-        "interval: the mean of the two times."
-    )
+    cause = "The time of a quotient is the middle of its interval, the mean of the two times."
     _, got, _ = quotients_of(times, [vector(rng) for _ in times], cause)
     spans = [*pairwise(times)]
     middles = [(start + end) / 2.0 for start, end in spans]
@@ -181,7 +171,7 @@ def test_the_times_of_the_quotients_are_in_the_middle(rng: Random) -> None:
 
 
 @pytest.mark.exercise(
-    "B2.12", asks="is exactly the velocity in the middle of the interval", read=QUOTIENTS
+    "B2.12", asks="is exactly the velocity in the middle of the interval", read=RATES
 )
 def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: Random) -> None:
     p, v, a = vector(rng), vector(rng), vector(rng)
@@ -196,15 +186,12 @@ def test_under_constant_acceleration_they_are_the_velocities_in_the_middle(rng: 
     wanted = flat(v + a * ((start + end) / 2.0) for start, end in pairwise(times))
     expect_close(got, wanted, then="; the quotients", tolerance=1e-10)
     again = [Triple(got[i : i + 3]) for i in range(0, len(got), 3)]
-    cause = (
-        "The vectors are the velocities of a motion with a constant acceleration, so each quotient "
-        "must be this acceleration."
-    )
+    cause = "These are velocities under a constant acceleration, which each quotient must equal."
     _, _, twice = quotients_of(middles, again, cause)
     expect_close(twice, [*a] * 3, then="; the quotients", tolerance=1e-9)
 
 
-@pytest.mark.exercise("B2.12", asks="No function here changes its arguments", read=QUOTIENTS)
+@pytest.mark.exercise("B2.12", asks="No function here changes its arguments", read=RATES)
 def test_the_table_stays_the_same(rng: Random) -> None:
     drawn, rows = draw_times(rng, 3), [vector(rng) for _ in range(3)]
     times = [*drawn]

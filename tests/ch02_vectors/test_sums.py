@@ -24,6 +24,10 @@ from expect import (
     xyz,
 )
 
+TIMES = "book 2.1.3"
+IMUL = "book 2.1.3, and the docstring of Vector3.__imul__"
+DIVIDE = "the docstring of Vector3.__truediv__"
+MULTIPLY, ADD = "the docstring of Vector3.__mul__", "the docstring of Vector3.add_scaled"
 CHANGES = "Your {} changes v, but only {} may do that. Return a new vector and leave v unchanged."
 SELF_TWICE = (
     "Here self and the argument are the same vector, v, so each change to self also changes the "
@@ -53,9 +57,7 @@ def expect_in_place(
 # B2.3 Multiples
 
 
-@pytest.mark.exercise(
-    "B2.3", asks="Both v * scale and scale * v call this method", read="book 2.1.3"
-)
+@pytest.mark.exercise("B2.3", asks="Both v * scale and scale * v call this method", read=TIMES)
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = vector(rng), number(rng)
     wrong = (
@@ -79,11 +81,7 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         expect_close(xyz(got), a * factor)
 
 
-@pytest.mark.exercise(
-    "B2.3",
-    asks="Multiply every component by a number, in place",
-    read="book 2.1.3, and the docstring of Vector3.__imul__",
-)
+@pytest.mark.exercise("B2.3", asks="Multiply every component by a number, in place", read=IMUL)
 def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     a, scale = vector(rng), number(rng)
     with calls(f"Multiply each component of self by the number. {RETURN_SELF}"):
@@ -93,9 +91,7 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
 
 
 @pytest.mark.exercise(
-    "B2.3",
-    asks="Divide every component by a number, and return a new vector",
-    read="the docstrings of Vector3.__truediv__ and Vector3.__itruediv__",
+    "B2.3", asks="Divide every component by a number, and return a new vector", read=DIVIDE
 )
 def test_division_by_a_number(rng: Random) -> None:
     a, divisor = vector(rng), number(rng)
@@ -115,9 +111,7 @@ def test_division_by_a_number(rng: Random) -> None:
     expect_in_place("__itruediv__", v, before, a / divisor, slips)
 
 
-@pytest.mark.exercise(
-    "B2.3", asks="ZeroDivisionError if it is zero", read="the docstring of Vector3.__truediv__"
-)
+@pytest.mark.exercise("B2.3", asks="ZeroDivisionError if it is zero", read=DIVIDE)
 @pytest.mark.robust
 def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = vector(rng)
@@ -135,9 +129,7 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise(
-    "B2.3", asks="Raises TypeError if scale is a vector", read="the docstring of Vector3.__mul__"
-)
+@pytest.mark.exercise("B2.3", asks="Raises TypeError if scale is a vector", read=MULTIPLY)
 @pytest.mark.robust
 def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
     a, b = vector(rng), vector(rng)
@@ -242,10 +234,7 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
 @pytest.mark.exercise("B2.6", asks="to this vector, in place", read="book 2.1.4")
 def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     a, b, scale = vector(rng), vector(rng), number(rng)
-    with calls(
-        "v must become v + w times the number. Multiply only w by the number, and add the product "
-        "to v itself."
-    ):
+    with calls("Multiply only w by the number, and add the product to v itself."):
         v, w = Vector3(*a), Vector3(*b)
         v.add_scaled(w, scale)
     slips = {
@@ -267,11 +256,7 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     )
 
 
-@pytest.mark.exercise(
-    "B2.6",
-    asks="if the other vector is the vector itself",
-    read="the docstring of Vector3.add_scaled",
-)
+@pytest.mark.exercise("B2.6", asks="if the other vector is the vector itself", read=ADD)
 def test_add_scaled_with_itself(rng: Random) -> None:
     a = vector(rng)
     with calls(SELF_TWICE):

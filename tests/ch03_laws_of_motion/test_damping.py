@@ -14,6 +14,8 @@ from ch03_laws_of_motion import exercises
 from draw import Triple, vector
 from expect import UNCHANGED, expect_close, expect_unchanged, xyz
 
+EQUATION = "book 3.3, Eq. 3.6, and errata.md"
+DOC = "the docstring of the function"
 ZERO = Triple((0.0, 0.0, 0.0))
 READ = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
 WHOLE = (
@@ -104,9 +106,7 @@ def test_damping_per_second_depends_on_the_duration(rng: Random) -> None:
         expect_close(xyz(got), v * d**h, slips, tolerance=1e-13)
 
 
-@pytest.mark.exercise(
-    "B3.3", asks="Compute v' = v d^h + a h", read="book 3.3, Eq. 3.6, and errata.md"
-)
+@pytest.mark.exercise("B3.3", asks="Compute v' = v d^h + a h", read=EQUATION)
 def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> None:
     v, a = vector(rng), vector(rng)
     for d in (draw_damping(rng), 0.0, 1.5):
@@ -125,11 +125,7 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
         expect_close(xyz(got), v * kept + 0.5 * a, slips, tolerance=1e-13)
 
 
-@pytest.mark.exercise(
-    "B3.3",
-    asks="the velocity after a time step as a new vector",
-    read="the docstring in damping.py",
-)
+@pytest.mark.exercise("B3.3", asks="the velocity after a time step as a new vector", read=DOC)
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = vector(rng), vector(rng)
     for name, kept, formula in (
@@ -282,11 +278,7 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     expect_close(got, wanted, slips, tolerance=1e-12)
 
 
-@pytest.mark.exercise(
-    "3.5b",
-    asks="None of these functions changes its arguments",
-    read="the docstring of damping_difference",
-)
+@pytest.mark.exercise("3.5b", asks="None of these functions changes its arguments", read=DOC)
 def test_the_difference_is_zero_without_damping(rng: Random) -> None:
     first, second = vector(rng), vector(rng)
     with calls(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from random import Random
-from typing import Any
 
 import pytest
 
@@ -14,6 +13,9 @@ from ch03_laws_of_motion import exercises
 from draw import Triple, vector
 from expect import expect_close, expect_that, expect_unchanged, xyz
 
+DOC = "the docstring of the function"
+MASS, GRAVITY = "book 3.2, Eq. 3.2; errata.md", "book 3.2, Eq. 3.3"
+EQUATION, LAG = "book 2.2, Eq. 2.9", "book 3, exercise 3.4"
 FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
 G = 6.67428e-11
 START, VELOCITY = Triple((2.0, 5.0, -1.0)), Triple((1.0, -1.0, 2.0))
@@ -31,9 +33,7 @@ ERROR = (
 # 3.1 The same force on two masses
 
 
-@pytest.mark.exercise(
-    "3.1", asks="the same force has half the effect", read="book 3.2, Eq. 3.2; errata.md"
-)
+@pytest.mark.exercise("3.1", asks="the same force has half the effect", read=MASS)
 def test_twice_the_mass_gets_half_the_speed() -> None:
     with calls(
         "The same force accelerates the heavier body less, by a = f / m. Return the speed of the "
@@ -52,11 +52,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
     expect_close(got, 0.5, slips)
 
 
-@pytest.mark.exercise(
-    "3.1",
-    asks="the speed of the first particle divided by the speed",
-    read="the docstring of speed_ratio",
-)
+@pytest.mark.exercise("3.1", asks="the speed of the first particle divided by the speed", read=DOC)
 def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
     with calls(
@@ -75,7 +71,7 @@ def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
 # 3.2 Gravity between two people
 
 
-@pytest.mark.exercise("3.2", asks="use the book's value, 6.67428e-11", read="book 3.2, Eq. 3.3")
+@pytest.mark.exercise("3.2", asks="use the book's value, 6.67428e-11", read=GRAVITY)
 def test_the_force_between_two_people_of_100_kg() -> None:
     with calls("The force between two masses is G m1 m2 / r^2 (Eq. 3.3), with G = 6.67428e-11."):
         got = exercises.gravity_between(100, 100, distance=1)
@@ -93,9 +89,7 @@ def test_the_force_between_two_people_of_100_kg() -> None:
     expect_close(got, 6.67428e-7, slips, tolerance=1e-20)
 
 
-@pytest.mark.exercise(
-    "3.2", asks="Compute the force in N with which two masses", read="book 3.2, Eq. 3.3"
-)
+@pytest.mark.exercise("3.2", asks="Compute the force in N with which two masses", read=GRAVITY)
 def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     for r in (round(rng.uniform(2.0, 9.0), 3), 0.25):
@@ -115,9 +109,7 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
 # 3.4 A position by equation, in steps, and the difference
 
 
-@pytest.mark.exercise(
-    "3.4a", asks="The result is p' = p + v t + a t^2 / 2", read="book 2.2, Eq. 2.9"
-)
+@pytest.mark.exercise("3.4a", asks="The result is p' = p + v t + a t^2 / 2", read=EQUATION)
 def test_five_seconds_by_the_equation() -> None:
     with calls(
         "The position after a time t must be p' = p + v t + a t^2 / 2. Check each term of your "
@@ -142,7 +134,7 @@ def test_five_seconds_by_the_equation() -> None:
     expect_close(xyz(got), (-18.0, 12.5, 15.25), slips)
 
 
-@pytest.mark.exercise("3.4a", asks="in m, as a new vector", read="book 2.2, Eq. 2.9")
+@pytest.mark.exercise("3.4a", asks="in m, as a new vector", read=EQUATION)
 def test_the_equation_gives_a_new_position(rng: Random) -> None:
     start, speed, rate = vector(rng), vector(rng), vector(rng)
     for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
@@ -173,7 +165,7 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             "position to p' = p + v h, and then the velocity to v' = v + a h."
         ):
             p, v, a = Vector3(*START), Vector3(*VELOCITY), Vector3(*ACCELERATION)
-            got: Any = exercises.state_by_steps(p, v, a, duration=1, steps=steps)
+            got = exercises.state_by_steps(p, v, a, duration=1, steps=steps)
         alone = "You return a single vector. Return the position and the velocity as a pair."
         expect_that(not hasattr(got, "x"), "a single vector", "a pair of vectors", cause=alone)
         position, velocity = got
@@ -244,9 +236,7 @@ def other_errors() -> dict[str, Triple]:
 
 
 @pytest.mark.exercise(
-    "3.4d",
-    asks="the position after the steps minus the exact position",
-    read="book 3, exercise 3.4",
+    "3.4d", asks="the position after the steps minus the exact position", read=LAG
 )
 def test_five_steps_are_off_by_half_a_step() -> None:
     with calls(ERROR):
@@ -262,9 +252,7 @@ def test_five_steps_are_off_by_half_a_step() -> None:
 
 
 @pytest.mark.exercise(
-    "3.4d",
-    asks="the position after the steps minus the exact position",
-    read="book 3, exercise 3.4",
+    "3.4d", asks="the position after the steps minus the exact position", read=LAG
 )
 def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     start, speed, rate = vector(rng), vector(rng), vector(rng)

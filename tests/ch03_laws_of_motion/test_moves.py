@@ -13,6 +13,8 @@ from ch03_laws_of_motion.particle import Particle
 from draw import vector
 from expect import expect_close, expect_unchanged
 
+DRIFT, KICK = "the docstring of drift", "the docstring of kick"
+MOVES = "book 2.2.2, Eq. 2.9, and the docstrings of drift and kick"
 # The rounding errors of a few operations on numbers up to 40.
 ROUNDED = 1e-13
 POSITION, VELOCITY = "; p.position", "; p.velocity"
@@ -23,9 +25,7 @@ def draw_part(rng: Random) -> float:
     return round(rng.uniform(0.2, 0.8), 3)
 
 
-@pytest.mark.exercise(
-    "B3.4", asks="The duration may be 0 or negative", read="the docstring of drift"
-)
+@pytest.mark.exercise("B3.4", asks="The duration may be 0 or negative", read=DRIFT)
 def test_a_drift_moves_the_position_alone(rng: Random) -> None:
     x, v, a, damping = vector(rng), vector(rng), vector(rng), draw_part(rng)
     for h in (draw_part(rng), 2, 0.0, -draw_part(rng)):
@@ -59,7 +59,7 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", now, before, cause=cause)
 
 
-@pytest.mark.exercise("B3.4", asks="A kick changes only the velocity", read="the docstring of kick")
+@pytest.mark.exercise("B3.4", asks="A kick changes only the velocity", read=KICK)
 def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
     x, v, a, drawn = vector(rng), vector(rng), vector(rng), draw_part(rng)
     for h, damping, mass in (
@@ -118,11 +118,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             expect_unchanged(f"p.{name}", now, before, cause=cause)
 
 
-@pytest.mark.exercise(
-    "B3.4",
-    asks="a step may consist of several drifts",
-    read="book 2.2.2, Eq. 2.9, and the docstrings of drift and kick",
-)
+@pytest.mark.exercise("B3.4", asks="a step may consist of several drifts", read=MOVES)
 def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = vector(rng), vector(rng), vector(rng), draw_part(rng)
     with calls(
@@ -138,11 +134,7 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     expect_close(p.velocity, v + a * h, then=VELOCITY, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise(
-    "B3.4",
-    asks="An immovable particle does not move at all",
-    read="the docstrings of drift and kick",
-)
+@pytest.mark.exercise("B3.4", asks="An immovable particle does not move at all", read=MOVES)
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = vector(rng), vector(rng), vector(rng), draw_part(rng)
     for name in ("drift", "kick"):

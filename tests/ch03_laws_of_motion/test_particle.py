@@ -22,6 +22,8 @@ from expect import (
     xyz,
 )
 
+DOC = "the docstring of the method"
+ENERGY = "book 3, exercise 3.3"
 ZERO = Triple((0.0, 0.0, 0.0))
 PARTICLE = "the docstring of Particle"
 FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
@@ -60,7 +62,7 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
         ):
             p = Particle(mass=mass)
         if p.inverse_mass == 0.0:
-            expect_close(p.inverse_mass, 1.0 / mass, then="; p.inverse_mass")
+            expect_close(p.inverse_mass, 1.0 / mass, then=".inverse_mass")
         with calls("You return False for a finite mass. Return True unless the mass is infinite."):
             p = Particle(mass=mass)
             got = p.has_finite_mass
@@ -82,7 +84,7 @@ def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
     with calls(inverse):
         p = Particle(mass=first)
     slips = {setter if p.mass == 1.0 / first else getter: first, FLOOR: 1.0 // first}
-    expect_close(p.inverse_mass, 1.0 / first, slips, then="; p.inverse_mass")
+    expect_close(p.inverse_mass, 1.0 / first, slips, then=".inverse_mass")
     for mass in (second, 4):  # an int is a number too
         with calls(inverse):
             p = Particle()
@@ -125,7 +127,7 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     ):
         p = Particle(mass=math.inf)
     wrong = "You store a wrong inverse mass. The inverse of an infinite mass must be 0."
-    expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass", cause=wrong)
+    expect_close(p.inverse_mass, 0.0, then=".inverse_mass", cause=wrong)
     with calls(f"You divide by the inverse mass, which is 0 for an infinite mass. {NO_DIVISION}"):
         p = Particle(mass=math.inf)
         got = p.mass
@@ -162,7 +164,7 @@ def test_a_damping_is_stored_unchanged(rng: Random) -> None:
         cause = f"{limited if damping > 1.0 else 'You change the damping.'} Store it unchanged."
         with calls(rejected):
             p = Particle(damping=damping)
-        expect_close(p.damping, damping, then="; p.damping", cause=cause)
+        expect_close(p.damping, damping, then=".damping", cause=cause)
         with calls(rejected):
             p = Particle()
             p.damping = damping
@@ -252,9 +254,7 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     expect_close(xyz(got), mass * v, slips)
 
 
-@pytest.mark.exercise(
-    "B3.2", asks="m v, in kg m/s as a new vector", read="the docstring of momentum"
-)
+@pytest.mark.exercise("B3.2", asks="m v, in kg m/s as a new vector", read=DOC)
 def test_momentum_is_a_new_vector(rng: Random) -> None:
     v = vector(rng)
     new = "Return a new vector, as self.velocity * self.mass does."
@@ -273,7 +273,7 @@ def test_momentum_is_a_new_vector(rng: Random) -> None:
     expect_unchanged("p.velocity", p.velocity, v)
 
 
-@pytest.mark.exercise("B3.2", asks="so its momentum is zero", read="the docstring of momentum")
+@pytest.mark.exercise("B3.2", asks="so its momentum is zero", read=DOC)
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     for v in (ZERO, vector(rng)):
         with calls(
@@ -290,9 +290,7 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
 # 3.3 Kinetic energy
 
 
-@pytest.mark.exercise(
-    "3.3", asks="the kinetic energy of the particle, m |v|^2 / 2", read="book 3, exercise 3.3"
-)
+@pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2", read=ENERGY)
 def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     mass, x, v = draw_mass(rng), vector(rng), vector(rng)
     try:
@@ -321,9 +319,7 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     expect_unchanged("p.velocity", p.velocity, v, cause=UNCHANGED)
 
 
-@pytest.mark.exercise(
-    "3.3", asks="the kinetic energy of the particle, m |v|^2 / 2", read="book 3, exercise 3.3"
-)
+@pytest.mark.exercise("3.3", asks="the kinetic energy of the particle, m |v|^2 / 2", read=ENERGY)
 def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     with calls(
         "The kinetic energy must be 1 kg * (2 m/s)^2 / 2 = 2 J. It doesn't depend on the direction "
@@ -334,9 +330,7 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     expect_close(got, 2.0)
 
 
-@pytest.mark.exercise(
-    "3.3", asks="so its kinetic energy is 0", read="the docstring of kinetic_energy"
-)
+@pytest.mark.exercise("3.3", asks="so its kinetic energy is 0", read=DOC)
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     for v in (ZERO, vector(rng)):
         with calls(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from random import Random
-from typing import Any
 
 import pytest
 
@@ -23,7 +22,7 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
     """Return the frames as plain floats."""
     __tracebackhide__ = True
     with calls("Return a list of floats, with one duration for each frame."):
-        frames: Any = exercises.random_frames(mean=mean, jitter=jitter, total=total, seed=seed)
+        frames = exercises.random_frames(mean=mean, jitter=jitter, total=total, seed=seed)
     plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
     expect_exactly(plain, True, then="; is the result a list of floats?")
     cause = "Your list is too short. Add durations until they fill the total."

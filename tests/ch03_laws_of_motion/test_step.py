@@ -14,11 +14,13 @@ from ch03_laws_of_motion.particle import Particle
 from draw import Triple, vector
 from expect import about, expect_close, expect_that, expect_unchanged, xyz
 
+DOC, LAST = "the docstring of integrate; errata.md", "the docstring of last_acceleration"
+EULER = "book 3.3.1, Eq. 2.7 and 2.8; errata.md"
+FIRST_LAW, DAMPING = "book 3.2: the first law", "book 3.3, Eq. 3.6"
 # The rounding errors of a few operations on numbers up to 40.
 ROUNDED = 1e-13
 ZERO = Triple((0.0, 0.0, 0.0))
 POSITION, VELOCITY = "; p.position", "; p.velocity"
-INTEGRATE = "the docstring of integrate"
 
 
 def draw_part(rng: Random) -> float:
@@ -26,11 +28,7 @@ def draw_part(rng: Random) -> float:
     return round(rng.uniform(0.2, 0.8), 3)
 
 
-@pytest.mark.exercise(
-    "B3.4",
-    asks="the new position depends only on the old velocity",
-    read="book 3.3.1, Eq. 2.7; errata.md",
-)
+@pytest.mark.exercise("B3.4", asks="the new position depends only on the old velocity", read=EULER)
 def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) -> None:
     x, v, a = vector(rng), vector(rng), vector(rng)
     for h in (draw_part(rng), 3, 0.001):  # a long step lasts a whole number of seconds, an int
@@ -54,9 +52,7 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
 
 
 @pytest.mark.exercise(
-    "B3.4",
-    asks="the acceleration and the damping that the particle has now",
-    read="book 3.3.1, Eq. 2.8",
+    "B3.4", asks="the acceleration and the damping that the particle has now", read=EULER
 )
 def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
     x, v, a, h = vector(rng), vector(rng), vector(rng), draw_part(rng)
@@ -84,9 +80,7 @@ def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
     expect_close(p.velocity, v + a * h + x * h, then=VELOCITY, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise(
-    "B3.4", asks="The velocity of such a body stays the same", read="book 3.2: the first law"
-)
+@pytest.mark.exercise("B3.4", asks="The velocity of such a body stays the same", read=FIRST_LAW)
 def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
     h = draw_part(rng)
     for v in (Triple((1e-9, -2e-5, 3e-3)), Triple((1e3, -2e5, 3e8))):
@@ -101,9 +95,7 @@ def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
 
 
 @pytest.mark.exercise(
-    "B3.4",
-    asks="The fraction d of the velocity that the particle keeps per second",
-    read="book 3.3, Eq. 3.6",
+    "B3.4", asks="The fraction d of the velocity that the particle keeps per second", read=DAMPING
 )
 def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
     v, drawn = vector(rng), draw_part(rng)
@@ -138,11 +130,7 @@ def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
         expect_close(p.velocity, wanted, slips, then=VELOCITY, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise(
-    "B3.4",
-    asks="Apply the acceleration and then the damping",
-    read="the docstring of integrate, errata.md",
-)
+@pytest.mark.exercise("B3.4", asks="Apply the acceleration and then the damping", read=DOC)
 def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     x, v, a, h, d = vector(rng), vector(rng), vector(rng), draw_part(rng), draw_part(rng)
     with calls(
@@ -165,7 +153,7 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
 
 
 @pytest.mark.exercise(
-    "B3.4", asks="the acceleration and the damping that the particle has now", read=INTEGRATE
+    "B3.4", asks="the acceleration and the damping that the particle has now", read=DOC
 )
 def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
     v, damping = vector(rng), draw_part(rng)
@@ -180,7 +168,7 @@ def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
     expect_close(p.velocity, v * math.sqrt(damping), then=VELOCITY)
 
 
-@pytest.mark.exercise("B3.4", asks="0 stops the particle, and a number above 1", read=INTEGRATE)
+@pytest.mark.exercise("B3.4", asks="0 stops the particle, and a number above 1", read=DOC)
 def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     x, v, h = vector(rng), vector(rng), draw_part(rng)
     with calls(
@@ -207,9 +195,7 @@ def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
         expect_close(p.velocity, (v + a * 0.5) * math.sqrt(damping), then=VELOCITY)
 
 
-@pytest.mark.exercise(
-    "B3.4", asks="by one step of explicit Euler", read="book 3.3.1, Eq. 2.7 and 2.8"
-)
+@pytest.mark.exercise("B3.4", asks="by one step of explicit Euler", read=EULER)
 def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
     with calls(
         "The exact fall is 125 m, but explicit Euler must fall 0.41667 m less, because each step "
@@ -221,7 +207,7 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
     expect_close(got, (0.0, -125.0 + 10.0 * 5.0 / 60.0 / 2.0, 0.0), tolerance=1e-11)
 
 
-@pytest.mark.exercise("B3.4", asks="An immovable particle does not change", read=INTEGRATE)
+@pytest.mark.exercise("B3.4", asks="An immovable particle does not change", read=DOC)
 def test_a_step_does_not_change_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = vector(rng), vector(rng), vector(rng), draw_part(rng)
     with calls(
@@ -243,11 +229,7 @@ def test_a_step_does_not_change_an_immovable_particle(rng: Random) -> None:
     expect_close(p.position, x + v * h, then=POSITION, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise(
-    "B3.4",
-    asks="in the last time step, in m/s^2 as a new vector",
-    read="the docstring of last_acceleration",
-)
+@pytest.mark.exercise("B3.4", asks="in the last time step, in m/s^2 as a new vector", read=LAST)
 def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> None:
     a = vector(rng)
     later = (a[1], a[2], a[0])
@@ -274,14 +256,12 @@ def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> Non
     expect_close(xyz(last), later)
 
 
-@pytest.mark.exercise(
-    "B3.4", asks="The new velocity must come from self.kick(duration)", read=INTEGRATE
-)
+@pytest.mark.exercise("B3.4", asks="The new velocity must come from self.kick(duration)", read=DOC)
 def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     x, v, h = vector(rng), vector(rng), draw_part(rng)
     once = (
-        "Your integrate must call self.kick(duration) exactly once, with the whole duration of the "
-        "step. The particle of chapter 5 overrides kick to add forces."
+        "Call self.kick(duration) once, with the whole duration of the step, because the particle "
+        "of chapter 5 overrides kick to add forces."
     )
     with calls(once, f"p is a particle whose class overrides kick; p.integrate({h})"):
         kicks = probes.kicks_of_a_step(x, v, h)

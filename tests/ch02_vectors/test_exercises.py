@@ -11,7 +11,7 @@ import pytest
 from calls import calls
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
-from draw import Triple, number, unit_vector, vector
+from draw import Triple, number, rounded, unit_vector, vector
 from expect import (
     expect_close,
     expect_error,
@@ -150,6 +150,10 @@ def test_a_z_component_of_zero_is_refused(rng: Random) -> None:
 # 2.6 The rest of a vector after a projection
 
 
+def unit_text(name: str, v: Triple) -> str:
+    return f"{name} = Vector3{rounded(v)}  # a unit vector, rounded to 6 digits; "
+
+
 @pytest.mark.exercise("2.6", asks="Return c, d and the angle", weight=2, read="book 2.1.7")
 def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     # Their length is 1 within rounding, but not exactly.
@@ -158,7 +162,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         "Return three results: the number c = a . b, the vector d = b - c a, and the angle between "
         "a and d in radians."
     )
-    with calls(three):
+    shown = f"{unit_text('a', one)}{unit_text('b', other)}remove_projection(a, b)"
+    with calls(three, shown):
         a, b = Vector3(*one), Vector3(*other)
         c, d, angle = exercises.remove_projection(a, b)
     along = one @ other
@@ -212,10 +217,11 @@ def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
         "Here b is nearly parallel to a, so the length of d is only 5e-7. Raise ValueError if the "
         "length of d is below 1e-6."
     )
-    for one, other, good, cause in (
-        (a, a, Triple((0.6, 0.8, 0.0)), parallel),
-        (a, -a, Triple((0.6, 0.8, 0.0)), parallel),
-        (x, short, enough, nearly),
+    nearly_call = f"remove_projection(Vector3{x}, Vector3{short})"
+    for one, other, good, call, cause in (
+        (a, a, Triple((0.6, 0.8, 0.0)), f"{unit_text('a', a)}remove_projection(a, a)", parallel),
+        (a, -a, Triple((0.6, 0.8, 0.0)), f"{unit_text('a', a)}remove_projection(a, -a)", parallel),
+        (x, short, enough, nearly_call, nearly),
     ):
         expect_error(
             lambda one=one, other=other: exercises.remove_projection(
@@ -223,7 +229,7 @@ def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
             ),
             ValueError,
             allowed=lambda good=good: exercises.remove_projection(Vector3(*x), Vector3(*good)),
-            call=f"remove_projection(Vector3{one}, Vector3{other})",
+            call=call,
             cause=cause,
             valid=f"remove_projection(Vector3{x}, Vector3{good})",
         )

@@ -57,6 +57,8 @@ from turning import (
 
 TURNS = "the docstring of two_other_turns"
 BACK = "the docstring of back_to_reference"
+FOUR = "the docstring of product_without_j_and_k"
+OFF = "the docstring of read_off"
 SENSE = "the docstring of turned_by_sense"
 BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
 EASY = "the docstring of easy_inverse"
@@ -159,9 +161,7 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
         expect_close(got, (turn, *axis), then="; |angle| and axis", cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise(
-    "9.3a", asks="with only four multiplications", read="the docstring of product_without_j_and_k"
-)
+@pytest.mark.exercise("9.3a", asks="with only four multiplications", read=FOUR)
 def test_a_product_without_j_and_k(rng: Random) -> None:
     r, i, s, j = (number(rng, 1.5) for _ in range(4))
     with calls("The product has r = r1 r2 - i1 i2 and i = r1 i2 + i1 r2, because i i = -1."):
@@ -219,8 +219,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
             "You rotate by half the angle.": about_x(0.5 * rate * duration, a),
             "You rotate by the rate alone.": about_x(rate, a),
             "You divide the rate by the duration.": about_x(rate / duration, a),
-            "You convert the angle to degrees. from_axis_angle takes radians.":
-                about_x(math.degrees(rate * duration), a),
+            "You convert the angle to degrees.": about_x(math.degrees(rate * duration), a),
             "You rotate in the opposite direction.": about_x(-rate * duration, a),
             "You take a step of Eq. 9.5.": stepped(a, rate, duration, 1),
         }  # fmt: skip
@@ -243,10 +242,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
     ):
         rate, duration = share * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         numbers = (rate, duration) if steps == 1 else (rate, duration, steps)
-        with calls(
-            "Call add_scaled with duration / steps in each step, on a copy. Normalize the copy "
-            "after the last step, before you use it to compute the error."
-        ):
+        with calls("Take steps with add_scaled on a copy. Normalize the copy after the last step."):
             q = Quaternion(*a)
             result, error = turned_by_steps(q, *numbers)
         wanted, exact = stepped(a, rate, duration, steps), about_x(rate * duration, a)
@@ -261,8 +257,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
             f"You take one step too many. Take {steps}.":
                 stepped(a, rate, duration * (steps + 1) / steps, steps + 1),
             "You don't normalize the result. Normalize it at the end.": [size * c for c in wanted],
-            "You compute the exact rotation instead of taking steps of Eq. 9.5. Call add_scaled in "
-            "each step.": exact,
+            "You compute the exact rotation instead of taking steps with add_scaled.": exact,
             "the old orientation": a,
         }  # fmt: skip
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
@@ -273,12 +268,10 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         slips = {
             "You return half of the angle. Double it.": 0.5 * missing,
             "You return a negative angle.": -missing,
-            "You return the distance between the two quaternions. Return the angle of the rotation "
-            "from one to the other.": 2.0 * math.sin(0.25 * missing),
+            "You return the distance between the two quaternions.": 2.0 * math.sin(0.25 * missing),
             "You multiply the two orientations. Multiply one by the conjugate of the other.":
                 angle_of(hamilton(exact, wanted)),
-            "You subtract the angles of two rotations about different axes. Return the angle of "
-            "the rotation from one orientation to the other.":
+            "You subtract the angles of two rotations about different axes.":
                 abs(angle_of(exact) - angle_of(wanted)),
             "You return the angle in degrees.": math.degrees(missing),
         }  # fmt: skip
@@ -292,10 +285,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
 
 @pytest.mark.exercise("9.4", asks="the angle in radians, from 0 to pi", read=BY_STEPS)
 def test_an_error_is_at_most_half_a_turn() -> None:
-    with calls(
-        "The error is an angle from 0 to pi. If your angle is greater than pi, return 2 pi minus "
-        "this angle."
-    ):
+    with calls("If your angle is greater than pi, return 2 pi minus this angle."):
         q = Quaternion(0.5, 0.5, 0.5, 0.5)
         _, error = turned_by_steps(q, rate=3.0, duration=2.0)
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
@@ -303,11 +293,7 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     expect_close(error, wanted, then="; error", unit="rad", tolerance=1e-11)
 
 
-@pytest.mark.exercise(
-    "9.5",
-    asks="into rotation, the first three columns, and position",
-    read="the docstring of read_off",
-)
+@pytest.mark.exercise("9.5", asks="into rotation, the first three columns, and position", read=OFF)
 def test_rotation_and_position_are_read_off(rng: Random) -> None:
     m, p = draw_slight_turn(rng), vector(rng)
     twelve = joined(m, p)
@@ -321,8 +307,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     expect_that(not is_vector, "a Vector3", "a Matrix3", then="; rotation", cause=first)
     slips = {
         "You return the transpose of the rotation. Don't swap rows and columns.": transposed(m),
-        "You return the first nine entries. Leave out every fourth one, because it belongs to the "
-        "position.": twelve[:9],
+        "You return the first nine entries.": twelve[:9],
         "You return the last three columns as the rotation. Return the first three.":
             [n for place, n in enumerate(twelve) if place % 4],
     }  # fmt: skip
@@ -349,10 +334,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
 def test_the_easy_inverse(rng: Random) -> None:
     r, p = matrix_of(draw_quad(rng)), vector(rng)
     twelve, t = joined(r, p), transposed(r)
-    with calls(
-        "The inverse is the transposed rotation T with the position -T p, where p is the position "
-        "of m."
-    ):
+    with calls("If m has rotation R and position p, use the transpose T of R, and -T p."):
         m = Matrix4(*twelve)
         inverse = easy_inverse(m)
     forward, back = Triple(applied(r, p)), Triple(applied(t, p))
@@ -362,14 +344,12 @@ def test_the_easy_inverse(rng: Random) -> None:
         "Your last column is R p, where R is the rotation of m.": joined(t, forward),
         "The minus sign applies only to the first of the three products. Put the whole sum in "
         "parentheses.": joined(t, back - 2.0 * p[0] * Triple(t[::3])),
-        "You put the position after the nine numbers of the rotation. The entries are stored row "
-        "by row, so put each component at the end of its row.": (*t, *-back),
+        "You put the position last. Its components belong at the ends of the rows.": (*t, *-back),
         "You return a Matrix3. Return a Matrix4, with the position of the inverse.": t,
         "Your last column is T p, without the minus sign.": joined(t, back),
         "Your last column is -R p, where R is the rotation of m.": joined(t, -forward),
         "You don't transpose the rotation. Swap its rows and columns.": joined(r, -back),
-        "You negate the position of m but don't change the rotation. Transpose it, and multiply "
-        "-p by the transpose.": joined(r, -p),
+        "You use -p, and you don't transpose the rotation.": joined(r, -p),
     }
     # Rounding of numbers up to 17.
     then = ", row by row"
@@ -384,10 +364,7 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     doubled, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), vector(rng)
     for linear in (doubled, (0.0,) * 9):
         twelve, t = joined(linear, p), transposed(linear)
-        with calls(
-            "You probably use a general inverse, which divides by the determinant. Transpose the "
-            "3x3 part instead, even if it is not a rotation."
-        ):
+        with calls("A general inverse divides by the determinant. Transpose the 3x3 part instead."):
             m = Matrix4(*twelve)
             inverse = easy_inverse(m)
         wanted = joined(t, -Triple(applied(t, p)))
@@ -399,10 +376,7 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
 def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     r, p, a = matrix_of(draw_quad(rng)), vector(rng), vector(rng)
     twelve = joined(r, p)
-    with calls(
-        "Your inverse doesn't take the point back. It should subtract the position of m and then "
-        "rotate back."
-    ):
+    with calls("To take the point back, subtract the position of m, and then rotate back."):
         m = Matrix4(*twelve)
         inverse = easy_inverse(m)
     got = entries(inverse)

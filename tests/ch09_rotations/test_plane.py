@@ -28,11 +28,8 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
     for turns in (0, 1, -1, 7, -12):
         sizes = positive_number(rng, 0.01, 1.5), positive_number(rng, 1.6, 3.1)
         for angle in (sizes[0], -sizes[0], sizes[1], -sizes[1]):
-            with calls(
-                "Add or subtract full turns of 2 pi, which don't change the direction, until the "
-                "angle is above -pi and at most pi."
-            ):
-                got = wrap_angle(angle + turns * 2 * math.pi)
+            with calls("Add or subtract 2 pi until the angle is above -pi and at most pi."):
+                got = wrap_angle(angle + turns * math.tau)
             off = "Your angle is too {} by pi. Either you add or subtract pi instead of full turns "
             off += "of 2 pi, or you use atan, which mixes up opposite directions."
             slips = {
@@ -60,11 +57,8 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
-        with calls(
-            "This angle contains 160000 full turns. Remove them all at once with math.remainder or "
-            "%, not one by one."
-        ):
-            got = wrap_angle(angle + turns * 2 * math.pi)
+        with calls("Remove all 160000 turns at once with math.remainder or %, not one by one."):
+            got = wrap_angle(angle + turns * math.tau)
         # A loop that takes them off one by one makes as many rounding errors, of up to 6e-11 each.
         expect_close(got, angle, tolerance=2e-5)
 
@@ -77,10 +71,7 @@ def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
         slips = {"You return -pi, but the range includes pi and not -pi.": -math.pi}
         expect_close(got, math.pi, slips, tolerance=0.0)
         end = "pi" if sign > 0 else "-pi"
-        with calls(
-            f"This angle is close to {end}, but it is already in range, so return it unchanged. "
-            "Replace only -pi itself with pi."
-        ):
+        with calls(f"The angle is near {end}, but it is already in range. Return it unchanged."):
             got = wrap_angle(sign * (math.pi - 1e-6))
         expect_close(got, sign * (math.pi - 1e-6), tolerance=TIGHT)
 
@@ -91,20 +82,14 @@ def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
 def test_the_direction_of_an_angle(rng: Random) -> None:
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
-        with calls(
-            "Return the unit vector at this angle from the X axis: (cos(angle), sin(angle)), with "
-            "the angle in radians."
-        ):
+        with calls("Return (cos(angle), sin(angle)). The angle is already in radians."):
             got = angle_to_vector(t)
         x, y, taken = math.cos(t), math.sin(t), math.radians(t)
         slips = {
             "You swap sine and cosine. The cosine of the angle is x, and its sine is y.": (y, x),
-            "You treat the angle as degrees. It is already in radians, so don't convert it.":
-                (math.cos(taken), math.sin(taken)),
-            "Your y has the wrong sign. Use math.sin(angle), which has the right sign for every "
-            "angle.": (x, -y),
-            "Your x has the wrong sign. Use math.cos(angle), which has the right sign for every "
-            "angle.": (-x, y),
+            "You treat the angle as degrees.": (math.cos(taken), math.sin(taken)),
+            "Your y has the wrong sign.": (x, -y),
+            "Your x has the wrong sign.": (-x, y),
         }  # fmt: skip
         expect_close(got, (x, y), slips)
 
@@ -120,44 +105,38 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     end, (c, s) = place + start * turn, (turn.real, turn.imag)
     x = c * point[0] - s * point[1]
     ends = {
-        "Your rotation is clockwise. Swap the signs of the two sine terms to rotate "
-        "counter-clockwise.": place + start / turn,
-        "You add origin before you rotate the point, so you rotate origin too.":
-            (start + place) * turn,
+        "Your rotation is clockwise.": place + start / turn,
+        "You add origin before you rotate the point.": (start + place) * turn,
         "You rotate the point but don't add origin.": start * turn,
         "You add origin but don't rotate the point.": place + start,
-        "You rotate the point about origin. The point is given relative to origin, so rotate it "
-        "about (0, 0) first, and then add origin.": place + (start - place) * turn,
-        "You treat the angle as degrees. It is already in radians, so don't convert it.":
-            moved(point, math.radians(angle), origin),
+        "You rotate the point about origin instead of (0, 0).": place + (start - place) * turn,
+        "You treat the angle as degrees.": moved(point, math.radians(angle), origin),
         "You add only the x of origin. Add its y to the other component.": end - 1j * origin[1],
         "You add only the y of origin. Add its x to the other component.": end - origin[0],
         "You swap x and y of the result. Return (x, y).": complex(end.imag, end.real),
         "You subtract origin. Add it instead.": end - 2.0 * place,
-        "You swap sine and cosine. The rotated x is c x - s y, where c is the cosine and s is the "
-        "sine.": place + start * complex(s, c),
-        "The sine term of x has the wrong sign. The rotated x is c x - s y.":
-            end + 2.0 * s * point[1],
-        "The sine term of y has the wrong sign. The rotated y is s x + c y.":
-            end - 2j * s * point[0],
-        "You compute y from the new x. Use the old x in both formulas.":
-            place + complex(x, s * x + c * point[1]),
+        "You swap sine and cosine.": place + start * complex(s, c),
+        "The sine term of x has the wrong sign.": end + 2.0 * s * point[1],
+        "The sine term of y has the wrong sign.": end - 2j * s * point[0],
+        "You compute y from the new x.": place + complex(x, s * x + c * point[1]),
     }  # fmt: skip
     return {name: (end.real, end.imag) for name, end in ends.items()}
 
 
+def expect_point(point: Point, angle: float, origin: Point, wanted: Point, near: float) -> None:
+    """Expect where rotate_point moves a point."""
+    with calls(
+        "Rotate the point first, which gives (x cos t - y sin t, x sin t + y cos t) for an angle "
+        "t, and then add origin."
+    ):
+        got = rotate_point(point=point, angle=angle, origin=origin)
+    expect_close(got, wanted, slips_of(point, angle, origin), tolerance=near)
+
+
 @pytest.mark.exercise("B9.2", asks="Convert a point from the coordinates of an object", read=POINT)
 def test_the_headlight_of_the_book() -> None:
-    with calls(
-        "The point is given relative to the car, so rotate it counter-clockwise about (0, 0) "
-        "first, and then add the position of the car.",
-        "a headlight at (1.5, -0.75) on a car at (4, 3.85); "
-        "rotate_point(point=(1.5, -0.75), angle=3 pi / 8, origin=(4, 3.85))",
-    ):
-        got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
-    slips = slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
-    # The book's two decimals.
-    expect_close(got, (5.27, 4.95), slips, tolerance=0.006)
+    # The headlight at (1.5, -0.75) of a car at (4, 3.85). The book gives two decimals.
+    expect_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85), (5.27, 4.95), near=0.006)
 
 
 @pytest.mark.exercise("B9.2", asks="Rotate point first and then add origin", read=POINT)
@@ -165,14 +144,8 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
     for sign in (1.0, -1.0, 1.0):
         point, origin = (number(rng), number(rng)), (number(rng), number(rng))
         angle = sign * positive_number(rng, 0.3, 2.9)
-        with calls(
-            "Rotate the point first, which gives (x cos t - y sin t, x sin t + y cos t) for an "
-            "angle t, and then add origin."
-        ):
-            got = rotate_point(point=point, angle=angle, origin=origin)
         end = moved(point, angle, origin)
-        slips = slips_of(point, angle, origin)
-        expect_close(got, (end.real, end.imag), slips, tolerance=TIGHT)
+        expect_point(point, angle, origin, (end.real, end.imag), near=TIGHT)
 
 
 SUMS = "Add up m x and m y over all masses, and then divide both sums by the sum of the masses."
@@ -187,17 +160,14 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
         "You divide by the number of masses. Divide by the total mass instead.": (12.0, 8.0),
         "You return the mean of the positions, which ignores the masses.": (2.0, 4.0),
         "You swap the masses. Multiply each position by its own mass.": (1.0, 6.0),
-        "You count only the first mass. If you use a loop, return the result after it, not inside "
-        "it.": (3.0, 0.0),
-        "You count only the last mass. If you use a loop, set the sums to 0 before it, not inside "
-        "it.": (0.0, 2.0),
+        "You count only the first mass. Return after the loop, not in it.": (3.0, 0.0),
+        "You count only the last mass. Set the sums to 0 before the loop, not in it.": (0.0, 2.0),
         "You don't divide the sum of m y.": (3.0, 16.0),
         "You don't divide the sum of m x.": (24.0, 2.0),
         "You swap x and y. Return (x, y).": (2.0, 3.0),
         "Your y is computed from the x of the positions. Use p[1] for it.": (3.0, 3.0),
         "Your x is computed from the y of the positions. Use p[0] for it.": (2.0, 2.0),
-        "Your result is 0, as if each mass divided by the total mass were rounded down. Divide "
-        "with /, not with //.": (0.0, 0.0),
+        "Your shares of the mass are rounded down to 0. Divide with /, not with //.": (0.0, 0.0),
     }
     expect_close(got, (3.0, 2.0), slips)
     with calls("Two of the bodies are at the same position. Count both, each with its own mass."):
@@ -225,8 +195,7 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         slips = {
             "Your result is rounded down to a whole number, as // does. Divide with / instead.":
                 [math.floor(w) for w in wanted],
-            "You lose one of two equal masses, because you use the masses as dictionary keys. Use "
-            "zip to go through both lists together.": by_mass,
+            "You lose one of two equal masses, as a dictionary by mass does. Use zip.": by_mass,
         }  # fmt: skip
         expect_close(got, wanted, slips, tolerance=TIGHT)
         after = masses_after(masses, positions)

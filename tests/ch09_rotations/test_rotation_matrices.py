@@ -156,10 +156,8 @@ def from_slips(q: Quad) -> dict[str, Sequence[float]]:
     """Return the matrices that likely mistakes give for a quaternion."""
     m = [*enumerate(matrix_of(q))]
     return {
-        "You return the transpose, as the book prints it (E-11). Swap the rows and columns.":
-            transposed(matrix_of(q)),
-        "You unpack the quaternion as i, j, k, r. It begins with r, as in `r, i, j, k = q`.":
-            matrix_of((q[3], *q[:3])),
+        "You return the transpose, as the book prints it (E-11).": transposed(matrix_of(q)),
+        "You unpack the quaternion as i, j, k, r, but r is first.": matrix_of((q[3], *q[:3])),
         "You leave out the factor 2 in the off-diagonal entries. Double all six of them.":
             [0.5 * n if place % 4 else n for place, n in m],
         "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the sum of two "
@@ -324,10 +322,7 @@ def test_the_result_has_length_one(rng: Random) -> None:
     half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
     for q in (draw_quad(rng), quad(vector(rng), 0.3), *half_turns):
         n = [number * (1.0 + 3e-6) for number in matrix_of(q)]
-        with calls(
-            "This matrix differs slightly from a rotation, and so the length of your quaternion is "
-            "not 1. Normalize the quaternion before you return it."
-        ):
+        with calls("Normalize the quaternion, because this matrix is only nearly a rotation."):
             m = Matrix3(*n)
             q = m.to_quaternion()
         got = rijk(q)

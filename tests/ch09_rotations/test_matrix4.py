@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from random import Random
-from typing import Any
 
 import pytest
 
@@ -105,11 +104,6 @@ def test_one_transformation_after_another(rng: Random) -> None:
     expect_close(entries(a @ b), wanted, then="; a @ b, which calls a.product", tolerance=LOOSE)
 
 
-def printed_determinant(m: Nine) -> float:
-    """Return the determinant as printed, with a plus before data[8] data[5] data[2]."""
-    return determinant(m) + 2.0 * m[6] * m[4] * m[2]
-
-
 def overwritten(m: Nine, p: Triple) -> tuple[Nine, Triple]:
     """Return the inverse as the book's listing computes it, in place and in its order."""
     d, det = [*joined(m, p)], determinant(m)
@@ -139,7 +133,7 @@ def test_the_determinant_ignores_the_translation(rng: Random) -> None:
         got = Matrix4(*twelve).determinant()
     slips = {
         "You use the book's formula, which has a plus in place of a minus. Correct it as E-28 "
-        "says.": printed_determinant(linear),
+        "says.": determinant(linear) + 2.0 * linear[6] * linear[4] * linear[2],
         "You use the first nine entries.": determinant(twelve[:9]),
         "Your determinant has the wrong sign.": -determinant(linear),
         "You return only the product of the diagonal.": linear[0] * linear[4] * linear[8],
@@ -155,6 +149,7 @@ def test_the_determinant_ignores_the_translation(rng: Random) -> None:
 def inverse_slips(m: Nine, p: Triple, a: Triple, linear: Nine) -> dict[str, Sequence[float]]:
     """Return where likely mistakes in the inverse take m @ a back to, if its 3x3 part is linear."""
     there, det = p + applied(m, a), determinant(m)
+    printed = det + 2.0 * m[6] * m[4] * m[2]  # with a plus before data[8] data[5] data[2]
     plain = Triple(applied(linear, there))
     return {
         "You don't invert the 3x3 part. Use Matrix3.inverse.": applied(m, there - p),
@@ -167,7 +162,7 @@ def inverse_slips(m: Nine, p: Triple, a: Triple, linear: Nine) -> dict[str, Sequ
         "Matrix3.inverse instead.": applied(transposed(m), there - p),
         "You don't divide by the determinant. Use Matrix3.inverse, which does.": det * a,
         "You divide by the book's determinant, which has a plus in place of a minus. Correct it "
-        "as E-28 says.": det / printed_determinant(m) * a,
+        "as E-28 says.": det / printed * a,
         "You use the book's listing, which reads entries that it has already overwritten (E-30). "
         "Compute all entries before you store them.": moved(*overwritten(m, p), there),
     }
@@ -178,15 +173,10 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     drawn = draw_matrix(rng)
     small = tuple(float(f"{number}e-7") for number in drawn)
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
-    listing = "A Matrix4 has only the entries 0 to 11, but the book's listing also reads entry 15 "
-    listing += "(E-13). Don't copy this line."
-    tiny, zeros = (
-        f"{why} Call Matrix3.inverse on the nine numbers to the left of the last column."
-        for why in (
-            "A matrix isn't singular just because its numbers are small.",
-            "Zeros on the diagonal don't make a matrix singular.",
-        )
-    )
+    listing = "The book's listing reads entry 15 (E-13), but a Matrix4 has only 0 to 11."
+    call = "Call Matrix3.inverse on the numbers to the left of the last column."
+    tiny = f"A matrix isn't singular just because its numbers are small. {call}"
+    zeros = f"Zeros on the diagonal don't make a matrix singular. {call}"
     for linear, size, how in ((drawn, "e0", listing), (small, "e-7", tiny), (ring, "e0", zeros)):
         p, a = Triple(float(f"{part}{size}") for part in vector(rng)), vector(rng)
         twelve = joined(linear, p)
@@ -194,8 +184,7 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
             m = Matrix4(*twelve)
             inverse = m.inverse()
         got = entries(inverse)
-        why = "The translation of the inverse should be -A p, where p is the translation of m, and "
-        why += "A is the inverse of its 3x3 part."
+        why = "If A is the 3x3 part of the inverse and p the translation of m, use -A p."
         if isinstance(got, tuple) and len(got) == 9:
             why = "Your result is a Matrix3. Return a Matrix4, with a translation too."
         if isinstance(got, tuple) and len(got) == 12:
@@ -258,22 +247,20 @@ def world_slips(method: str, m: Nine, p: Triple, a: Triple) -> dict[str, Sequenc
 
     ``m`` is nearly a rotation: the dot product of each row with itself is 1 + 8e-6.
     """
-    back, forward, shifted = transposed(m), "You rotate the vector forward.", "You subtract the "
-    shifted += "translation and then rotate forward."
+    back, forward = transposed(m), "You rotate the vector forward."
     reversed_ = "You rotate the vector back."
+    shifted = "You subtract the translation and then rotate forward."
     to_go_back = " To rotate back, multiply by the transpose of the 3x3 part."
     inverse = tuple(number / (m[0] ** 2 + m[1] ** 2 + m[2] ** 2) for number in back)
-    general = "You use a general inverse, which is slower and differs slightly from the transpose "
-    general += "here. "
+    general = "You use a general inverse, which is slower and differs slightly from the transpose."
     slips = {}
     if method == "transform_inverse":
         shifted += to_go_back
         reversed_ = "You rotate the vector back but don't subtract the translation."
-        general += "Subtract the translation, and then use the transpose."
         slips = {general: applied(inverse, a - p)}
     elif method == "transform_inverse_direction":
         forward += to_go_back
-        slips = {f"{general}Use the transpose instead.": applied(inverse, a)}
+        slips = {general: applied(inverse, a)}
     else:
         reversed_ += " To rotate forward, multiply by the 3x3 part itself, not by its transpose."
     return slips | {
@@ -313,7 +300,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     expect_kept("the matrix", entries(m), twelve)
 
 
-def changed(n: Nine, axes: Nine) -> Any:
+def changed(n: Nine, axes: Nine) -> Nine:
     """Return the numbers of a matrix in other axes, as change_basis computes it."""
     with calls("Return basis @ m @ basis.inverse()."):
         m = Matrix3(*n)
@@ -363,13 +350,8 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.16", asks="both a Matrix4, whose translations count too", read=BASIS)
 def test_a_motion_with_a_translation(rng: Random) -> None:
-    linear, p, axes, q, a = (
-        draw_matrix(rng),
-        vector(rng),
-        draw_mirror(rng),
-        vector(rng),
-        vector(rng),
-    )
+    linear, axes, p, q = draw_matrix(rng), draw_mirror(rng), vector(rng), vector(rng)
+    a = vector(rng)
     first, second = joined(linear, p), joined(axes, q)
     with calls("Return basis @ m @ basis.inverse() of the Matrix4s, with their translations."):
         m = Matrix4(*first)

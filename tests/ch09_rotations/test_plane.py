@@ -17,6 +17,7 @@ from turning import TIGHT
 
 Point = tuple[float, float]
 WRAP = "book 9.1.1, and the docstring of wrap_angle"
+UNIT = "book 9.1.1, Eq. 9.1"
 POINT = "book 9.1, Eq. 9.2"
 MASS = "book 9.1.3, and the docstring of center_of_mass"
 
@@ -76,9 +77,7 @@ def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
         expect_close(got, sign * (math.pi - 1e-6), tolerance=TIGHT)
 
 
-@pytest.mark.exercise(
-    "B9.2", asks="as the unit vector (cos(angle), sin(angle))", read="book 9.1.1, Eq. 9.1"
-)
+@pytest.mark.exercise("B9.2", asks="as the unit vector (cos(angle), sin(angle))", read=UNIT)
 def test_the_direction_of_an_angle(rng: Random) -> None:
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):

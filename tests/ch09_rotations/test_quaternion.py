@@ -59,11 +59,9 @@ def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
         off = f"The length differs from 1 by {abs(abs(length) - 1.0):.2g}, which is"
         cause = f"{off} more than UNIT_TOLERANCE (1e-6), so return False."
         if wanted:
-            cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. Compare the length "
-            cause += "itself, not its square."
+            cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. Test it, not its square."
         elif 0.9 < length < 1.0:
-            cause = "You accept every length below 1. Compare the absolute value of length - 1 "
-            cause += "with UNIT_TOLERANCE (1e-6)."
+            cause = "You accept every length below 1. Use the absolute value of length - 1."
         a = scaled(drawn, length)
         with calls(cause, f"q = Quaternion{short(a)}, of length {abs(length)}; q.is_unit()"):
             q = Quaternion(*a)
@@ -114,10 +112,8 @@ def test_zero_becomes_the_reference() -> None:
 @pytest.mark.robust
 def test_is_unit_rejects_huge_components_and_nan(rng: Random) -> None:
     drawn = draw_quad(rng)
-    not_finite = "You test whether the length is too far from 1, which is False for NaN. Test "
-    not_finite += "whether it is close enough to 1 instead."
-    huge = "You square 1e200, and the square is too large for a float. Compute the length with "
-    huge += "magnitude() instead."
+    not_finite = "You test if it is too far from 1, which is False for NaN. Test if it is near."
+    huge = "The square of 1e200 is too large for a float. Compute the length with magnitude()."
     for a, cause in (
         (scaled(drawn, math.nan), not_finite),
         (scaled(drawn, math.inf), not_finite),
@@ -160,38 +156,22 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     expect_close(rijk(conjugate), (r, -i, -j, -k), slips, tolerance=0.0)
 
 
-def componentwise(a: Quad, b: Quad) -> Quad:
-    """Return the products of the components that are in the same place."""
-    return a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]
-
-
-def without_cross(a: Quad, b: Quad) -> Quad:
-    """Return the product of two quaternions without the vector product of their vector parts."""
-    return (hamilton(a, b)[0], *(a[0] * Triple(b[1:]) + b[0] * Triple(a[1:])))
-
-
-def without_dot(a: Quad, b: Quad) -> Quad:
-    """Return the product of two quaternions without the scalar product of their vector parts."""
-    return a[0] * b[0], *hamilton(a, b)[1:]
-
-
 PRODUCT_SLIPS = {
-    componentwise: "You multiply the quaternions component by component. Instead, multiply each of "
-    "the four terms of the first by each of the four terms of the second, which gives 16 products.",
-    without_cross: "You leave out the products of two different letters, such as i j = k. They are "
-    "the vector product v x v' of the two vector parts, so add it.",
-    without_dot: "You leave out the products i i, j j and k k. Each of them is -1, so subtract i "
-    "i', j j' and k k' in the scalar part.",
-}
+    "You multiply the quaternions component by component. Instead, multiply each of the four terms "
+    "of the first by each of the four terms of the second, which gives 16 products.":
+        lambda a, b: tuple(p * q for p, q in zip(a, b, strict=True)),
+    "You leave out the products of two different letters, such as i j = k. They are the vector "
+    "product v x v' of the two vector parts, so add it.":
+        lambda a, b: (hamilton(a, b)[0], *(a[0] * Triple(b[1:]) + b[0] * Triple(a[1:]))),
+    "You leave out the products i i, j j and k k. Each of them is -1, so subtract i i', j j' and "
+    "k k' in the scalar part.": lambda a, b: (a[0] * b[0], *hamilton(a, b)[1:]),
+}  # fmt: skip
 
 
 @pytest.mark.exercise("B9.8", asks="check that i · j = k, j · k = i and k · i = j", read=PRODUCT)
 def test_the_table_of_i_j_and_k() -> None:
     units = {letter: tuple(float(n == m) for m in range(4)) for n, letter in enumerate("1ijk")}
-    cause = (
-        "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j. If you swap two "
-        "different factors, their product changes sign."
-    )
+    cause = "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j, but j i = -k."
     products = []
     for first, a in units.items():
         for second, b in units.items():
@@ -202,7 +182,7 @@ def test_the_table_of_i_j_and_k() -> None:
             expect_kept("the first factor", rijk(p), a, f"Leave both factors as they are, {NEW}")
             expect_kept("the second factor", rijk(q), b, f"Leave both factors as they are, {NEW}")
     in_reverse = all(got == hamilton(b, a) for *_, a, b, got in products)
-    for wrong, why in PRODUCT_SLIPS.items():
+    for why, wrong in PRODUCT_SLIPS.items():
         if all(got == wrong(a, b) for *_, a, b, got in products):
             cause = why
     for call, first, second, a, b, got in products:
@@ -238,8 +218,7 @@ def rotate_slips(q: Quad, v: Triple) -> dict[str, tuple[float, ...]]:
     """Return the results of likely mistakes in rotate."""
     r, u = q[0], Triple(q[1:])
     back, once, alone = (r, *-u), hamilton(q, (0.0, *v)), (0.0, *v)
-    first = "You put r last, as in Quaternion(x, y, z, 0). It comes first, as in Quaternion(0, x, "
-    first += "y, z)."
+    first = "You put r last. It comes first, as in Quaternion(0, x, y, z)."
     r_last = hamilton(hamilton(q, (*v, 0.0)), back)
     across = u.cross(v)
     twice = u.cross(across)

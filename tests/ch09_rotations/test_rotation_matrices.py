@@ -38,75 +38,51 @@ TO = "the docstring of to_quaternion"
 HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7.0))
 
 
-def expect_rotation(m: Sequence[float], wanted: bool, cause: str) -> None:
-    """Expect is_rotation to accept or refuse a matrix."""
-    with calls(cause, f"m = {written(m)}; m.is_rotation()"):
-        got = Matrix3(*m).is_rotation()
-    expect_exactly(got, wanted)
+def expect_rotation(wanted: bool, cause: str, *matrices: Sequence[float]) -> None:
+    """Expect is_rotation to accept or refuse matrices."""
+    for m in matrices:
+        with calls(cause, f"m = {written(m)}; m.is_rotation()"):
+            got = Matrix3(*m).is_rotation()
+        expect_exactly(got, wanted)
+
+
+def scaled(m: Sequence[float], *factors: float) -> list[list[float]]:
+    """Return a matrix multiplied by each of the factors."""
+    return [[factor * number for number in m] for factor in factors]
 
 
 @pytest.mark.exercise("B9.6", asks="Return True if the matrix only rotates", read=IS_ROTATION)
 def test_accepts_rotations(rng: Random) -> None:
-    expect_rotation(
-        IDENTITY, True, "You reject the identity, but it is a rotation by 0. So return True."
-    )
-    cause = (
-        "You reject a rotation, probably because of rounding errors. Don't compare the scalar "
-        "products of the rows with ==. Accept errors of up to ROTATION_TOLERANCE."
-    )
+    expect_rotation(True, "You reject the identity, but it is a rotation by 0.", IDENTITY)
+    cause = "You reject a rotation, probably because of rounding errors. Don't compare with ==, "
+    cause += "but accept errors of up to ROTATION_TOLERANCE."
     if not Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0).is_rotation():
-        cause = (
-            "You reject a rotation, and not because of rounding errors: you reject one by exactly "
-            "90 degrees, too. Compare the scalar products of the rows with 1 and 0."
-        )
-    expect_rotation(matrix_of(draw_quad(rng)), True, cause)
-    expect_rotation(matrix_of(draw_quad(rng)), True, cause)
-    cause = (
-        "You reject a half-turn, but it is a rotation. Its rows are perpendicular unit vectors, "
-    )
-    expect_rotation(HALF_TURN, True, f"{cause}and its determinant is 1.")
+        cause = "You reject a rotation, and not because of rounding errors: you reject one by 90 "
+        cause += "degrees, too. Compare the scalar products of the rows with 1 and 0."
+    expect_rotation(True, cause, matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)))
+    cause = "You reject a half-turn, but its rows are perpendicular unit vectors, and its "
+    expect_rotation(True, f"{cause}determinant is 1.", HALF_TURN)
 
 
 @pytest.mark.exercise("B9.6", asks="without scaling, shear or reflection", read=IS_ROTATION)
 def test_rejects_matrices_that_are_not_rotations(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
-    cause = (
-        "You accept a matrix whose rows are not unit vectors. Check that the scalar product of "
-        "each row with itself is 1."
-    )
-    expect_rotation([2.0 * number for number in m], False, cause)
-    expect_rotation((0.0,) * 9, False, cause)
-    for row in range(3):
-        n = [1.5 * number if place // 3 == row else number for place, number in enumerate(m)]
-        expect_rotation(n, False, cause)
-    expect_rotation(
-        (2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0),
-        False,
-        "You accept this matrix because its determinant is 1. Its rows have the lengths 2, 0.5 and "
-        "1, so it is not a rotation. Check the length of each row too.",
-    )
+    cause = "You accept a matrix whose rows are not unit vectors. Check that the scalar product of "
+    cause += "each row with itself is 1."
+    rows = ([1.5 * n if place // 3 == row else n for place, n in enumerate(m)] for row in range(3))
+    expect_rotation(False, cause, *scaled(m, 2.0), (0.0,) * 9, *rows)
+    cause = "You accept this matrix because its determinant is 1. Check the length of each row too."
+    expect_rotation(False, cause, (2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0))
+    cause = "You accept a reflection. Its rows are perpendicular unit vectors, but its determinant "
+    cause += "is negative, so check the sign of the determinant too."
     # The determinant of a mirror with nearly orthonormal rows is near -1, on either side of it.
-    scales = (-1.0, -1.0 - 4e-6, 4e-6 - 1.0)
-    mirrors = [[scale * number for number in m] for scale in scales]
-    for n in ((*m[3:6], *m[:3], *m[6:]), [-number for number in HALF_TURN], *mirrors):
-        expect_rotation(
-            n,
-            False,
-            "You accept a reflection. Its rows are perpendicular unit vectors, but its determinant "
-            "is negative, so check the sign of the determinant too.",
-        )
+    mirrors = *scaled(HALF_TURN, -1.0), *scaled(m, -1.0, -1.0 - 4e-6, 4e-6 - 1.0)
+    expect_rotation(False, cause, (*m[3:6], *m[:3], *m[6:]), *mirrors)
+    cause = "You accept a matrix that shears. Its rows are unit vectors, but they are not "
+    cause += "perpendicular, so check the scalar products of different rows too."
     s, t = math.sin(0.3), math.cos(0.3)
-    for n in (
-        (1.0, 0.0, 0.0, s, t, 0.0, 0.0, 0.0, 1.0),
-        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, s, 0.0, t),
-        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, s, t),
-    ):
-        expect_rotation(
-            n,
-            False,
-            "You accept a matrix that shears. Its rows are unit vectors, but they are not "
-            "perpendicular, so check the scalar products of different rows too.",
-        )
+    leaning = (s, t, 0.0, 0.0, 0.0, 1.0), (0.0, 1.0, 0.0, s, 0.0, t), (0.0, 1.0, 0.0, 0.0, s, t)
+    expect_rotation(False, cause, *((1.0, 0.0, 0.0, *rows) for rows in leaning))
 
 
 @pytest.mark.exercise("B9.6", asks="both within ROTATION_TOLERANCE", read=IS_ROTATION)
@@ -121,22 +97,19 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
             cause += " The determinant only has to be positive."
         elif scale < 0.0:
             cause += " Here the difference from 1 is negative, so take its absolute value."
-        expect_rotation([number * (1.0 + scale) for number in m], wanted, cause)
+        expect_rotation(wanted, cause, *scaled(m, 1.0 + scale))
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         cause = f"Return {wanted} here, because the scalar product of the first two rows is "
         cause += f"{angle:.2g}. {limit.format(0)}"
-        expect_rotation((1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0), wanted, cause)
+        expect_rotation(wanted, cause, (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0))
 
 
 @pytest.mark.exercise("B9.6", asks="NaN, infinite or as large as 1e200", read=IS_ROTATION)
 @pytest.mark.robust
 def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
-    expect_rotation(
-        [1e200 * number for number in matrix_of(draw_quad(rng))],
-        False,
-        "The squares of these numbers are too large for a float, so ** raises OverflowError. Write "
-        "a * a instead of a**2, so that the square is inf and you return False.",
-    )
+    cause = "The squares of these numbers are too large for a float, so ** raises OverflowError. "
+    cause += "Write a * a instead of a**2, so that the square is inf and you return False."
+    expect_rotation(False, cause, *scaled(matrix_of(draw_quad(rng)), 1e200))
 
 
 @pytest.mark.exercise("B9.6", asks="if an entry is NaN, infinite or", read=IS_ROTATION)
@@ -144,12 +117,10 @@ def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_a_matrix_that_is_not_finite_is_not_a_rotation(bad: float) -> None:
     cause = "" if math.isnan(bad) else "Here inf * 0 is NaN. "
-    cause += (
-        "Every comparison with NaN is False, so a check for errors above ROTATION_TOLERANCE misses "
-        "NaN. Instead, check that every error is at most ROTATION_TOLERANCE."
-    )
+    cause += "Every comparison with NaN is False, so a check for errors above ROTATION_TOLERANCE "
+    cause += "misses NaN. Instead, check that every error is at most ROTATION_TOLERANCE."
     for place in range(9):
-        expect_rotation((*IDENTITY[:place], bad, *IDENTITY[place + 1 :]), False, cause)
+        expect_rotation(False, cause, (*IDENTITY[:place], bad, *IDENTITY[place + 1 :]))
 
 
 def from_slips(q: Quad) -> dict[str, Sequence[float]]:
@@ -158,25 +129,20 @@ def from_slips(q: Quad) -> dict[str, Sequence[float]]:
     return {
         "You return the transpose, as the book prints it (E-11).": transposed(matrix_of(q)),
         "You unpack the quaternion as i, j, k, r, but r is first.": matrix_of((q[3], *q[:3])),
-        "You leave out the factor 2 in the off-diagonal entries. Double all six of them.":
+        "You leave out the factor 2 in the off-diagonal entries.":
             [0.5 * n if place % 4 else n for place, n in m],
-        "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the sum of two "
-        "squares from 1.": [n if place % 4 else 0.5 * (1.0 + n) for place, n in m],
+        "You leave out the factor 2 in the numbers on the diagonal.":
+            [n if place % 4 else 0.5 * (1.0 + n) for place, n in m],
         "You leave out the factor 2 in all nine numbers.":
             [0.5 * (n if place % 4 else 1.0 + n) for place, n in m],
     }  # fmt: skip
 
 
-def entry_of(got: Sequence[float], q: Quad) -> str:
-    """Return the formula of the only number of the matrix of q that is wrong, or an empty text."""
-    formulas = (
-        *("1 - 2 (j^2 + k^2)", "2 (i j - k r)", "2 (i k + j r)"),
-        *("2 (i j + k r)", "1 - 2 (i^2 + k^2)", "2 (j k - i r)"),
-        *("2 (i k - j r)", "2 (j k + i r)", "1 - 2 (i^2 + j^2)"),
-    )
-    pairs = zip(got, matrix_of(q), strict=True) if len(got) == 9 else ()
-    wrong = [place for place, (one, other) in enumerate(pairs) if not abs(one - other) < 1e-9]
-    return f" The number there is {formulas[wrong[0]]}." if len(wrong) == 1 else ""
+FORMULAS = (
+    *("1 - 2 (j^2 + k^2)", "2 (i j - k r)", "2 (i k + j r)"),
+    *("2 (i j + k r)", "1 - 2 (i^2 + k^2)", "2 (j k - i r)"),
+    *("2 (i k - j r)", "2 (j k + i r)", "1 - 2 (i^2 + j^2)"),
+)
 
 
 @pytest.mark.exercise("B9.12", asks="The columns of the matrix are the axes X, Y and Z", read=FROM)
@@ -185,15 +151,18 @@ def test_ninety_degrees_about_each_axis(rng: Random) -> None:
     # Only a rotation about no axis of its own tells all mistakes apart.
     drawn = draw_quad(rng)
     with calls(cause):
-        m = Matrix3.from_quaternion(Quaternion(*drawn))
-    got = entries(m)
-    why = named(got, cause, from_slips(drawn), matrix_of(drawn)) + entry_of(got, drawn)
-    for a, wanted in (
-        ((half, half, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
-        ((half, 0.0, half, 0.0), (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
-        ((half, 0.0, 0.0, half), (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
+        got = Matrix3.from_quaternion(Quaternion(*drawn))
+    got, right = entries(got), matrix_of(drawn)
+    why = named(got, cause, from_slips(drawn), right)
+    pairs = zip(got, right, FORMULAS, strict=True) if len(got) == 9 else ()
+    wrong = [formula for one, other, formula in pairs if not abs(one - other) < 1e-9]
+    if len(wrong) == 1:
+        why += f" The number there is {wrong[0]}."
+    for axis, a, wanted in (
+        ("X", (half, half, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
+        ("Y", (half, 0.0, half, 0.0), (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
+        ("Z", (half, 0.0, 0.0, half), (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
     ):
-        axis = "XYZ"[a.index(half, 1) - 1]
         with calls(cause):
             q = Quaternion(*a)
             m = Matrix3.from_quaternion(q)
@@ -242,7 +211,7 @@ def expect_back(q: Quad, cause: str) -> None:
     length = math.hypot(*products) or 1.0
     multiplied = "You multiply by r, as in (m[2, 1] - m[1, 2]) / 4 * r, which is "
     multiplied += "((m[2, 1] - m[1, 2]) / 4) * r. Write (m[2, 1] - m[1, 2]) / (4 * r)."
-    slips: dict[str, Sequence[float]] = {
+    slips = {
         opposite: (-r, i, j, k),
         "You lose the signs of the components, because a square root is never negative.":
             [abs(component) for component in q],
@@ -271,10 +240,8 @@ def expect_back(q: Quad, cause: str) -> None:
     "B9.13", asks="Convert a rotation matrix to a unit quaternion", weight=2, read=TO
 )
 def test_back_from_a_matrix(rng: Random) -> None:
-    cause = (
-        "The sum of the diagonal is 4 r^2 - 1, which gives r. Compute the others from m[2, 1] - "
-        "m[1, 2] = 4 i r, m[0, 2] - m[2, 0] = 4 j r and m[1, 0] - m[0, 1] = 4 k r."
-    )
+    cause = "The sum of the diagonal is 4 r^2 - 1, which gives r. The others follow from m[2, 1] - "
+    cause += "m[1, 2] = 4 i r, m[0, 2] - m[2, 0] = 4 j r and m[1, 0] - m[0, 1] = 4 k r."
     expect_back((1.0, 0.0, 0.0, 0.0), cause)
     for longest in range(3):
         # Two of i, j and k are negative, so that no two lost signs look alike.
@@ -284,19 +251,14 @@ def test_back_from_a_matrix(rng: Random) -> None:
             expect_back(quad(axis, angle), cause)
     for q in (*(draw_quad(rng) for _ in range(4)), quad(vector(rng), -0.9)):
         expect_back(q, cause)
-    expect_back(
-        quad((2.0, 2.1, 1.0), 3.0),
-        "This matrix is a rotation, although the product of its diagonal is negative. Check it "
-        "with is_rotation(), which uses the full determinant.",
-    )
+    cause = "The product of the diagonal is negative, but this is a rotation. Call is_rotation()."
+    expect_back(quad((2.0, 2.1, 1.0), 3.0), cause)
 
 
 @pytest.mark.exercise("B9.13", asks="Start with the component whose number is the largest", read=TO)
 def test_back_from_a_half_turn(rng: Random) -> None:
-    cause = (
-        "In a half-turn r is 0 or almost 0, so a result that you compute from r is inaccurate. "
-        "Find the largest of r, i, j and k first, and compute the others from it."
-    )
+    cause = "In a half-turn r is 0 or almost 0, so a result that you compute from r is inaccurate. "
+    cause += "Find the largest of r, i, j and k first, and compute the others from it."
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
         expect_back((0.0, *axis), cause)
     for longest in range(3):
@@ -305,10 +267,7 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         expect_back(half_turn(tilted), cause)
         for less in (1e-3, 1e-9, -1e-9):
             expect_back(quad(tilted, math.pi - less), cause)
-    cause = (
-        "Several components are equally large here. Make sure that your code always picks one of "
-        "them, for example by comparing with >= instead of >."
-    )
+    cause = "Several components are equally large here. Compare with >= to always pick one of them."
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis), cause)
     cause = "You don't divide by the largest component here. Compare all four to find it."
@@ -318,10 +277,9 @@ def test_back_from_a_half_turn(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.13", asks="so normalize the quaternion at the end", read=TO)
 def test_the_result_has_length_one(rng: Random) -> None:
-    half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
-    half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
-    for q in (draw_quad(rng), quad(vector(rng), 0.3), *half_turns):
-        n = [number * (1.0 + 3e-6) for number in matrix_of(q)]
+    axes = ((4.0, 3.0, 0.0), (0.0, 4.0, 3.0), (3.0, 0.0, 4.0), (2.0, 2.0, 1.0))
+    for drawn in (draw_quad(rng), quad(vector(rng), 0.3), *map(half_turn, axes)):
+        [n] = scaled(matrix_of(drawn), 1.0 + 3e-6)
         with calls("Normalize the quaternion, because this matrix is only nearly a rotation."):
             m = Matrix3(*n)
             q = m.to_quaternion()

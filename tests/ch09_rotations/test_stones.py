@@ -19,8 +19,10 @@ from turning import TIGHT
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
+TOP = "the docstring at the top of exercises.py"
 DATA = "exercise 9.7, and the docstring at the top of stones.py"
 USE = "Call center_of_mass with the masses and the (x, y) positions of the stones."
+Pair = tuple[float, float]
 Stones = list[tuple[str, float, float, float]]
 
 
@@ -34,9 +36,7 @@ def draw_stones(rng: Random, count: int = 4) -> Stones:
 
 def draw_telling_stones(rng: Random) -> Stones:
     """Draw stones for which every likely mistake puts one on the wrong side of an edge at 0.3."""
-    a, b, c, d = (
-        round(positive_number(rng, 0.9, 1.1) * mass, 3) for mass in (0.22, 0.07, 0.47, 0.51)
-    )
+    a, b, c, d = (round(rng.uniform(0.9, 1.1) * mass, 3) for mass in (0.22, 0.07, 0.47, 0.51))
     return [
         ("a pebble", a, 0.43, 0.94),
         ("slate", b, 0.28, 0.61),
@@ -64,13 +64,13 @@ def left_of(point: complex, angle: float) -> float:
     return (point * complex(math.cos(angle), -math.sin(angle))).imag
 
 
-def from_edge(stones: Stones, angle: float) -> list[tuple[float, float]]:
+def from_edge(stones: Stones, angle: float) -> list[Pair]:
     """Return the distance of each stone to the left of the edge, and its mass."""
     line = left_of(middle(stones), angle)
     return [(left_of(complex(x, y), angle) - line, mass) for _, mass, x, y in stones]
 
 
-def beside(stones: Stones, angle: float) -> tuple[float, float]:
+def beside(stones: Stones, angle: float) -> Pair:
     """Return the masses on the left and on the right of the edge."""
     sides = from_edge(stones, angle)
     left = math.fsum(mass for side, mass in sides if side > 0.0)
@@ -108,8 +108,7 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     # The first angle is 0, and the offset is then positive.
     sign = "You measure the offset to the right, so its sign is wrong. Measure it to the left."
     if angle:
-        sign = "Your offset is never negative. If the edge passes to the right of the corner, "
-        sign += "return a negative number."
+        sign = "Your offset is never negative. It must be if the edge is right of the corner."
     return {
         sign: -left_of(center, angle),
         "You add the two products.": cosine * center.imag + sine * center.real,
@@ -126,11 +125,9 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     stones = draw_stones(rng)
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0, small, -small, large, -large, large + math.tau, 0.5 * math.pi):
-        cause = "The offset should be the scalar product of the center of mass and (-sin(angle), "
-        cause += "cos(angle))."
+        cause = "The offset is the scalar product of the center and (-sin(angle), cos(angle))."
         if angle == 0:
-            cause = "The edge must be below the center of mass. If it is parallel to X, its offset "
-            cause += "is the y of the center of mass."
+            cause = "The edge is parallel to X and below the center. Its offset is the center's y."
         with calls(cause, with_stones(stones, f"balance_offset(stones, angle={angle})")):
             got = balance_offset(stones, float(angle))
         wanted = left_of(middle(stones), angle)
@@ -138,11 +135,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
 
 
 def expect_masses(
-    stones: Stones,
-    angle: float,
-    cause: str,
-    wanted: tuple[float, float],
-    slips: dict[str, tuple[float, float]] | None = None,
+    stones: Stones, angle: float, cause: str, wanted: Pair, slips: dict[str, Pair] | None = None
 ) -> None:
     """Expect the masses to the left and right of the edge."""
     shown = "pi / 2" if angle == 0.5 * math.pi else f"{angle:g}"
@@ -181,8 +174,7 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
         if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
             cases.append((stones, angle))
     for stones, angle in cases:
-        cause = "You put a stone on the wrong side. A stone is to the left of the edge if its "
-        cause += "offset from the corner is greater than the edge's."
+        cause = "A stone is to the left of the edge if its offset is greater than the edge's."
         expect_masses(stones, angle, cause, beside(stones, angle))
 
 
@@ -208,10 +200,7 @@ def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
 
 
 @pytest.mark.exercise(
-    "9.7",
-    asks="The functions do not change their arguments",
-    weight=0.5,
-    read="the docstring at the top of exercises.py",
+    "9.7", asks="The functions do not change their arguments", weight=0.5, read=TOP
 )
 @pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
@@ -241,8 +230,7 @@ def test_your_own_stones() -> None:
         stones = [tuple(stone) for stone in entered_stones()]
     name = "your stones.csv: the number of lines, of which at most 4 count (three stones and the "
     expect_exactly(min(len(stones), 4), 4, call=f"{name}box)")
-    cause = "Some stones in your file have the same position, but two stones can't be in the same "
-    cause += "spot. Measure the position of each stone separately."
+    cause = "Some stones have the same position. Measure the position of each one separately."
     name = "your stones.csv: the number of different positions, of which at most 3 count"
     places = {(x, y) for _, _, x, y in stones}
     expect_exactly(min(len(places), 3), 3, call=name, cause=cause)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -43,31 +44,25 @@ def unit(q: Sequence[float]) -> Quad:
 
 def make_slips(axis: Triple, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
-    cosine, sine, u = math.cos(0.5 * angle), math.sin(0.5 * angle), axis / abs(axis)
-    full_cosine, full_sine = math.cos(angle), math.sin(angle)
+    c, s, u = math.cos(0.5 * angle), math.sin(0.5 * angle), axis / abs(axis)
+    whole_c, whole_s = math.cos(angle), math.sin(angle)
     parts = {
-        "half of the angle in the cosine, but the whole angle in the sine": (
-            cosine,
-            full_sine * u,
-        ),
-        "half of the angle in the sine, but the whole angle in the cosine": (
-            full_cosine,
-            sine * u,
-        ),
-        "the whole angle": (full_cosine, full_sine * u),
-        "the whole angle, and you don't normalize the axis": (full_cosine, full_sine * axis),
-        "sin(angle / 2) for r": (sine, sine * u),
-        "cos(angle / 2) for the vector part": (cosine, cosine * u),
+        "half of the angle in the cosine, but the whole angle in the sine": (c, whole_s * u),
+        "half of the angle in the sine, but the whole angle in the cosine": (whole_c, s * u),
+        "the whole angle": (whole_c, whole_s * u),
+        "the whole angle, and you don't normalize the axis": (whole_c, whole_s * axis),
+        "sin(angle / 2) for r": (s, s * u),
+        "cos(angle / 2) for the vector part": (c, c * u),
     }
     return {f"You use {slip}.": (r, *v) for slip, (r, v) in parts.items()} | {
         "You divide the angle by 4. Divide it by 2 only.": quad(axis, 0.5 * angle),
-        "You put r last. It is the first argument of Quaternion.": (*(sine * u), cosine),
-        "You normalize the quaternion instead of the axis.": unit((cosine, *(sine * axis))),
-        "You don't normalize the axis.": (cosine, *(sine * axis)),
+        "You put r last. It is the first argument of Quaternion.": (*(s * u), c),
+        "You normalize the quaternion instead of the axis.": unit((c, *(s * axis))),
+        "You don't normalize the axis.": (c, *(s * axis)),
         "You treat the angle as degrees. It is in radians.": quad(axis, math.radians(angle)),
-        "You swap sine and cosine.": (sine, *(cosine * u)),
-        "You swap sine and cosine in r and i.": (sine, cosine * u[0], sine * u[1], sine * u[2]),
-        "You don't multiply the axis by the sine.": (cosine, *u),
+        "You swap sine and cosine.": (s, *(c * u)),
+        "You swap sine and cosine in r and i.": (s, c * u[0], s * u[1], s * u[2]),
+        "You don't multiply the axis by the sine.": (c, *u),
         "Your rotation goes in the opposite direction.": quad(axis, -angle),
     }
 
@@ -108,8 +103,7 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
 @pytest.mark.exercise("B9.9", asks="so the axis may have any length except 0", read=MAKE)
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
-    cause = "You square the components, but their squares don't fit into a float. Call "
-    cause += "normalized() on the axis instead, which works for any length."
+    cause = "The squares of the components don't fit into a float. Call normalized() on the axis."
     for scale in (1e200, 1e-200):
         expect_any_length(rng, scale, cause)
 
@@ -138,25 +132,19 @@ def test_rejects_an_invalid_axis_or_angle() -> None:
 
 
 def expect_axis_and_angle(
-    a: Quad,
-    axis_wanted: Sequence[float],
-    angle_wanted: float,
-    cause: str,
-    angles: Mapping[str, float] | None = None,
-    axes: Mapping[str, Sequence[float]] | None = None,
-    *,
-    near: float = TIGHT,
+    a: Quad, wanted: tuple[Triple, float], cause: str, *slips: dict[str, Any], near: float = TIGHT
 ) -> None:
-    """Expect these results of to_axis_angle. The mappings are slips, as in expect_close."""
+    """Expect these results of to_axis_angle. ``slips`` are those of the angle and the axis."""
+    (unit_axis, turn), (angles, axes) = wanted, slips or (None, None)
     with calls(cause):
         q = Quaternion(*a)
         axis, angle = q.to_axis_angle()
     first = "You return the angle first. Return the axis and then the angle."
     got = expect_vector(axis, then="; axis", cause=first if isinstance(axis, float) else cause)
     expect_kept("q", rijk(q), a)
-    expect_close(angle, angle_wanted, angles, then="; angle", unit="rad", tolerance=near)
-    got = same_sign(got, axis_wanted) if a[0] == 0.0 else got
-    expect_close(got, axis_wanted, axes, then="; axis", tolerance=TIGHT if near else 0.0)
+    expect_close(angle, turn, angles, then="; angle", unit="rad", tolerance=near)
+    got = same_sign(got, unit_axis) if a[0] == 0.0 else got
+    expect_close(got, unit_axis, axes, then="; axis", tolerance=TIGHT if near else 0.0)
 
 
 @pytest.mark.exercise(
@@ -183,33 +171,28 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         }
         u = axis / abs(axis)
         axes = {opposite: -u, "You return (i, j, k) without normalizing it.": (i, j, k)}
-        expect_axis_and_angle((r, i, j, k), u, angle, cause, angles, axes)
+        expect_axis_and_angle((r, i, j, k), (u, angle), cause, angles, axes)
 
 
 @pytest.mark.exercise("B9.9", asks="any axis would be correct, so return X", read=BACK)
 def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     drawn = vector(rng)
     u = drawn / abs(drawn)
-    no_axis = "A rotation by 0 has no particular axis. By convention, return the X axis and the "
-    no_axis += "angle 0."
+    no_axis = "A rotation by 0 has no axis. By convention, return the X axis and the angle 0."
     for r in (1.0, -1.0):
-        expect_axis_and_angle((r, 0.0, 0.0, 0.0), X_AXIS, 0.0, no_axis, near=0.0)
+        expect_axis_and_angle((r, 0.0, 0.0, 0.0), (X_AXIS, 0.0), no_axis, near=0.0)
     asin = "You compute the angle with asin, which loses half of its digits near pi. Use atan2."
     half = "Here r is 0, so the angle is pi. The axis may point in either direction. Don't compute "
     half += "the angle with asin, which loses half of its digits near pi. Use atan2."
-    expect_axis_and_angle((0.0, *u), u, math.pi, half)
+    expect_axis_and_angle((0.0, *u), (u, math.pi), half)
     for less in (1e-3, 1e-6):
-        expect_axis_and_angle(quad(u, math.pi - less), u, math.pi - less, asin)
+        expect_axis_and_angle(quad(u, math.pi - less), (u, math.pi - less), asin)
+    acos = "Either you compute the angle with acos, which fails near 0, because the cosine rounds "
+    acos += "to 1, or you treat a small angle as 0. Use atan2 for all angles."
     for small in (1e-5, 1e-9):
-        expect_axis_and_angle(
-            # The sine differs from the angle by its cube only, 1e-11 of it or less here.
-            (1.0, *(0.5 * small * u)),
-            u,
-            small,
-            "Either you compute the angle with acos, which fails near 0, because the cosine rounds "
-            "to 1, or you treat a small angle as 0. Use atan2 for all angles.",
-            near=1e-10 * small,
-        )
+        # The sine differs from the angle by its cube only, 1e-11 of it or less here.
+        q = (1.0, *(0.5 * small * u))
+        expect_axis_and_angle(q, (u, small), acos, near=1e-10 * small)
 
 
 @pytest.mark.exercise("B9.9", asks="for angles as small as 1e-200", read=BACK)
@@ -217,22 +200,20 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
 def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     drawn = vector(rng)
     u = drawn / abs(drawn)
-    cause = "You square the components, but their squares round to 0. Use Vector3's magnitude() "
-    cause += "and normalize(), which work for vectors of any length."
-    expect_axis_and_angle((1.0, *(5e-201 * u)), u, 1e-200, cause, near=1e-210)
+    cause = "The squares of the components round to 0. Use magnitude() and normalize()."
+    expect_axis_and_angle((1.0, *(5e-201 * u)), (u, 1e-200), cause, near=1e-210)
 
 
 @pytest.mark.exercise("B9.9", asks="for every length that is_unit accepts", weight=0.5, read=BACK)
 def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     drawn = draw_quad(rng)
     u = Triple(drawn[1:]) / math.hypot(*drawn[1:])
-    cause = "Your result is wrong if the length is slightly above or below 1, which is_unit() "
-    cause += "accepts. Use atan2, which works for any length."
+    cause = "is_unit() accepts this length, which is not exactly 1. Use atan2, which does, too."
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole, axis in ((drawn, u), ((0.0, *u), u), ((1.0, 0.0, 0.0, 0.0), X_AXIS)):
             q = tuple(component * off for component in whole)
             angle = 2.0 * math.atan2(math.hypot(*q[1:]), q[0])
-            expect_axis_and_angle(q, axis, angle, cause, near=1e-5)
+            expect_axis_and_angle(q, (axis, angle), cause, near=1e-5)
 
 
 @pytest.mark.exercise(
@@ -276,10 +257,9 @@ def by_vector_slips(q: Quad, a: Triple) -> dict[str, Quad]:
     turn, in_turn = quad(a, size), [*q]
     for place in range(4):
         in_turn[place] = hamilton(turn, in_turn)[place]
-    book = "as in the book's listing. (0, vector) is not a rotation (E-12), so make one from the "
-    book += "vector with from_axis_angle."
-    first_order = "which is only accurate to first order (E-12). Make an exact rotation from the "
-    first_order += "vector with from_axis_angle instead."
+    make = "Make a rotation from the vector with from_axis_angle."
+    book = f"as in the book's listing. (0, vector) is not a rotation (E-12). {make}"
+    first_order = f"which is only accurate to first order (E-12). {make}"
     angles = {
         "You rotate by half the angle.": 0.5 * size,
         "You rotate by twice the angle.": 2.0 * size,

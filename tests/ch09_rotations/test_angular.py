@@ -82,7 +82,7 @@ def test_one_turn_after_another(rng: Random) -> None:
         } | {
             "You rotate in the opposite direction. Keep the signs.": in_order((-x, -y, -z)),
             "You treat the angles as degrees.": in_order(map(math.radians, angles)),
-            "You halve the angles. from_axis_angle does this.": in_order(Triple(angles) / 2.0),
+            "You halve the angles, but from_axis_angle does this.": in_order(Triple(angles) / 2.0),
             "You use the angles as one rotation vector.": quad(angles, math.hypot(*angles)),
             "You swap x and z.": in_order((z, y, x)),
         }
@@ -224,11 +224,9 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     }  # fmt: skip
     # Two products of up to 200 each.
     expect_close(xyz(got), spun + speed, slips, tolerance=1e-11)
-    for name, now, before in (
-        *(("point", q, point), ("position", p, place), ("velocity", v, speed)),
-        ("angular_velocity", w, spin),
-    ):
-        expect_kept(name, now, before, "If you use += or -= on it, use + or - instead.")
+    kept = {"point": (q, point), "position": (p, place), "velocity": (v, speed)}
+    for name, (now, old) in (kept | {"angular_velocity": (w, spin)}).items():
+        expect_kept(name, now, old, "If you use += or -= on it, use + or - instead.")
     with calls("You return p' itself. Return a new vector, even if nothing rotates.", more=True):
         velocity_of_point(q, p, v, Vector3(0.0, 0.0, 0.0)).invert()
     expect_close(v, speed, then="; v", tolerance=0.0)

@@ -22,7 +22,7 @@ from ch09_rotations.exercises import (
 from ch09_rotations.matrix import Matrix4
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, Triple, number, positive_number, vector
-from expect import expect_between, expect_close, expect_that, expect_vector, is_plain
+from expect import expect_between, expect_close, expect_that, expect_vector
 from turning import (
     LOOSE,
     TIGHT,
@@ -98,10 +98,10 @@ def way_back(a: Quad) -> tuple[Components, float]:
         q = Quaternion(*a)
         axis, angle = back_to_reference(q)
     expect_kept("the orientation", rijk(q), a)
+    why = "Return the axis as a Vector3."
     if isinstance(axis, float):
-        first = "You return the angle first. Return the axis and then the angle."
-        expect_vector(axis, then="; axis", cause=first)
-    unit = expect_vector(axis, then="; axis")
+        why = "You return the angle first. Return the axis and then the angle."
+    unit = expect_vector(axis, then="; axis", cause=why)
     why = "Your axis is not a unit vector. Divide it by its length."
     expect_close(math.hypot(*unit), 1.0, then="; the length of axis", cause=why, tolerance=TIGHT)
     why = "Use an angle in the range from -pi to pi, which may be about the opposite axis."
@@ -308,12 +308,9 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
         "You return the first column.": (m[0], m[3], m[6]),
         "You return the position of the inverse matrix.": -Triple(applied(transposed(m), p)),
     }
-    why = "Return the last column instead."
-    if is_plain(position):
-        why = "Return the position as a Vector3."
-        expect_vector(position, then="; position", cause=why)
-    why = named(expect_vector(position, then="; position"), why, slips)
-    expect_close(position, p, then="; position", cause=why, tolerance=0.0)
+    why, then = "Return the position as a Vector3.", "; position"
+    why = named(expect_vector(position, then=then, cause=why), "Return the last column.", slips)
+    expect_close(position, p, then=then, cause=why, tolerance=0.0)
     expect_kept("the matrix", entries(matrix), twelve)
 
 

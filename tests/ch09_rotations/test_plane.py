@@ -93,11 +93,6 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
         expect_close(got, (x, y), slips)
 
 
-def moved(point: Point, angle: float, origin: Point) -> complex:
-    """Return a point that is rotated and moved, as a complex number."""
-    return complex(*origin) + complex(*point) * cmath.rect(1.0, angle)
-
-
 def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     """Return the results of likely mistakes when a point is rotated and moved."""
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
@@ -109,7 +104,7 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
         "You rotate the point but don't add origin.": start * turn,
         "You add origin but don't rotate the point.": place + start,
         "You rotate the point about origin instead of (0, 0).": place + (start - place) * turn,
-        "You treat the angle as degrees.": moved(point, math.radians(angle), origin),
+        "You treat the angle as degrees.": place + start * cmath.rect(1.0, math.radians(angle)),
         "You add only the x of origin. Add its y to the other component.": end - 1j * origin[1],
         "You add only the y of origin. Add its x to the other component.": end - origin[0],
         "You swap x and y of the result. Return (x, y).": complex(end.imag, end.real),
@@ -143,7 +138,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
     for sign in (1.0, -1.0, 1.0):
         point, origin = (number(rng), number(rng)), (number(rng), number(rng))
         angle = sign * positive_number(rng, 0.3, 2.9)
-        end = moved(point, angle, origin)
+        end = complex(*origin) + complex(*point) * cmath.rect(1.0, angle)
         expect_point(point, angle, origin, (end.real, end.imag), near=TIGHT)
 
 

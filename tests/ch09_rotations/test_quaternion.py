@@ -84,7 +84,7 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
         for place in range(4):
             in_turn[place] /= math.hypot(*in_turn)
         slips = {
-            "You compute the length again after you have changed a component.": in_turn,
+            "You compute the length again after the first change. Compute it only once.": in_turn,
             "The quaternion hasn't changed. Assign the new values to self.r, self.i and so on.": a,
             "You divide by the squared length instead of the length.": scaled(a, length**-2),
             "You multiply by the length instead of dividing by it.": scaled(a, length),
@@ -112,13 +112,10 @@ def test_zero_becomes_the_reference() -> None:
 @pytest.mark.robust
 def test_is_unit_rejects_huge_components_and_nan(rng: Random) -> None:
     drawn = draw_quad(rng)
-    not_finite = "You test if it is too far from 1, which is False for NaN. Test if it is near."
+    not_finite = "You test if it is too far from 1, which is False for NaN. Test if it is near 1."
     huge = "The square of 1e200 is too large for a float. Compute the length with magnitude()."
-    for a, cause in (
-        (scaled(drawn, math.nan), not_finite),
-        (scaled(drawn, math.inf), not_finite),
-        ((1e200, 0.0, 0.0, 1e200), huge),
-    ):
+    samples = [(scaled(drawn, length), not_finite) for length in (math.nan, math.inf)]
+    for a, cause in (*samples, ((1e200, 0.0, 0.0, 1e200), huge)):
         with calls(cause):
             got = Quaternion(*a).is_unit()
         expect_exactly(got, False)
@@ -251,8 +248,7 @@ def test_rotates_a_vector(rng: Random) -> None:
             got = q.rotate(v)
         expect_kept("the vector", v, b, "Return a new vector instead.")
         if isinstance(got, Quaternion):
-            cause = "You return the whole product, which is a Quaternion. Return only its vector "
-            cause += "part, as in Vector3(p.i, p.j, p.k)."
+            cause = "You return the whole product, which is a Quaternion. Return Vector3(i, j, k)."
             expect_that(False, f"Quaternion{short(rijk(got))}", "a Vector3", cause=cause)
         # Rounding of a vector of length up to 17, or the effect of a length that is off by 5e-7.
         near = LOOSE if abs(math.hypot(*a) - 1.0) < 1e-9 else 1e-4

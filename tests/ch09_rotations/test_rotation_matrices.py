@@ -128,10 +128,10 @@ def from_slips(q: Quad) -> dict[str, Sequence[float]]:
     m = [*enumerate(matrix_of(q))]
     return {
         "You return the transpose, as the book prints it (E-11).": transposed(matrix_of(q)),
-        "You unpack the quaternion as i, j, k, r, but r is first.": matrix_of((q[3], *q[:3])),
-        "You leave out the factor 2 in the off-diagonal entries.":
+        "You unpack the quaternion as i, j, k, r. It begins with r.": matrix_of((q[3], *q[:3])),
+        "You leave out the factor 2 in the off-diagonal entries. Double all six of them.":
             [0.5 * n if place % 4 else n for place, n in m],
-        "You leave out the factor 2 in the numbers on the diagonal.":
+        "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the squares.":
             [n if place % 4 else 0.5 * (1.0 + n) for place, n in m],
         "You leave out the factor 2 in all nine numbers.":
             [0.5 * (n if place % 4 else 1.0 + n) for place, n in m],

@@ -96,8 +96,7 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
 
 @pytest.mark.exercise("B9.9", asks="Only the direction of the axis matters", read=MAKE)
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
-    cause = "You don't normalize the axis. Use a normalized copy of it."
-    expect_any_length(rng, 1e-3, cause)
+    expect_any_length(rng, 1e-3, "You don't normalize the axis. Use a normalized copy of it.")
 
 
 @pytest.mark.exercise("B9.9", asks="so the axis may have any length except 0", read=MAKE)

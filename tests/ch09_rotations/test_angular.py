@@ -221,7 +221,7 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
         "You compute w x q - p + p'. Put parentheses around q - p.": about_world - place + speed,
         "You compute w x (q + p). Subtract p from q instead.": spin.cross(point + place) + speed,
         "You compute w x (q - p + p').": spin.cross(point - place + speed),
-    }  # fmt: skip
+    }
     # Two products of up to 200 each.
     expect_close(xyz(got), spun + speed, slips, tolerance=1e-11)
     kept = {"point": (q, point), "position": (p, place), "velocity": (v, speed)}

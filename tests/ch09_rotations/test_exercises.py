@@ -210,7 +210,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
             "You convert the angle to degrees.": about_x(math.degrees(rate * duration), a),
             "You rotate in the opposite direction.": about_x(-rate * duration, a),
             "You take a step of Eq. 9.5.": stepped(a, rate, duration, 1),
-        }  # fmt: skip
+        }
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
         expect_close(same_sign(rijk(result), wanted), wanted, slips, tolerance=TIGHT)
         expect_kept("the orientation", rijk(q), a, COPY)

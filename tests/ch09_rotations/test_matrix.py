@@ -74,7 +74,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
         "You multiply the rows of a by the rows of b.": times(m, transposed(n)),
         "You multiply the columns of a by the columns of b.": times(transposed(m), n),
         "the transpose of the product": transposed(wanted),
-    }  # fmt: skip
+    }
     why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, then=", row by row", cause=why, tolerance=LOOSE)
     expect_unchanged("a", entries(a), m, cause=UNCHANGED)
@@ -96,7 +96,7 @@ def test_rows_become_columns(rng: Random) -> None:
         "You reverse the order of the rows.": (*n[6:], *n[3:6], *n[:3]),
         "You reverse the order of the columns.": times(n, (0, 0, 1, 0, 1, 0, 1, 0, 0)),
         "You flip the matrix over the wrong diagonal.": transposed(n)[::-1],
-    }  # fmt: skip
+    }
     why = named(got, about.cause, slips, transposed(n))
     expect_close(got, transposed(n), then=", row by row", cause=why, tolerance=0.0)
 
@@ -174,7 +174,7 @@ def inverse_slips(n: Nine, got: object) -> dict[str, list[float] | Nine]:
         "every second number needs one.": [-r if at % 2 else r for at, r in enumerate(right)],
         "You return the reciprocal of each number.": [1.0 / number for number in n],
         "You return the transpose of the inverse.": transposed(right),
-    }  # fmt: skip
+    }
     for column, name in enumerate(("v x w", "w x u", "u x v")):
         slips[
             f"Column {column + 1} of your inverse has the wrong sign. With the rows u, v and w it "

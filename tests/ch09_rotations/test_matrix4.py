@@ -89,13 +89,13 @@ def test_one_transformation_after_another(rng: Random) -> None:
         "Your last column is only the translation of b.": q,
         "You rotate both translations to get the last column.": applied(m, p + q),
         "Your last column is b.transform(the translation of a).": moved(n, q, p),
-    }  # fmt: skip
+    }
     slips = {slip: joined(times(m, n), column) for slip, column in columns.items()} | {
         "You multiply the 3x3 parts in the wrong order.": joined(times(n, m), moved(m, p, q)),
         "You multiply each number of a by the number of b in the same position. Multiply rows by "
         "columns.": [x * y for x, y in zip(first, second, strict=True)],
         "You return the product in the other order.": joined(times(n, m), moved(n, q, p)),
-    }  # fmt: skip
+    }
     got, wanted = entries(product), joined(times(m, n), moved(m, p, q))
     why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, then=ROWS, cause=why, tolerance=LOOSE)
@@ -137,7 +137,7 @@ def test_the_determinant_ignores_the_translation(rng: Random) -> None:
         "You use the first nine entries.": determinant(twelve[:9]),
         "Your determinant has the wrong sign.": -determinant(linear),
         "You return only the product of the diagonal.": linear[0] * linear[4] * linear[8],
-    }  # fmt: skip
+    }
     expect_close(got, determinant(linear), slips, tolerance=1e-10)
     small = tuple(float(f"{number}e-7") for number in linear)
     twelve = joined(small, p)
@@ -325,7 +325,7 @@ def test_a_rotation_in_other_axes(rng: Random) -> None:
         "You return basis @ m @ basis, without the inverse.": times(times(basis, m), basis),
         "You use the inverse of m. Use m itself.": times(times(basis, transposed(m)), back),
         "m itself": m,
-    }  # fmt: skip
+    }
     why = named(got, about.cause, slips)
     about_x, about_y, about_z = (
         tuple(round(n, 15) for n in matrix_of(quad(axis, 0.5 * math.pi)))

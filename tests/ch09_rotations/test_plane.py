@@ -89,7 +89,7 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
             "You treat the angle as degrees.": (math.cos(taken), math.sin(taken)),
             "Your y has the wrong sign.": (x, -y),
             "Your x has the wrong sign.": (-x, y),
-        }  # fmt: skip
+        }
         expect_close(got, (x, y), slips)
 
 
@@ -113,7 +113,7 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
         "The sine term of x has the wrong sign.": end + 2.0 * s * point[1],
         "The sine term of y has the wrong sign.": end - 2j * s * point[0],
         "You compute y from the new x.": place + complex(x, s * x + c * point[1]),
-    }  # fmt: skip
+    }
     return {name: (end.real, end.imag) for name, end in ends.items()}
 
 

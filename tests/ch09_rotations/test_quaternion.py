@@ -235,7 +235,7 @@ def rotate_slips(q: Quad, v: Triple) -> dict[str, tuple[float, ...]]:
         f"{formula} second term. Multiply this term by 2.": v + r * across + 2.0 * twice,
         f"{formula} third term. Multiply this term by 2.": v + 2.0 * r * across + twice,
         "the original v": v,
-    }  # fmt: skip
+    }
 
 
 @pytest.mark.exercise("B9.10", asks="return the result as a new vector", weight=2, read=ROTATE)

@@ -117,7 +117,7 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
         "You treat the angle as degrees.": left_of(center, math.radians(angle)),
         "You place the edge so that half of the mass is on each side (E-32). Place it directly "
         "below the center of mass instead.": offset,
-    }  # fmt: skip
+    }
 
 
 @pytest.mark.exercise("9.7", asks="The offset is positive if the edge passes", read=OFFSET)

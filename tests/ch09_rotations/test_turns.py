@@ -363,7 +363,7 @@ def add_slips(q: Quad, a: Triple, scale: float) -> dict[str, Quad]:
         "You divide by 2 twice. Eq. 9.5 contains the factor 1/2 only once.": (left, 0.5 * half),
         "You subtract the change from q. Add it instead.": (left, -half),
         "You add (0, vector) alone, without multiplying it by q.": ((0.0, *a), half),
-    }  # fmt: skip
+    }
     slips = {slip: stepped(q, *change) for slip, change in changes.items()}
     return slips | {
         "You normalize the result. Leave out the normalization, because later exercises measure "

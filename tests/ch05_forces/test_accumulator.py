@@ -18,20 +18,15 @@ ZERO = Triple((0.0, 0.0, 0.0))
 SUM = "the docstring of force_accumulator"
 ADD = "the docstring of add_force"
 ONLY = "Only one force has been added, so the sum must equal that force."
-LATEST = (
-    "Your sum is only the latest force. Add each force to the sum instead of replacing the sum."
-)
+LATEST = "You keep only the latest force. Add each force to the sum instead of replacing the sum."
+MADE = {"position": (1, 2, 3), "velocity": (4, 5, 6), "acceleration": (7, 8, 9)}
 # The sum of four components below 10, in whatever order, is off by a few roundings of 40.
 ROUNDED = 1e-13
 
 
 def expect_unmoved(p: Particle, cause: str) -> None:
-    """Expect the position, the velocity and the acceleration that the particle was made with."""
-    for name, before in (
-        ("position", (1, 2, 3)),
-        ("velocity", (4, 5, 6)),
-        ("acceleration", (7, 8, 9)),
-    ):
+    """Expect the vectors that the particle was made with."""
+    for name, before in MADE.items():
         now, read = getattr(p, name), "the docstrings of add_force and clear_forces"
         expect_unchanged(f"p.{name}", now, before, cause=cause.format(name), read=read)
 
@@ -54,15 +49,9 @@ def test_forces_add_up(rng: Random) -> None:
         cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
         then = "; p.force_accumulator"
         got = expect_vector(summed, then=then, cause=cause)
-        zero = (
-            "The sum is still zero after a force was added. add_force must store the new sum in "
-            "self._force, and force_accumulator must return it."
-        )
+        zero = "The sum is still zero. Store it in self._force, and return it as force_accumulator."
         if xyz(p.acceleration) != (7, 8, 9):
-            zero = (
-                "You change p.acceleration instead of the sum of the forces. Store the new sum in "
-                "self._force."
-            )
+            zero = "You change p.acceleration instead of the sum. Store the sum in self._force."
         slips = {
             LATEST: force,
             "You divide the force by the mass.": total / 4.0,
@@ -72,24 +61,16 @@ def test_forces_add_up(rng: Random) -> None:
         }
         expect_close(
             got, total, slips, then=then, unit="N", tolerance=ROUNDED,
-            cause="Add each new force to the sum, component by component. Don't use the mass, "
-            "because the sum is a force in N.",
+            cause="Add each force to the sum, component by component, and don't use the mass.",
         )  # fmt: skip
-        expect_unmoved(
-            p,
-            "add_force has changed p.{}. A force has no effect until the next step, so change "
-            "only the sum of the forces.",
-        )
+        expect_unmoved(p, "add_force has changed p.{}. Change only the sum of the forces.")
 
 
 @pytest.mark.exercise("B5.1", asks="zero if no force was added", read=SUM)
 def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     force = vector(rng)
     opposite = -force
-    with calls(
-        "No force has been added yet, so the sum must be the zero vector. Return Vector3() instead "
-        "of None."
-    ):
+    with calls("No force was added, so the sum is zero. Return Vector3() instead of None."):
         p = Particle(acceleration=Vector3(0, -10, 0))
         got = p.force_accumulator
     expect_close(xyz(got), ZERO, unit="N")
@@ -112,15 +93,9 @@ def test_add_force_does_not_change_its_argument(rng: Random) -> None:
         p.add_force(f)
         f.x = 99.0
         got = p.force_accumulator
-    itself = (
-        "You store the vector f itself, so the sum changes when the caller changes f. Store the "
-        "three components instead."
-    )
+    itself = "The sum changes when the caller changes f. Store its components instead."
     expect_close(xyz(got), first, {itself: (99.0, *first[1:])}, unit="N")
-    with calls(
-        "add_force has changed its argument f, because += works in place. Use +, which creates a "
-        "new vector."
-    ):
+    with calls("add_force has changed its argument f, because += works in place. Use + instead."):
         p, f = Particle(), Vector3(*first)
         p.add_force(Vector3(*second))
         p.add_force(f)
@@ -137,11 +112,7 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
         p.add_force(Vector3(*force))
         got = p.force_accumulator
     expect_close(xyz(got), force, unit="N")
-    with calls(
-        "force_accumulator returned a vector that belongs to the particle, so the caller could "
-        "change the sum. Return a new vector from every call.",
-        more=True,
-    ):
+    with calls("The caller could change the sum. Return a new vector from every call.", more=True):
         total = p.force_accumulator
         total.x = 99.0
         got = p.force_accumulator
@@ -153,10 +124,7 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
 )
 def test_each_particle_has_its_own_forces(rng: Random) -> None:
     first, second = vector(rng), vector(rng)
-    with calls(
-        "Each particle needs its own sum of forces. Store the sum in self, not in the class or in "
-        "a global variable."
-    ):
+    with calls("Store each particle's sum in self, not in the class or in a global variable."):
         p, q = Particle(), Particle()
         p.add_force(Vector3(*first))
         q.add_force(Vector3(*second))
@@ -169,13 +137,11 @@ def test_each_particle_has_its_own_forces(rng: Random) -> None:
 )
 def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
     first, second = vector(rng), vector(rng)
-    with calls(
-        "clear_forces does not clear the sum of the forces. The sum is stored in self._force, so "
-        "make it a new zero vector."
-    ):
+    with calls("clear_forces does not clear the sum. Make self._force a new zero vector."):
         p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
         p.add_force(Vector3(*first))
-        before = xyz(p.force_accumulator)
+    before = xyz(p.force_accumulator)
+    with calls(about.cause, more=True):
         p.clear_forces()
     try:
         cleared = p.force_accumulator
@@ -185,11 +151,7 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
         raise
     expect_close(xyz(cleared), ZERO, then="; p.force_accumulator", unit="N")
     expect_unmoved(p, "clear_forces has changed p.{}. It must change only the sum of the forces.")
-    with calls(
-        "clear_forces must set the sum to zero, even if it is called twice in a row. The next "
-        "force that is added must then be the whole sum.",
-        more=True,
-    ):
+    with calls("After clear_forces, even twice, the next force must be the whole sum.", more=True):
         p.clear_forces()
         p.add_force(Vector3(*second))
         got = p.force_accumulator

@@ -18,15 +18,10 @@ from expect import UNCHANGED, expect_between, expect_close, expect_exactly, expe
 ZERO = Triple((0.0, 0.0, 0.0))
 READ = "book 5, exercise 5.2; the docstring of Airbrake"
 WEAK = "This brake is too weak to stop the particle in one step, so its force must be -k v."
-LARGER = (
-    "Your force is -v m / h, although -k v is smaller here. Always add the smaller of the two "
-    "forces."
-)
+STOP = "This brake can stop the particle in one step, so its force must be -v m / h."
+LARGER = "Your force is -v m / h. Always add the smaller of the two forces."
 LIMIT = "The limit must be -v m / h, where h is the duration."
-REVERSED = (
-    "Your brake reverses the motion, because its force is too large. Limit the force to -v m / h, "
-    "where h is the duration."
-)
+REVERSED = f"Your brake reverses the motion, because its force is too large. {LIMIT}"
 
 
 def draw_step(rng: Random) -> tuple[float, float]:
@@ -43,26 +38,19 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         LARGER: -4.0 * v,
         "Your force is -k v multiplied by 0.5. Either you multiply by the duration, or you divide "
         "by the mass, but a force needs neither. Add -k v.": 0.5 * pull,
-        "Your force has the size k at every speed, because you use a unit vector. Multiply the "
-        "velocity itself by -k.": pull / abs(v),
-        "Your brake is on, but it adds no force. Pass its force to particle.add_force if self.on "
-        "is True.": ZERO,
+        "Your force has the size k at every speed. Multiply the velocity by -k.": pull / abs(v),
+        "Your brake is on, but it adds no force. Pass it to particle.add_force.": ZERO,
         "Your force is -k |v| v, which is quadratic drag.": pull * abs(v),
     }
     with calls(WEAK):
         p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k=k)
     for on, wanted, cause in (
-        (None, ZERO,
-         "A new brake is off, but yours still adds a force. Add the force only if self.on is "
-         "True."),
+        (None, ZERO, "A new brake is off. Add a force only if self.on is True."),
         (True, pull, WEAK),
         (None, pull,
-         "Your brake switches itself off after one call. Only the player switches it on or off, "
-         "so don't change self.on in update_force."),
-        (False, ZERO,
-         "The brake was switched off, but it still adds a force. Check self.on in every call."),
-        (True, pull,
-         "The brake does not work after it is switched on again. Check self.on in every call."),
+         "Your brake switches itself off after one call. Don't change self.on in update_force."),
+        (False, ZERO, "The brake was switched off. Check self.on in every call."),
+        (True, pull, "The brake was switched on again. Check self.on in every call."),
     ):  # fmt: skip
         switch = "" if on is None else f"brake.on = {on}; "
         shown = f"p.clear_forces(); {switch}brake.update_force(p, 0.5); p.force_accumulator"
@@ -103,23 +91,18 @@ def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> 
     v, (mass, h) = vector(rng), draw_step(rng)
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
-        cause = (
-            "Your brake does not stop the particle. Its force must be -v m / h, which stops the "
-            "particle completely in a step of h seconds."
-        )
-        with calls(cause):
+        with calls(STOP):
             p, brake = Particle(velocity=Vector3(*v), mass=mass), Airbrake(k=k)
             brake.on = True
             brake.update_force(p, h)
         adds = "update_force changed the velocity itself. It must only add a force."
         expect_unchanged("p.velocity", p.velocity, v, cause=adds)
-        with calls(cause, more=True):
+        with calls(STOP, more=True):
             p.integrate(h)
             got = p.velocity
         slips = {
             REVERSED: v * (1.0 - share),
-            "You add no force if the brake is strong enough to reverse the motion. In this case, "
-            "add -v m / h, where h is the duration.": v,
+            "You add no force if the brake is strong enough to reverse the motion.": v,
         }
         # What FULL, or rounding, leaves of 10 m/s.
         expect_close(got, ZERO, slips, tolerance=1e-9, unit="m/s")
@@ -128,35 +111,23 @@ def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> 
 @pytest.mark.exercise("5.2", asks="Add the force to the others on particle", read=READ)
 def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
     v, f, mass = vector(rng), vector(rng), round(rng.uniform(2.0, 9.0), 3)
-    cause = (
-        "This brake is strong enough to stop the particle in one step, so its force must be -v m / "
-        "h."
-    )
-    with calls(cause):
+    with calls(STOP):
         p = Particle(velocity=Vector3(*v), acceleration=Vector3(1, 2, 3), mass=mass)
         brake = Airbrake(k=1e6)
         brake.on = True
     for h in (0.5, 0.25):
-        with calls(cause, more=True):
+        with calls(STOP, more=True):
             p.clear_forces()
             p.add_force(Vector3(*f))
             brake.update_force(p, h)
         stop = -v * mass / h
-        cleared = (
-            "The earlier force is missing, because you clear the sum of the forces. Add the force "
-            "of the brake to this sum with add_force instead."
-        )
-        then = "; p.force_accumulator"
+        slips = {"The earlier force is missing. Don't clear it, and use add_force.": stop}
+        total, then = p.force_accumulator, "; p.force_accumulator"
         # Up to a part in 1e12 of 400 N, as FULL says.
-        expect_close(
-            p.force_accumulator, f + stop, {cleared: stop}, then=then, unit="N", tolerance=1e-9
-        )
+        expect_close(total, f + stop, slips, then=then, unit="N", tolerance=1e-9)
         cause = "update_force has changed brake.on or brake.k, which only the player sets."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)", cause=cause)
-    with calls(
-        "Your brake changes the velocity of an immovable particle. It must only add a force, which "
-        "has no effect on such a particle."
-    ):
+    with calls("Your brake changes an immovable particle. It must only add a force."):
         p, brake = Particle(velocity=Vector3(*v), mass=math.inf), Airbrake(k=1e6)
         brake.on = True
         brake.update_force(p, 0.5)
@@ -167,13 +138,9 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
 @pytest.mark.exercise("5.2", asks="at most the fraction FULL of the velocity", read=READ)
 def test_no_brake_reverses_the_motion(rng: Random) -> None:
     tries = 400
-    loose = (
-        "Your brake does not slow the particle enough. Each of these brakes is strong enough to "
-        "stop its particle in one step."
-    )
+    loose = "Your brake does not slow the particle enough. Each of these can stop it."
     with calls(
-        "Rounding makes your limit -v m / h slightly too large, so the step reverses the motion. "
-        "Multiply the limit by FULL, which is slightly below 1.",
+        "Rounding makes your limit -v m / h too large. Multiply it by FULL, slightly below 1.",
         f"{tries} particles p that move along X, each with its own brake; every brake is on and "
         "has k > m / h; brake.update_force(p, h); p.integrate(h)",
     ):

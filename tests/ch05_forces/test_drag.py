@@ -20,6 +20,10 @@ from expect import expect_between, expect_close, expect_exactly, expect_unchange
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5.2.4, Eq. 5.1"
 LIMITS = "the docstring of drag_limits"
+RULE = (
+    "A step of h seconds multiplies the velocity by 1 - (k1 + k2 |v|) h / m. This must be 0 at the "
+    "first limit and -1 at the second."
+)
 
 
 def draw_coefficient(rng: Random) -> float:
@@ -61,22 +65,15 @@ def drag_slips(v: Triple, k1: float, k2: float) -> dict[str, Triple | float]:
 @pytest.mark.exercise("B5.5", asks="(k1 |v| + k2 |v|^2), as a new vector", read=READ)
 def test_the_drag_at_one_velocity(rng: Random) -> None:
     v = vector(rng)
-    with calls(
-        "The drag must be the vector -v (k1 + k2 |v|), with the parentheses, where v is the "
-        "velocity and |v| the speed."
-    ):
+    with calls("The drag must be -v (k1 + k2 |v|), where v is the velocity and |v| its length."):
         velocity = Vector3(*v)
         got = drag_force(velocity, k1=0.5, k2=0.25)
     expect_unchanged(
         "velocity", velocity, v,
-        cause="drag_force has changed its argument. The operations normalize, invert and *= work "
-        "in place, so use normalized, - and * instead.",
+        cause="The operations normalize, invert and *= work in place. Use normalized, - and *.",
     )  # fmt: skip
     expect_close(xyz(got), -v * (0.5 + 0.25 * abs(v)), drag_slips(v, 0.5, 0.25), unit="N")
-    with calls(
-        "Call drag_force with the velocity of the particle, self.k1 and self.k2, and pass its "
-        "result to particle.add_force."
-    ):
+    with calls("Pass the result of drag_force to particle.add_force, and change nothing else."):
         p = Particle(velocity=Vector3(*v))
         Drag(0.5, 0.25).update_force(p, 0.5)
     only = "update_force changed the velocity of the particle. It must only add a force."
@@ -87,12 +84,9 @@ def test_the_drag_at_one_velocity(rng: Random) -> None:
 def test_drag_points_against_the_motion(rng: Random) -> None:
     v, one, two = vector(rng), draw_coefficient(rng), draw_coefficient(rng)
     for k1, k2, cause in (
-        (one, 0.0, "Here k2 is 0, so there is only linear drag. It must be -k1 v, where v is the "
-                   "velocity."),
-        (0.0, two, "Here k1 is 0, so there is only quadratic drag. It must be -k2 |v| v, where |v| "
-                   "is the speed."),
-        (one, two, "When both the linear and the quadratic part act, the drag must be -v (k1 + k2 "
-                   "|v|), where |v| is the speed."),
+        (one, 0.0, "Here k2 is 0, so the drag must be -k1 v, where v is the velocity."),
+        (0.0, two, "Here k1 is 0, so the drag must be -k2 |v| v, where |v| is the speed."),
+        (one, two, "The drag must be -v (k1 + k2 |v|), where |v| is the speed."),
     ):  # fmt: skip
         with calls(cause):
             got = drag_force(Vector3(*v), k1=k1, k2=k2)
@@ -108,10 +102,7 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
         (-4.0, 0.0, 3.0, 48.0),
         (0.5, 4.0, 8.0, -4.0),
     ):
-        with calls(
-            "The drag does not increase with the speed as it should. Multiply k1 by the speed, and "
-            "k2 by the square of the speed."
-        ):
+        with calls("Multiply k1 by the speed, and k2 by the square of the speed."):
             got = drag_force(Vector3(0.0, 0.0, z), k1=k1, k2=k2)
         expect_close(xyz(got), (0.0, 0.0, force), unit="N")
 
@@ -120,25 +111,17 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
     with calls(
-        "You divide by the length of the velocity, which is 0 at rest. There is no drag at rest, "
-        "so return the zero vector.",
+        "At rest, you divide by a velocity of length 0. Return the zero vector.",
         f"v = Vector3(); f = drag_force(v, k1={k1}, k2={k2})",
     ):
         v = Vector3()
         force = drag_force(v, k1, k2)
     expect_close(xyz(force), ZERO, unit="N")
-    with calls(
-        "For a velocity of zero, you return the vector v itself, so changing the result also "
-        "changes v. Return a new vector.",
-        "f.x = 99.0",
-        more=True,
-    ):
+    cause = "You return the vector v itself, so both change. Return a new vector."
+    with calls(cause, "f.x = 99.0", more=True):
         force.x = 99.0
     expect_unchanged("v", v, ZERO)
-    with calls(
-        "You treat a slow particle as if it were at rest. Its drag is small but not zero, so "
-        "compute it as usual."
-    ):
+    with calls("You treat a slow particle as if it were at rest. Compute its drag as usual."):
         got = drag_force(Vector3(0, 1e-9, 0), k1=k1, k2=k2)
     expect_close(xyz(got), (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0), unit="N")
 
@@ -148,10 +131,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     x, v, f = Triple((1.0, 2.0, 3.0)), vector(rng), vector(rng)
     k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
     h = 0.0625  # short enough for a drag that never reverses the motion
-    with calls(
-        "Compute the drag from the particle's velocity with drag_force, and add it unchanged with "
-        "particle.add_force."
-    ):
+    with calls("Compute the drag of p.velocity with drag_force, and add it with add_force."):
         p, drag = Particle(Vector3(*x), Vector3(*v), mass=mass), Drag(k1=k1, k2=k2)
         p.add_force(Vector3(*f))
         drag.update_force(p, h)
@@ -162,21 +142,15 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "result unchanged.": f - force,
         "You divide the drag by the mass.": f + force / mass,
         "You multiply the drag by the duration.": f + force * h,
-        "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the square "
-        "of the speed.": f + swapped,
-        "The sum is only the drag, without the force that was added before. Don't clear any "
-        "forces.": force,
+        "You swapped k1 and k2. The square of the speed belongs to k2.": f + swapped,
+        "The sum is only the drag. Don't clear the earlier forces.": force,
         "Your update_force added no force to the particle. Pass the result of drag_force to "
         "particle.add_force.": f,
         "You compute the drag from the position of the particle.": f - x * (k1 + k2 * abs(x)),
     }
     # A few roundings of numbers up to 150.
     expect_close(got, f + force, slips, tolerance=1e-12, unit="N")
-    with calls(
-        "You use the initial values of drag.k1 and drag.k2, which have changed since then. Read "
-        "self.k1 and self.k2 in every call.",
-        more=True,
-    ):
+    with calls("Read self.k1 and self.k2 in every call, because they may change.", more=True):
         p.clear_forces()
         drag.k1, drag.k2 = k2, k1
         drag.update_force(p, h)
@@ -187,8 +161,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
 @pytest.mark.exercise("B5.5", asks="the drag, -v^ (k1 |v| + k2 |v|^2)", read=READ)
 def test_a_fall_reaches_its_terminal_speed() -> None:
     with calls(
-        "The particle does not fall at its terminal speed v after 60 s. The drag that you add must "
-        "then equal the weight: k1 v + k2 v^2 = m g.",
+        "After 60 s, the drag that you add must equal the weight: k1 v + k2 v^2 = m g.",
         "p = Particle(acceleration=Vector3(0, -9.81, 0), mass=2); for 60 s, in steps of h = 1/60 "
         "s: Drag(k1=0.3, k2=0.05).update_force(p, h) and p.integrate(h)",
     ):
@@ -214,8 +187,7 @@ def expect_first_order(ends: Sequence[float], exact: float, scale: float, what: 
 @pytest.mark.exercise("B5.5", asks="the drag, -v^ (k1 |v| + k2 |v|^2)", read=READ)
 def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
     with calls(
-        "The fall differs too much from the exact one, so the drag is wrong. With k1 = 0 it must "
-        "be -k2 |v| v, where |v| is the speed.",
+        "The fall is not exact. With k1 = 0, the drag must be -k2 |v| v.",
         "p = Particle(acceleration=Vector3(0, -9.81, 0), mass=2); for 3 s: Drag(k1=0, "
         "k2=0.05).update_force(p, h) and p.integrate(h)",
     ):
@@ -231,8 +203,7 @@ def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
 @pytest.mark.exercise("B5.5", asks="the drag, -v^ (k1 |v| + k2 |v|^2)", read=READ)
 def test_coasting_is_more_accurate_with_shorter_steps() -> None:
     with calls(
-        "The speed differs too much from the exact one, so the drag is wrong. It must be -v (k1 + "
-        "k2 |v|), where |v| is the speed.",
+        "The speed is not exact. The drag must be -v (k1 + k2 |v|), where |v| is the speed.",
         "p = Particle(velocity=Vector3(20, 0, 0), mass=2); for 2 s: Drag(k1=0.3, "
         "k2=0.05).update_force(p, h) and p.integrate(h)",
     ):
@@ -246,17 +217,13 @@ def test_coasting_is_more_accurate_with_shorter_steps() -> None:
 
 @pytest.mark.exercise("B5.5", asks="the motion reverses in every step", read=READ)
 def test_linear_drag_in_steps_near_its_limits() -> None:
-    limited = (
-        "You limit the drag so that it cannot reverse the motion. Remove the limit, because only "
-        "the Airbrake has one."
-    )
+    limited = "You limit the drag. Remove the limit, because only the Airbrake has one."
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * 2.0 / 8.0
         for times, steps in (("once", 1), ("twice", 2), ("40 times", 40)):
             with calls(
-                "Your linear drag is wrong. A step of h seconds must multiply the velocity by 1 - "
-                "k1 h / m, even if this factor is negative.",
+                "A step must multiply the velocity by 1 - k1 h / m, even if this is negative.",
                 f"p = Particle(velocity=Vector3(3, 0, 0), mass=2); {times}: Drag(k1=8, "
                 f"k2=0).update_force(p, {h:g}) and p.integrate({h:g}); p.velocity.x",
             ):
@@ -275,11 +242,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     one, two, mass = positive_number(rng), positive_number(rng), positive_number(rng)
     speed = positive_number(rng, 1.0, 90.0)
     for k1, k2 in ((one, two), (one, 0.0), (0.0, two)):
-        cause = (
-            "A step of h seconds multiplies the velocity by 1 - (k1 + k2 |v|) h / m. This must be "
-            "0 at the first limit and -1 at the second."
-        )
-        with calls(cause):
+        with calls(RULE):
             got = drag_limits(k1=k1, k2=k2, mass=mass, speed=speed)
         rate = (k1 + k2 * speed) / mass
         first, second = wanted = 1.0 / rate, 2.0 / rate
@@ -287,16 +250,14 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "The mass is missing.": rate * mass,
             "You divide by the mass, but a heavier particle tolerates a longer step.":
                 rate * mass**2,
-            "You divide only k2 |v| by the mass. Write the sum in parentheses, as in (k1 + k2 |v|) "
-            "/ m.": k1 + k2 * speed / mass,
-            "You use the drag itself, k1 |v| + k2 |v|^2. Divide it by the speed |v|, which gives "
-            "k1 + k2 |v|.": rate * speed,
-            "You multiply k2 by the square of the speed. The force has |v|^2, but it is divided by "
-            "the speed |v| here, which leaves k1 + k2 |v|.": (k1 + k2 * speed**2) / mass,
+            "You divide only k2 |v| by the mass. Put parentheses around the sum.":
+                k1 + k2 * speed / mass,
+            "You use the drag itself, k1 |v| + k2 |v|^2. Divide it by the speed |v|.": rate * speed,
+            "You multiply k2 by |v|^2, but the drag is divided by |v| here.":
+                (k1 + k2 * speed**2) / mass,
             "You use k1 + k2, without the speed.": (k1 + k2) / mass,
             "You multiply both k1 and k2 by the speed |v|.": (k1 + k2) * speed / mass,
-            "You use k1 + 2 k2 |v|, the derivative of the drag. Use the drag divided by the speed "
-            "|v|, which is k1 + k2 |v|.": (k1 + 2.0 * k2 * speed) / mass,
+            "You use k1 + 2 k2 |v|, the derivative of the drag.": (k1 + 2.0 * k2 * speed) / mass,
         }  # fmt: skip
         slips = {name: (1.0 / wrong, 2.0 / wrong) for name, wrong in rates.items()} | {
             "You return the two limits in the wrong order.": (second, first),
@@ -307,19 +268,14 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "You return only the first limit. Return a tuple of both.": first,
             "Your second limit is the square of the first.": (first, first**2),
         }  # fmt: skip
-        cause = named(got, cause, slips)
+        cause = named(got, RULE, slips)
         if isinstance(got, (tuple, list)) and math.inf in got:
-            cause = (
-                "You return an infinite limit although there is drag. The first limit is m / (k1 + "
-                "k2 |v|), and the second one is twice as long."
-            )
+            cause = f"You return an infinite limit although there is drag. {RULE}"
         expect_close(got, wanted, cause=cause, unit="s")
     with calls("You treat a very small drag as 0. Compute the two limits as usual."):
         got = drag_limits(k1=1e-12, k2=0.0, mass=1.0, speed=1.0)
     expect_close(got, (1e12, 2e12), unit="s")
-    with calls(
-        "At a speed of 0, only k1 has an effect, so the limits must be m / k1 and 2 m / k1."
-    ):
+    with calls("At a speed of 0, only k1 has an effect. The limits must be m / k1 and 2 m / k1."):
         got = drag_limits(k1=one, k2=two, mass=mass, speed=0.0)
     expect_close(got, (mass / one, 2.0 * mass / one), unit="s")
 
@@ -327,9 +283,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
 @pytest.mark.exercise("B5.8", asks="Both are math.inf without drag", read=LIMITS)
 def test_without_drag_no_step_is_too_long() -> None:
     for k2, speed in ((0.0, 5.0), (0.5, 0.0)):
-        with calls(
-            "There is no drag here, so no time step is too long. Return math.inf for both limits."
-        ):
+        with calls("There is no drag, so no step is too long. Return math.inf for both limits."):
             got = drag_limits(k1=0.0, k2=k2, mass=2.0, speed=speed)
         expect_exactly([*got], [math.inf, math.inf])
     with calls("Here (k1 + k2 |v|) / m is 1 per second, so the limits must be 1 s and 2 s."):
@@ -341,23 +295,17 @@ def test_without_drag_no_step_is_too_long() -> None:
 def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
     k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
-    with calls(
-        "The limits are wrong. A step of h seconds multiplies the velocity v by 1 - (k1 + k2 |v|) "
-        "h / m, which must be 0 at the first limit and -1 at the second."
-    ):
+    with calls(RULE):
         first, second = drag_limits(k1=k1, k2=k2, mass=mass, speed=speed)
     for limit, share, wanted, cause in (
         (first, 0.98, "slower",
-         "Your first limit is too long. A step that is slightly shorter must slow the particle "
-         "down without reversing its motion."),
+         "Your first limit is too long. A shorter step must not reverse the motion."),
         (first, 1.02, "reversed and slower",
          "Your first limit is too short. A step that is slightly longer must reverse the motion."),
         (second, 0.98, "reversed and slower",
-         "Your second limit is wrong. After a step that is slightly shorter, the particle must "
-         "move backward, but slower than before."),
+         "Your second limit is wrong. A shorter step must reverse the motion and slow it down."),
         (second, 1.02, "reversed and faster",
-         "Your second limit is too short. After a step that is slightly longer, the particle must "
-         "move backward and faster than before."),
+         "Your second limit is too short. A longer step must reverse the motion and speed it up."),
     ):  # fmt: skip
         h = limit * share
         with calls(

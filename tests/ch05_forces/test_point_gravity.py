@@ -36,10 +36,8 @@ def pull_slips(force: Triple, mass: float, center: Triple, to_origin: Triple) ->
     return {
         "Your force pushes the particle away from the center.": -force,
         "You add an acceleration instead of a force. Multiply it by particle.mass.": force / mass,
-        "update_force added no force to the particle. Compute the force, and pass it to "
-        "particle.add_force.": ZERO,
-        "You divide by the mass. Multiply an acceleration by the mass to get a force.":
-            force / mass**2,
+        "update_force added nothing. Compute the force, and pass it to particle.add_force.": ZERO,
+        "You divide by the mass. Multiply by it instead.": force / mass**2,
         "Your force pulls the particle toward the point (0, 0, 0). Use self.center instead.":
             to_origin,
         "You use the position of the center as the direction. Subtract the particle's position "
@@ -54,22 +52,18 @@ def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
     center, way, mass, strength = draw_pull(rng)
     for distance in (0.1, 1.0, 25.0, 4000.0):
         place = center + way * distance
-        with calls(
-            "The force must point toward the center. Its size must be m times the strength at "
-            "every distance, so multiply a unit vector by it."
-        ):
+        with calls("The force must be m times the strength, along a unit vector to the center."):
             p = Particle(Vector3(*place), Vector3(5, 6, 7), mass=mass)
             PointGravity(center=Vector3(*center), strength=strength).update_force(p, 0.5)
         force = -mass * strength * way
         slips = {
-            "Your force grows with the distance, because the vector to the center was not "
-            "normalized.": force * distance,
+            "Your force grows, because the vector to the center was not normalized.":
+                force * distance,
             "Your force decreases with the distance.": force / distance,
             "Your force decreases with the square of the distance.": force / distance**2,
-        }
+        }  # fmt: skip
         slips |= pull_slips(force, mass, center, place / abs(place) * -abs(force))
-        # Two positions of 10 m, 0.1 m apart, keep 14 digits in their difference. The force is up
-        # to 900 N.
+        # The difference of two positions of 10 m, 0.1 m apart, keeps 14 digits; up to 900 N.
         then = "; p.force_accumulator"
         expect_close(p.force_accumulator, force, slips, then=then, unit="N", tolerance=1e-11)
         expect_kept("p.position", xyz(p.position), place)
@@ -87,39 +81,28 @@ def expect_full_strength(y: float, cause: str) -> None:
 @pytest.mark.exercise("5.3", asks="so it is zero there", read=POINT)
 def test_point_gravity_is_zero_only_at_the_center(rng: Random) -> None:
     center = vector(rng)
-    with calls(
-        "The particle is exactly at the center, and you divide by its distance, which is 0. Add no "
-        "force there."
-    ):
+    with calls("At the center, you divide by a distance of 0. Add no force exactly there."):
         p = Particle(Vector3(*center))
         PointGravity(center=Vector3(*center), strength=10.0).update_force(p, 0.5)
         got = p.force_accumulator
     expect_close(got, ZERO, unit="N")
-    expect_full_strength(
-        1e-9,
-        "You add no force very close to the center. The force must have its full strength "
-        "everywhere except exactly at the center.",
-    )
+    cause = "The force must have its full strength everywhere except exactly at the center."
+    expect_full_strength(1e-9, cause)
 
 
 @pytest.mark.exercise("5.3", asks="even very close to the center", read=POINT)
 @pytest.mark.robust
 def test_a_distance_whose_square_rounds_to_zero() -> None:
-    expect_full_strength(
-        1e-170,
-        "You use the square of the distance, which rounds to 0 here. Use magnitude(), because the "
-        "distance itself is not 0.",
-    )
+    cause = "The square of the distance rounds to 0 here. Use magnitude(), which does not."
+    expect_full_strength(1e-170, cause)
 
 
 @pytest.mark.exercise("5.3", asks="Skip an immovable particle", read=POINT)
 def test_point_gravity_skips_an_immovable_particle() -> None:
     for mass, force, cause in (
-        (math.inf, 0.0,
-         "The force on an immovable particle would be infinite. Add a force only if "
-         "has_finite_mass is True."),
+        (math.inf, 0.0, "The force would be infinite. Add it only if has_finite_mass is True."),
         (4.0, -40.0, SKIP),
-    ):  # fmt: skip
+    ):
         with calls(cause):
             p = Particle(Vector3(0, 2, 0), mass=mass)
             PointGravity(center=Vector3(), strength=10.0).update_force(p, 0.5)
@@ -128,22 +111,21 @@ def test_point_gravity_skips_an_immovable_particle() -> None:
 
 
 def expect_push(
-    rng: Random, kind: Any, made: str, name: str, *numbers: float, mass: float = 2.0
-) -> None:
+    rng: Random, kind: Any, made: str, *, x: float, push: float, new_x: float, pull: float,
+    **strength: float,
+) -> None:  # fmt: skip
     """Expect gravity to push if it is negative, and to use a new center and strength.
 
-    ``numbers`` are the strength and the distance of the particle along X, and the force along X
-    that follow, and then the new strength, the new x of the center, and the new force.
+    ``strength`` is the strength at first, and ``new`` the later one. ``x`` is where the particle
+    is, and ``push`` and ``pull`` are the two forces, all along X.
     """
-    earlier = vector(rng)
-    value, x, push, new_value, new_x, pull = numbers
+    (name, value), (_, new_value), earlier = *strength.items(), vector(rng)
     with calls(
-        f"If {name} is negative, the force must push the particle away from the center. It must be "
-        "added to the earlier forces.",
-        f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3{earlier}); gravity = "
+        f"If {name} is negative, add a force away from the center to the earlier forces.",
+        f"p = Particle(Vector3({x}, 0, 0), mass=2.0); p.add_force(Vector3{earlier}); gravity = "
         f"{made}(center=Vector3(), {name}={value}); gravity.update_force(p, 0.5)",
     ):
-        p, gravity = Particle(Vector3(x, 0, 0), mass=mass), kind(Vector3(), value)
+        p, gravity = Particle(Vector3(x, 0, 0), mass=2.0), kind(Vector3(), value)
         p.add_force(Vector3(*earlier))
         gravity.update_force(p, 0.5)
     along, then = Triple((push, 0.0, 0.0)), "; p.force_accumulator"
@@ -155,8 +137,7 @@ def expect_push(
     expect_kept("gravity.center", xyz(gravity.center), ZERO)
     expect_kept("p.position", xyz(p.position), (x, 0, 0))
     with calls(
-        f"You use the initial center or {name}, but both have changed since then. Read self.center "
-        f"and self.{name} in every call.",
+        f"Both have changed. Read self.center and self.{name} in every call.",
         f"gravity.center = Vector3({new_x}, 0, 0); gravity.{name} = {new_value}; p.clear_forces(); "
         "gravity.update_force(p, 0.5)",
         more=True,
@@ -170,7 +151,8 @@ def expect_push(
 
 @pytest.mark.exercise("5.3", asks="or away from it if it is negative", read=POINT)
 def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
-    expect_push(rng, PointGravity, "PointGravity", "strength", -5.0, 3.0, 10.0, 1.5, 7.0, 3.0)
+    numbers = {"strength": -5.0, "new": 1.5, "x": 3.0, "push": 10.0, "new_x": 7.0, "pull": 3.0}
+    expect_push(rng, PointGravity, "PointGravity", **numbers)
 
 
 @pytest.mark.exercise("5.4", asks="Add the force m mu / r^2 toward the center", read=INVERSE)
@@ -178,10 +160,7 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
     center, way, mass, mu = draw_pull(rng)
     for distance in (0.3, 1.0, 20.0, 4000.0, 1e6):
         place = center + way * distance
-        with calls(
-            "The force must point toward the center, and its size must be m mu / r^2, where r is "
-            "the distance from the center."
-        ):
+        with calls("The force must be m mu / r^2 toward the center, at a distance of r."):
             p = Particle(Vector3(*place), Vector3(5, 6, 7), mass=mass)
             InverseSquareGravity(center=Vector3(*center), mu=mu).update_force(p, 0.5)
         size = mass * mu / distance**2
@@ -190,15 +169,14 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
             "Your force is proportional to 1 / r instead of 1 / r^2. Either you multiply m mu / "
             "r^2 by the vector to the center without making it a unit vector first, or you divide "
             "by the distance r instead of r^2.": force * distance,
-            "Your force is proportional to 1 / r^3 instead of 1 / r^2. Multiply m mu / r^2 by a "
-            "unit vector.": force / distance,
+            "Your force is proportional to 1 / r^3. Multiply m mu / r^2 by a unit vector.":
+                force / distance,
             "Your force does not depend on the distance r. Python reads a / r * r as (a / r) * r, "
             "so put the product r * r in parentheses, or divide twice.": force * distance**2,
-            "Your force grows with the square of the distance r. Divide by r^2 instead of "
-            "multiplying.": force * distance**4,
-            "You compute the force from the position after the step. Use the current position of "
-            "the particle instead.": later / abs(later) ** 3 * (-mass * mu),
-        }
+            "Your force grows with r^2. Divide by r^2 instead of multiplying.": force * distance**4,
+            "You use the position after the step. Use the current one instead.":
+                later / abs(later) ** 3 * (-mass * mu),
+        }  # fmt: skip
         slips |= pull_slips(force, mass, center, place / abs(place) ** 3 * (-mass * mu))
         then = "; p.force_accumulator"
         # The difference of two positions of 10 m, 0.3 m apart, keeps 14 digits.
@@ -217,14 +195,8 @@ def test_a_force_that_is_not_finite_raises_an_error() -> None:
         (1e-160, 5.0, 2.0),
         (1e-5, 1e300, 1.0),
     ):
-        at_center = (
-            "The particle is exactly at the center, where the force has no direction. Raise "
-            "ArithmeticError."
-        )
-        near = (
-            "The force m mu / r^2 is too large for a float so close to the center. Raise "
-            "ArithmeticError before you add it."
-        )
+        at_center = "At the center, the force has no direction. Raise ArithmeticError."
+        near = "The force is too large for a float. Raise ArithmeticError before you add it."
         with calls(near if x else at_center):
             p, gravity = Particle(Vector3(x, 0, 0), mass=mass), InverseSquareGravity(Vector3(), mu)
             p.add_force(Vector3(1, 2, 3))
@@ -236,10 +208,7 @@ def test_a_force_that_is_not_finite_raises_an_error() -> None:
             allowed=lambda good=good, q=q: good.update_force(q, 0.5),
             then=then,
         )
-        late = (
-            "update_force raised the error only after it had added a force. Check that the force "
-            "is finite before you add it."
-        )
+        late = "You add a force before you raise the error. Check that it is finite first."
         then += "; p.force_accumulator"
         expect_close(p.force_accumulator, (1, 2, 3), then=then, unit="N", cause=late)
 
@@ -247,11 +216,9 @@ def test_a_force_that_is_not_finite_raises_an_error() -> None:
 @pytest.mark.exercise("5.4", weight=0.5, asks="it must be correct at any distance", read=INVERSE)
 @pytest.mark.robust
 def test_a_finite_force_is_correct_at_any_distance() -> None:
-    form = "Compute the force as (m / r) (mu / r)"
-    small = f"You raise an error, although the force is finite here. {form}, and raise the error "
-    small += "only if this is not finite."
-    large = f"You compute r^2, which is too large for a float at this distance. {form} instead of "
-    large += "m mu / r^2."
+    form = "Compute the force as (m / r) (mu / r)."
+    small = f"You raise an error, although the force is finite here. {form}"
+    large = f"You compute r^2, which is too large for a float at this distance. {form}"
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -263,7 +230,7 @@ def test_a_finite_force_is_correct_at_any_distance() -> None:
             p = Particle(Vector3(0, y, 0), mass=1.5)
             InverseSquareGravity(center=Vector3(), mu=mu).update_force(p, 0.5)
             got = p.force_accumulator
-        wrong = f"{form}, because a power of r may not fit in a float."
+        wrong = f"A power of r may not fit in a float. {form}"
         expect_close(got, (0.0, force, 0.0), unit="N", cause=wrong)
 
 
@@ -271,11 +238,9 @@ def test_a_finite_force_is_correct_at_any_distance() -> None:
 def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     for mass, y, force, cause in (
         (math.inf, 2.0, 0.0,
-         "The force on an immovable particle would be infinite, so don't add it. Return early if "
-         "has_finite_mass is False."),
+         "The force would be infinite. Return early if has_finite_mass is False."),
         (math.inf, 0.0, 0.0,
-         "You check the distance before the mass. Check has_finite_mass first, because an "
-         "immovable particle gets no force even at the center."),
+         "You check the distance before the mass. Check has_finite_mass first."),
         (4.0, 2.0, -10.0, SKIP),
     ):  # fmt: skip
         with calls(cause):
@@ -287,8 +252,8 @@ def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
 
 @pytest.mark.exercise("5.4", asks="or away from it if mu is negative", read=INVERSE)
 def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
-    name = "InverseSquareGravity"
-    expect_push(rng, InverseSquareGravity, name, "mu", -6.0, 2.0, 3.0, 4.0, 6.0, 0.5)
+    numbers = {"mu": -6.0, "new": 4.0, "x": 2.0, "push": 3.0, "new_x": 6.0, "pull": 0.5}
+    expect_push(rng, InverseSquareGravity, "InverseSquareGravity", **numbers)
 
 
 def orbit(cause: str, mass: float, center: Triple, duration: float, steps: int) -> Triple:
@@ -308,8 +273,7 @@ def orbit(cause: str, mass: float, center: Triple, duration: float, steps: int) 
 @pytest.mark.exercise("5.4", asks="Gravity that falls with 1 / r^2, as for orbits", read=INVERSE)
 def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
     mass, center = round(rng.uniform(2.0, 9.0), 3), vector(rng)
-    cause = "The particle leaves its exact orbit, so the force is wrong. It must be m mu / r^2 "
-    cause += "toward the center at every distance r."
+    cause = "The particle leaves its exact orbit. The force must be m mu / r^2 at every distance."
     exact = (-0.62894818, 0.79966473, 0.0)
     long, short = (abs(orbit(cause, mass, center, 1.0, n) - exact) for n in (1000, 2000))
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
@@ -321,8 +285,7 @@ def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
 
 @pytest.mark.exercise("5.4", asks="almost no other orbit closes", read=INVERSE)
 def test_the_orbit_closes() -> None:
-    cause = "The orbit does not end where it started, so the force is wrong. It must be m mu / r^2 "
-    cause += "at every distance r."
+    cause = "The orbit must end where it started. The force must be m mu / r^2 at every distance."
     long, short = (orbit(cause, 1.0, ZERO, 2.0 * math.pi, n) for n in (10_000, 20_000))
     # 1.973 for explicit Euler: 2, and a term of the order of h.
     ratio = abs(long - NEAREST) / abs(short - NEAREST)

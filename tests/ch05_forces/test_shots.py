@@ -12,18 +12,11 @@ from calls import calls
 from ch02_vectors.vector import Vector3
 from ch05_forces.sniper import SniperRange, hit_on_the_way, ring_points
 from draw import Components, Triple
-from expect import (
-    about,
-    expect_close,
-    expect_exactly,
-    expect_that,
-    expect_unchanged,
-    is_plain,
-    named,
-    xyz,
-)
+from expect import about, expect_close, expect_exactly, expect_that, is_plain, named, xyz
+from unmoved import expect_kept
 
 SHOOT = "the docstring of shoot"
+RING = "the docstring of ring_points"
 WAY = "the docstring of hit_on_the_way"
 EARLY = "This call fires no bullet, so return False before you reduce shots_left."
 # The targets of sniper.py, by their distance: x, y, distance and factor.
@@ -46,24 +39,15 @@ def aimed(azimuth: float, elevation: float) -> Triple:
     return 120.0 * Triple((math.cos(elevation) * x, math.sin(elevation), math.cos(elevation) * z))
 
 
-@pytest.mark.exercise(
-    "P4.2b",
-    asks="The smallest ring in RINGS that contains (x, y)",
-    read="the docstring of ring_points",
-)
+@pytest.mark.exercise("P4.2b", asks="The smallest ring in RINGS that contains (x, y)", read=RING)
 def test_only_the_smallest_ring_counts(rng: Random) -> None:
     only = (
         "Only the smallest ring around the hole counts. A hole scores 10 points up to 0.1 m from "
         "the center, 5 up to 0.25 m, 2 up to 0.5 m, and 0 beyond."
     )
-    edge = (
-        "You treat a hole exactly on the edge of a ring as outside. Compare with <= instead of <."
-    )
+    edge = "A hole exactly on the edge of a ring belongs to it. Compare with <= instead of <."
     use = "Compare the true distance, math.hypot(x, y), with the radii."
-    early = (
-        "You return 0 as soon as the hole lies outside the smallest ring. Check the larger rings "
-        "first, and return 0 after the loop."
-    )
+    early = "You return 0 before you check the larger rings. Only return 0 after the loop."
     add = "You add up the points of all rings around the hole. Count only the smallest ring."
     largest = "You return the points of the largest ring. Check the smallest ring first."
     turn = rng.uniform(0.1, 1.4)
@@ -80,10 +64,8 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
           f"You add x and y. {use}": 10, early: 0}),
         (0.0, 0.3, 2, only, {f"You compare only x with the radii of the rings. {use}": 10}),
         (0.3, 0.0, 2, only, {f"You compare only y with the radii of the rings. {use}": 10}),
-        (0.08, -0.08, 5, only,
-         {f"You treat this hole as if it were inside the 0.1 m ring. {use}": 10}),
-        (0.2, 0.2, 2, only,
-         {f"You use the larger of |x| and |y|, which makes the rings square. {use}": 5}),
+        (0.08, -0.08, 5, only, {f"This hole is not inside the 0.1 m ring. {use}": 10}),
+        (0.2, 0.2, 2, only, {f"You use the larger of |x| and |y|. {use}": 5}),
         *around,
         (0.1, 0.0, 10, edge, {}), (0.0, -0.25, 5, edge, {}),
         (-0.5, 0.0, 2, edge, {}), (0.3, 0.4, 2, edge, {}),
@@ -102,16 +84,10 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
 def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     a, e = draw_angles(rng)
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
-        with calls(
-            "shoot must fire a bullet here. MUZZLE and GRAVITY are tuples, so make vectors of "
-            "them, as in Vector3(*MUZZLE)."
-        ):
+        with calls("MUZZLE and GRAVITY are tuples. Make vectors of them, as in Vector3(*MUZZLE)."):
             game = SniperRange(1)
             fired = game.shoot(azimuth=azimuth, elevation=elevation)
-        cause = (
-            "There are shots left, and no bullet is in flight. shoot must therefore fire a bullet, "
-            "store it in self.bullet, and return True."
-        )
+        cause = "shoot must fire a bullet here, store it in self.bullet, and return True."
         expect_exactly(fired, True, cause=cause)
         expect_exactly(game.bullet is None, False, then="; game.bullet is None", cause=cause)
         bullet: Any = game.bullet
@@ -124,14 +100,13 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
             "You swapped the sine and the cosine of the azimuth.": (z, y, x),
             "Your bullet is too fast, because its horizontal part is the whole speed.":
                 (120.0 * math.sin(azimuth), y, 120.0 * math.cos(azimuth)),
-            "You converted the angles from degrees to radians. They are already in radians, so "
-            "use them unchanged.": aimed(math.radians(azimuth), math.radians(elevation)),
+            "You converted the angles from degrees, but they are already in radians.":
+                aimed(math.radians(azimuth), math.radians(elevation)),
         }  # fmt: skip
         expect_close(
             bullet.velocity, wanted, slips, then="; game.bullet.velocity", unit="m/s",
-            cause="The vertical part of the velocity must be speed x sin(elevation). Its "
-            "horizontal part must be speed x cos(elevation), rotated from Z toward X by the "
-            "azimuth.",
+            cause="The vertical part must be speed x sin(elevation), and the horizontal part speed "
+            "x cos(elevation), rotated from Z toward X by the azimuth.",
         )  # fmt: skip
         for name, got, right, unit, cause in (
             ("position", bullet.position, (0, 1.5, 0), "m",
@@ -150,10 +125,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
 
 @pytest.mark.exercise("P4.2b", asks="the wind acts on it through self.forces", read=SHOOT)
 def test_the_wind_acts_on_the_bullet() -> None:
-    with calls(
-        "The wind must act on the bullet exactly once. In shoot, call self.forces.add once, with "
-        "the new bullet first and the wind second."
-    ):
+    with calls("Call self.forces.add exactly once in shoot: first the bullet, then the wind."):
         game = SniperRange(1)
         game.wind.velocity = Vector3(4, 0, 20)
         game.shoot(0.0, 0.0)
@@ -173,10 +145,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
 )
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     a, e = draw_angles(rng)
-    cause = (
-        "Your bullet must move by its velocity times the duration of the step. Integrate it "
-        "exactly once per step in update, and never in shoot."
-    )
+    cause = "Integrate the bullet exactly once per step in update, and never in shoot."
     with calls(cause):
         game = SniperRange(1)
         game.shoot(a, e)
@@ -184,14 +153,11 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     x, y, _ = place = xyz(game.bullet.position)
     wanted = aimed(a, e)[0] / 60.0, 1.5 + aimed(a, e)[1] / 60.0
     if y > wanted[1]:
-        cause = f"Your bullet moves too far, as if integrate were called twice. {cause}"
+        cause = f"Your bullet moves too far. {cause}"
     then, way = "; x and y of game.bullet.position, in m", "the docstring of update"
     slips = {"Your update doesn't move the bullet.": (0.0, 1.5)}
     expect_close((x, y), wanted, slips, then=then, cause=cause, read=way, tolerance=1e-12)
-    with calls(
-        "You fire a second bullet while the first one is in flight. Return False instead.",
-        more=True,
-    ):
+    with calls("A bullet is in flight, so fire no other one. Return False instead.", more=True):
         fired = game.shoot(0.0, 0.0)
     expect_exactly(fired, False)
     expect_exactly(game.shots_left, 9, then="; game.shots_left", cause=EARLY)
@@ -205,9 +171,7 @@ def test_without_shots_left_none_is_fired() -> None:
         game.shots_left = 1
         fired = game.shoot(0.0, 0.0)
     expect_exactly(fired, True)
-    with calls(
-        "You fire a bullet although no shots are left. Return False if shots_left is 0.", more=True
-    ):
+    with calls("No shots are left, so fire no bullet. Return False if shots_left is 0.", more=True):
         game.bullet = None
         fired = game.shoot(0.0, 0.0)
     expect_exactly(fired, False)
@@ -232,9 +196,8 @@ def expect_hole(
     with calls(cause):
         start, end = Vector3(*path[0]), Vector3(*path[1])
         hole = hit_on_the_way(start, end)
-    for name, now, before in (("start", start, path[0]), ("end", end, path[1])):
-        kept = f"You change {name}. Calculate with its components instead, or work on a copy."
-        expect_unchanged(name, now, before, cause=kept)
+    expect_kept("start", xyz(start), path[0])
+    expect_kept("end", xyz(end), path[1])
     expect_that(wanted is not None or hole is None, "a hole", "no hole (None)")
     if wanted is None:
         return
@@ -249,14 +212,14 @@ def expect_hole(
     expect_close(target, TARGETS[distance], then=then, tolerance=1e-12, cause=wrong or cause)
     if wrong:
         cause = (
-            "Your hole is wrong. Find the point where the path crosses the target's plane, and "
-            "measure x and y from the target's center. Get the points from ring_points."
+            "Measure x and y from the target's center to where the path crosses its plane. Get the "
+            "points from ring_points."
         )
     slips = {
-        "Your points are those of the ring alone. Multiply them by the target's factor, which is "
-        f"{factor} here.": (x, y, points / factor),
-        "Your x and y have the wrong sign. Subtract the target's center from the point where the "
-        "path crosses its plane, not the other way around.": (-x, -y, points),
+        "Your points are those of the ring alone. Multiply them by the target's factor.":
+            (x, y, points / factor),
+        "Your x and y have the wrong sign. Subtract the target's center from them.":
+            (-x, -y, points),
         "Your x and y are the position of the hole in the world. Subtract the target's center.":
             (x + middle, y + height, points),
     }  # fmt: skip
@@ -267,30 +230,25 @@ def expect_hole(
 
 @pytest.mark.exercise("P4.2b", asks="If the crossing point lies inside a ring", read=WAY)
 def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
+    none = (
+        "The path goes through a target, but you find no hole. Find x and y where it crosses the "
+        "target's plane, and subtract the target's center before you call ring_points."
+    )
+    nearest = "You check only the nearest target. Check every target along the path."
+    quarter = (
+        "You use x and y at the wrong point. The path crosses the target's plane a quarter of the "
+        "way from start to end, so interpolate x and y there."
+    )
     away, along = round(rng.uniform(0.02, 0.06), 3), Triple((0.0, 0.0, 1.0))
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             place = Triple((middle + x, height + y, distance))
-            expect_hole(
-                (place - along, place + along),
-                (distance, x, y, 10 * factor),
-                "You check only the nearest target. Check every target along the path."
-                if distance > 50.0
-                else "The path goes through a target, but you find no hole. Find x and y where it "
-                "crosses the target's plane, and subtract the target's center before you call "
-                "ring_points.",
-                wrong="Your target is wrong. Return the one whose plane the path crosses.",
-            )
-    for path, hole in (
-        (((0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)), (100.0, 0.0, 0.0, 20)),
-        (((0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)), (100.0, 0.0, 0.3, 4)),
-    ):
-        expect_hole(
-            path,
-            hole,
-            "You use x and y at the wrong point. The path crosses the target's plane a quarter of "
-            "the way from start to end, so interpolate x and y there.",
-        )
+            path, hole = (place - along, place + along), (distance, x, y, 10 * factor)
+            wrong = "Your target is wrong. Return the one whose plane the path crosses."
+            expect_hole(path, hole, none if distance == 50.0 else nearest, wrong=wrong)
+    for y, points in ((0.0, 20), (0.3, 4)):
+        path = (0.5, 0.5 + y, 99.0), (-3.5, 4.5 + y, 103.0)
+        expect_hole(path, (100.0, 0.0, y, points), quarter)
 
 
 @pytest.mark.exercise("P4.2b", asks="if start.z < distance <= end.z", read=WAY)
@@ -298,28 +256,22 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
     middle = (-1.5, 1.5)
     for path, hole, cause in (
         (((-2.1, 1.5, 49.0), (-2.1, 1.5, 51.0)), None,
-         "You count a path that passes outside the target's largest ring as a hit. Return None if "
-         "ring_points returns 0."),
+         "The path passes outside the largest ring. Return None if ring_points returns 0."),
         (((*middle, 40.0), (*middle, 49.9)), None,
          "The path ends before it reaches the target, so there is no hole. Return None."),
         (((*middle, 50.1), (*middle, 60.0)), None,
-         "The path starts behind the target, so it does not cross the target's plane. Return "
-         "None."),
+         "The path starts behind the target, so it makes no hole. Return None."),
         (((*middle, 51.0), (*middle, 49.0)), None,
-         "The path crosses the target's plane from behind, which does not count as a hit. Return "
-         "None."),
+         "The path crosses the plane from behind, which makes no hole. Return None."),
         (((*middle, 50.0), (*middle, 50.0)), None,
-         "The path has no length, so end.z - start.z is 0. Check that start.z < distance before "
-         "you divide by end.z - start.z."),
+         "You divide by end.z - start.z, which is 0. Check that start.z < distance first."),
         (((3.5, 1.5, 49.0), (*middle, 51.0)), None,
-         "The path crosses the target's plane at x = 1, outside the target. Use x and y at the "
-         "plane, not at the end of the path, where x is -1.5."),
+         "The path crosses the target's plane outside the target. Use x and y at the plane, not "
+         "at the end of the path."),
         (((*middle, 50.0), (*middle, 52.0)), None,
-         "The path starts exactly on the target's plane, and the previous step has already "
-         "checked this point. Count a target only if start.z < distance."),
+         "The previous step has checked the start. Count a target only if start.z < distance."),
         (((*middle, 48.0), (*middle, 50.0)), (50.0, 0.0, 0.0, 10),
-         "The path ends exactly on the target's plane, which also counts as a hit. Use the "
-         "condition start.z < distance <= end.z."),
+         "The end of the path counts as a hit. Use start.z < distance <= end.z."),
     ):  # fmt: skip
         expect_hole(path, hole, cause)
 
@@ -328,10 +280,7 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
 def test_a_long_path_hits_the_first_target_on_it() -> None:
     first = "The path hits two targets. Return the hole in the nearer one, which stops the bullet."
     expect_hole(((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0)), (50.0, 0.0, 0.0, 10), first, wrong=first)
-    for x, end, hole in ((-0.5, 125.0, (100.0, 0.0, 0.0, 20)), (2.0, 175.0, (150.0, 0.0, 0.0, 30))):
-        expect_hole(
-            ((x, 1.5, 25.0), (x, 1.5, end)),
-            hole,
-            "You stop at the first target, which the path misses. Continue with the next target "
-            "after a miss.",
-        )
+    miss = "The path misses the first target. Continue with the next one after a miss."
+    for x, distance, points in ((-0.5, 100.0, 20), (2.0, 150.0, 30)):
+        path = (x, 1.5, 25.0), (x, 1.5, distance + 25.0)
+        expect_hole(path, (distance, 0.0, 0.0, points), miss)

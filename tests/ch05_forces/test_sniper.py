@@ -16,8 +16,9 @@ from ch05_forces.sniper import SniperRange
 from draw import Components, Triple
 from expect import about, expect_close, expect_exactly, expect_that, expect_unchanged, named, xyz
 
-UPDATE = "the docstring of update"
+READ = "the docstring of update"
 STEP = 1.0 / 60.0
+BEYOND = "Your bullet flies on beyond the range. End the shot as soon as z > END_OF_RANGE."
 UNTIL = "game.update(1/60) until game.bullet is None"
 NEAR, FAR, MISS = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103), (0.1, -0.1)
 
@@ -32,19 +33,15 @@ def fallen(steps: float) -> float:
     return before + (after - before) * (steps - n)
 
 
-def fired(
-    cause: str, azimuth: float, elevation: float, wind: Components | None = None
-) -> dict[str, Any]:
+def fired(cause: str, aim: tuple[float, float], wind: Components | None = None) -> dict[str, Any]:
     """Fire a shot without drag, and return what ``play`` reports."""
     start = f"game.wind.velocity = Vector3{wind}; " if wind else ""
-    aim = f"{start}game.shoot(azimuth={azimuth:.6g}, elevation={elevation:.6g})"
-    with calls(cause, f"game = SniperRange(1), without drag; {aim}; {UNTIL}"):
-        return play([(azimuth, elevation)], STEP, wind=wind)
+    shot = "{}game.shoot(azimuth={:.6g}, elevation={:.6g})".format(start, *aim)
+    with calls(cause, f"game = SniperRange(1), without drag; {shot}; {UNTIL}"):
+        return play([aim], STEP, wind=wind)
 
 
-@pytest.mark.exercise(
-    "P4.2b", asks="add the hole to holes and its points to the score", read=UPDATE
-)
+@pytest.mark.exercise("P4.2b", asks="add the hole to holes and its points to the score", read=READ)
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
@@ -55,8 +52,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
             "The bullet flies through a target, but you find no hit. Perhaps start and end are the "
             "same point. Copy the position before you call integrate, which changes it in place. "
             "Call hit_on_the_way after that, with this copy as start, and the new position as end.",
-            azimuth,
-            elevation,
+            (azimuth, elevation),
         )
         holes, score = came["holes"], came["score"]
         if holes:
@@ -66,31 +62,23 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_exactly(len(holes), 1, then="; number of holes in game.holes")
         expect_exactly(
             len(came["positions"]), math.floor(steps), then="; number of steps before the hit",
-            cause="Your bullet flies on after it has hit a target. A hit ends the shot, so set "
-            "self.bullet to None.",
+            cause="A hit ends the shot, so set self.bullet to None after a hit.",
         )  # fmt: skip
         # A hundred roundings of positions up to 150 m.
         expect_close(
             holes[0], (distance, 0.0, y, points), tolerance=1e-10,
             then="; distance of the target, then x, y and points of the hole",
-            cause="The hole is wrong. Append the hole that hit_on_the_way returns for the path of "
-            "this step.",
+            cause="Append the hole that hit_on_the_way returns for the path of this step.",
         )  # fmt: skip
-        cause = (
-            "Your score is not the points of the hole, hole.points. They already contain the "
-            "target's factor, so add them unchanged."
-        )
+        cause = "Add hole.points unchanged, because they contain the target's factor."
         counts = "You count the hits instead of their points. Add hole.points to the score."
         cause = named(score, cause, {counts: 1})
         expect_exactly(score, points, then="; game.score", cause=cause)
 
 
-@pytest.mark.exercise("P4.2b", asks="update the forces, move the bullet", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="update the forces, move the bullet", read=READ)
 def test_the_wind_carries_the_bullet_away() -> None:
-    once = (
-        "The drag on your bullet is wrong. Call update_forces exactly once in each step, before "
-        "you integrate the bullet."
-    )
+    once = "Call update_forces exactly once in each step, before you integrate the bullet."
     with calls(
         once,
         "two ranges, one with a wind of 10 m/s along X and one without wind; on each, "
@@ -101,10 +89,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
         )
     steps, cause = (len(blown), len(still)), once
     if min(steps) > 109:
-        cause = (
-            "Your bullet flies on beyond the end of the range. End the shot as soon as its z is "
-            "larger than END_OF_RANGE, which is 210 m."
-        )
+        cause = BEYOND
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
     none = "Your bullet flies as if there were no drag. Call update_forces in each step."
     cause = named(steps, cause, {none: (105, 105)})
@@ -115,14 +100,8 @@ def test_the_wind_carries_the_bullet_away() -> None:
     x, before = (10.0 * STEP * (n - (1.0 - keep**n) / (1.0 - keep)) for n in (109, 108))
     got, cause = (blown[-1][0], still[-1][0]), once
     if got[1] != 0.0:
-        cause = (
-            "Without wind, x must stay 0, but your bullet drifts sideways. Call change_wind only "
-            "after the shot has ended."
-        )
-    late = (
-        "You call update_forces after integrate, so every force acts one step too late. Call it "
-        "before integrate."
-    )
+        cause = "Without wind, x must stay 0. Call change_wind only after the shot."
+    late = "Your forces act one step too late. Call update_forces before integrate."
     then = "; the bullet's x after its last step in flight, with wind and without wind, in m"
     expect_close(got, (x, 0.0), {late: (before, 0.0)}, then=then, tolerance=1e-10, cause=cause)
     z = 120.0 * math.cos(0.02) * STEP * (1.0 - keep**109) / (1.0 - keep)
@@ -130,13 +109,10 @@ def test_the_wind_carries_the_bullet_away() -> None:
     expect_close(blown[-1][2], z, then=then, tolerance=1e-9)
 
 
-@pytest.mark.exercise("P4.2b", asks="Advance the bullet by duration s", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="Advance the bullet by duration s", read=READ)
 def test_a_step_takes_the_given_duration(rng: Random) -> None:
     h = round(rng.uniform(0.1, 0.3), 3)
-    with calls(
-        "The step must last as long as the duration that is passed to update. Pass it on to "
-        "update_forces and integrate."
-    ):
+    with calls("Pass the duration of update on to update_forces and integrate."):
         game = SniperRange(1)
         game.wind.k1, game.wind.k2, game.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
         game.shoot(0.0, 0.1)
@@ -147,10 +123,7 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
     slips = {f"Your bullet moves for 1/60 s, but this step takes {h} s.": start + v * STEP}
     expect_close(bullet.position, start + v * h, slips, then="; bullet.position", unit="m")
     gained = Triple((0.25 * 5.0, -2.0, 0.0))
-    only = (
-        "Only the wind acts on your bullet, not the Drag that was registered for it. Call "
-        "self.forces.update_forces, which applies every registered force."
-    )
+    only = "Only the wind acts on your bullet. Apply all forces with self.forces.update_forces."
     slips, wanted = {only: v + (gained - 0.25 * v) * h}, v + (gained - 0.75 * v) * h
     expect_close(bullet.velocity, wanted, slips, then="; bullet.velocity", unit="m/s")
 
@@ -169,125 +142,86 @@ def thrown(cause: str, position: Components, velocity: Components) -> tuple[Any,
     return game, bullet
 
 
-@pytest.mark.exercise("P4.2b", asks="or beyond END_OF_RANGE in z", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="or beyond END_OF_RANGE in z", read=READ)
 def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
-    game, bullet = thrown(
-        "This step must move the bullet to y = 0 and z = 210, where the shot is not over yet. End "
-        "the shot only if y < 0 or z > 210.",
-        (20.0, 1.0, 178.0),
-        (0.0, -2.0, 64.0),
-    )
+    cause = "At y = 0 and z = 210, the shot is not over yet. End it only if y < 0 or z > 210."
+    game, bullet = thrown(cause, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     ended = "the shot has ended (game.bullet is None)"
     expect_that(game.bullet is not None, ended, "the bullet is still in flight")
     moves = "The bullet must move by its velocity times the duration. Integrate it once per step."
     then = "; game.bullet.position"
     expect_close(bullet.position, (20, 0, 210), then=then, unit="m", cause=moves)
-    game, _ = thrown(
-        "In this step, the bullet hits the target at 200 m and leaves the range. Check for a hit "
-        "before you check for the end of the range.",
-        (5.0, 1.5, 190.0),
-        (0.0, 0.0, 60.0),
-    )
+    cause = "The bullet hits a target and leaves the range in one step. Check for a hit first."
+    game, _ = thrown(cause, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     expect_exactly(len(game.holes), 1, then="; number of holes in game.holes")
 
 
-@pytest.mark.exercise("P4.2b", asks="when the bullet is below the ground", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="when the bullet is below the ground", read=READ)
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     for azimuth, elevation, cause in (
-        (*MISS,
-         "Your bullet flies on below the ground. The shot has landed as soon as y < 0, so set "
-         "self.bullet to None then."),
-        (0.15, 0.19,
-         "Your bullet flies on beyond the end of the range. End the shot as soon as its z is "
-         "larger than END_OF_RANGE, which is 210 m."),
-    ):  # fmt: skip
+        (*MISS, "Your bullet flies on below the ground. End the shot as soon as y < 0."),
+        (0.15, 0.19, BEYOND),
+    ):
         along = 120.0 * math.cos(elevation) * math.cos(azimuth) * STEP
         rises = 120.0 * math.sin(elevation) * STEP
         n = 0
         while 1.5 + rises * (n + 1) >= fallen(n + 1) and along * (n + 1) <= 210.0:
             n += 1
-        came = fired(cause, azimuth, elevation)
+        came = fired(cause, (azimuth, elevation))
         expect_exactly(len(came["positions"]), n, then="; number of steps in flight")
         expect_exactly(
             (len(came["holes"]), came["score"], came["shots_left"]), (0, 0, 9),
             then="; number of holes, score and shots left",
-            cause="This shot misses all targets, so it must not create a hole or score points. It "
-            "must only reduce shots_left by 1.",
+            cause="This shot misses all targets, so it must only reduce shots_left by 1.",
         )  # fmt: skip
 
 
-@pytest.mark.exercise("P4.2b", asks="set bullet to None, and change the wind", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="set bullet to None, and change the wind", read=READ)
 def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     wind = (3.0, 0.0, -4.0)
     ((_, second),) = winds([1], 1)
     for aim, what in ((MISS, "misses"), (NEAR, "hits")):
-        came = fired(
-            "The wind must stay the same while the bullet is in flight. Call change_wind only "
-            "after the shot has landed.",
-            *aim,
-            wind,
-        )
+        early = "The wind changes in flight. Call change_wind only after the shot has landed."
+        came = fired(early, aim, wind)
         *during, last = map(tuple, came["winds"])
         then = "; the different velocities of the wind during the flight, in m/s"
         expect_exactly([*dict.fromkeys(during)], [wind], then=then)
-        cause = (
-            "You change the wind more than once after a shot. Call change_wind exactly once when a "
-            "shot ends."
-        )
+        cause = "You change the wind more than once. Call change_wind once when a shot ends."
         if last == wind:
-            cause = (
-                f"You don't change the wind after this shot, which {what}. Call change_wind after "
-                "every shot, whether it hits or misses."
-            )
+            cause = f"You don't change the wind after a shot that {what}. Call change_wind then."
         then = "; game.wind.velocity after the shot, in m/s"
         expect_exactly(last, tuple(second), then=then, cause=cause)
 
 
-@pytest.mark.exercise("P4.2b", asks="If no bullet is in flight, do nothing", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="If no bullet is in flight, do nothing", read=READ)
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     with calls(
-        "After the shot has landed, self.bullet is None. Return at the start of update if no "
-        "bullet is in flight.",
-        "game = SniperRange(1); game.shoot(0.1, -0.1); bullet = game.bullet; game.update(1/60) 20 "
-        "times",
+        "Return at the start of update if no bullet is in flight (self.bullet is None).",
+        "game = SniperRange(1); game.shoot(0.1, -0.1); bullet = game.bullet; "
+        "game.update(1/60) 20 times",
     ):
         game = SniperRange(1)
         game.shoot(*MISS)
         bullet = game.bullet
         for _ in range(20):
             game.update(STEP)
-    expect_exactly(
-        game.bullet is None, True, then="; game.bullet is None",
-        cause="After 8 steps the bullet is below the ground, so the shot has landed. Set "
-        "self.bullet to None when a shot lands.",
-    )  # fmt: skip
-    with calls(
-        "The wind still acts on a bullet that has landed. Clear the registered forces when the "
-        "shot ends.",
-        more=True,
-    ):
+    cause = "The bullet is below the ground. Set self.bullet to None when a shot lands."
+    expect_exactly(game.bullet is None, True, then="; game.bullet is None", cause=cause)
+    with calls("The wind still acts on the bullet. Clear the forces after the shot.", more=True):
         game.forces.update_forces(0.5)
         got = bullet.force_accumulator
     expect_close(got, (0, 0, 0), unit="N")
     place, wind = xyz(bullet.position), xyz(game.wind.velocity)
-    with calls("If self.bullet is None, return at the start of update.", more=True):
+    with calls("Return at the start of update if self.bullet is None.", more=True):
         game.update(STEP)
-    cause = "{} must not change. If self.bullet is None, return at the start of update."
-    for name, now, before in (
-        ("bullet.position", bullet.position, place),
-        ("game.wind.velocity", game.wind.velocity, wind),
-    ):
-        expect_unchanged(name, now, before, cause=cause.format(f"After the landing, {name}"))
-    with calls(
-        "The last shot has landed, so the next one can be fired. Set self.bullet to None when a "
-        "shot lands.",
-        more=True,
-    ):
+    expect_unchanged("bullet.position", bullet.position, place)
+    expect_unchanged("game.wind.velocity", game.wind.velocity, wind)
+    with calls("The next shot can be fired. Set self.bullet to None after a landing.", more=True):
         again = game.shoot(0.0, 0.0)
     expect_exactly(again, True)
 
 
-@pytest.mark.exercise("P4.2b", asks="in which the player has SHOTS shots", read=UPDATE)
+@pytest.mark.exercise("P4.2b", asks="in which the player has SHOTS shots", read=READ)
 def test_a_whole_round_is_ten_shots() -> None:
     with calls(
         "A round has only ten shots, so the last two of these twelve must not be fired.",

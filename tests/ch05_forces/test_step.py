@@ -1,7 +1,8 @@
-"""The step with forces, build task B5.2."""
+"""The step with forces, and the last acceleration, build task B5.2."""
 
 from __future__ import annotations
 
+import math
 from random import Random
 
 import pytest
@@ -15,6 +16,8 @@ from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 KICK = "the docstring of kick"
+E_16 = f"{KICK}, E-16 of errata.md"
+LAST = "the docstring of last_acceleration"
 # Numbers up to 100, and a handful of roundings of each.
 ROUNDED = 1e-12
 
@@ -32,17 +35,11 @@ def draw_mass(rng: Random) -> float:
 @pytest.mark.exercise("B5.2", asks="they add the acceleration f/m", read="book 5.1")
 def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = vector(rng), vector(rng), draw_mass(rng), draw_duration(rng)
-    with calls(
-        "A force f divided by the mass m is an acceleration (Eq. 3.2). After a step of h seconds, "
-        "the new velocity must therefore be v + (f / m) h."
-    ):
+    with calls("A force f is an acceleration f / m (Eq. 3.2), so it adds (f / m) h to v."):
         p = Particle(velocity=Vector3(*v), mass=mass)
         p.add_force(Vector3(*f))
         p.integrate(h)
-    unused = (
-        "kick clears the sum of the forces before using it. First move the sum to "
-        "self._last_force, where last_acceleration reads it."
-    )
+    unused = "kick clears the sum before using it. First move it to self._last_force."
     q = Particle(acceleration=Vector3(1, 2, 3))
     q.add_force(Vector3(0, 0, 0))
     q.integrate(h)
@@ -53,22 +50,18 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
             "is true for an immovable particle, `if inverse_mass` for the rest."
         )
     elif xyz(p.force_accumulator) != ZERO:
-        unused = (
-            "Your kick ignores the force, so the velocity does not change. Use the acceleration "
-            "a + f / m, where f is the sum of the forces."
-        )
+        unused = "Your kick ignores the force. Use the acceleration a + f / m."
     slips = {
         unused: v,
         "Your new velocity is v + f h, without the mass.": v + f * h,
-        "Your new velocity is v + f m h. Divide the force f by the mass m instead of multiplying, "
-        "because a heavier particle is harder to accelerate.": v + f * mass * h,
+        "Your new velocity is v + f m h. Divide the force f by the mass m instead of multiplying.":
+            v + f * mass * h,
         "Your new velocity is v + f / m, without the duration h of the step.": v + f / mass,
-    }
+    }  # fmt: skip
     after = v + f / mass * h
     expect_close(xyz(p.velocity), after, slips, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
     slips = {
-        "The position moved with the new velocity. It must move with the old one, so drift before "
-        "you kick.": after * h,
+        "The position moved with the new velocity. Drift before you kick.": after * h,
         "The position moved twice, in drift and again in kick.": (v + after) * h,
         "Your position contains an extra term (f / m) h^2 / 2, which the book's step leaves out.":
             (v + after) / 2.0 * h,
@@ -85,10 +78,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
 def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) -> None:
     v, a, f, g = vector(rng), vector(rng), vector(rng), vector(rng)
     mass, h = draw_mass(rng), draw_duration(rng)
-    with calls(
-        "The acceleration of the step must be a + f / m. Here a is the particle's constant "
-        "acceleration, f the sum of all forces and m the mass."
-    ):
+    with calls("The acceleration must be a + f / m, where f is the sum of all forces."):
         p = Particle(velocity=Vector3(*v), acceleration=Vector3(*a), mass=mass)
         p.add_force(Vector3(*f))
         p.add_force(Vector3(*g))
@@ -103,25 +93,16 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     }  # fmt: skip
     wanted = v + (a + pushed) * h
     expect_close(xyz(p.velocity), wanted, slips, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
-    slip = "You store a + f / m in p.acceleration, but forces must not change it."
-    cause = (
-        "The step changed p.acceleration, which must stay constant. Forces act for one step only, "
-        "so don't store their effect in it."
-    )
-    now = xyz(p.acceleration)
-    expect_unchanged("p.acceleration", now, a, cause=named(now, cause, {slip: a + pushed}))
+    cause = "p.acceleration must stay constant, so don't store the effect of forces in it."
+    slips, now = {"You store a + f / m in p.acceleration.": a + pushed}, xyz(p.acceleration)
+    expect_unchanged("p.acceleration", now, a, cause=named(now, cause, slips))
 
 
-@pytest.mark.exercise(
-    "B5.2", asks="The new velocity is v' = (v + a h) d^h", read=f"{KICK}, E-16 of errata.md"
-)
+@pytest.mark.exercise("B5.2", asks="The new velocity is v' = (v + a h) d^h", read=E_16)
 def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
     v, a, f = vector(rng), vector(rng), vector(rng)
     mass, h, damping = draw_mass(rng), draw_duration(rng), draw_duration(rng)
-    with calls(
-        "The damping d comes last in a step of h seconds. The new velocity must be (v + (a + f / "
-        "m) h) d^h."
-    ):
+    with calls("The damping comes last. The new velocity must be (v + (a + f / m) h) d^h."):
         p = Particle(None, Vector3(*v), Vector3(*a), mass=mass, damping=damping)
         p.add_force(Vector3(*f))
         p.integrate(h)
@@ -130,8 +111,7 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
         "You apply the damping before you add the acceleration, as in Eq. 3.6. Follow the book's "
         "listing instead: add the acceleration first, and then multiply the velocity by the "
         "damping to the power of the duration.": v * keep + gained,
-        "You apply the damping before the force.":
-            (v + a * h) * keep + f / mass * h,
+        "You apply the damping before the force.": (v + a * h) * keep + f / mass * h,
         "You damp only the change of the velocity. Multiply the whole new velocity by d^h, the "
         "damping to the power of the duration.": v + gained * keep,
         "The damping is missing.": v + gained,
@@ -145,18 +125,12 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
 def test_the_step_clears_the_forces(rng: Random) -> None:
     v, a, f = vector(rng), vector(rng), vector(rng)
     mass, h = draw_mass(rng), draw_duration(rng)
-    with calls(
-        "The force is still there after the step. A force acts for one step only, so kick must "
-        "move the sum to self._last_force, and set self._force to Vector3()."
-    ):
+    with calls("The force is still there after the step. kick must set self._force to Vector3()."):
         p = Particle(velocity=Vector3(*v), acceleration=Vector3(*a), mass=mass)
         p.add_force(Vector3(*f))
         p.integrate(h)
     expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N")
-    with calls(
-        "The second step used the force of the first step again. A force acts for one step only.",
-        more=True,
-    ):
+    with calls("The step used the force of the first step again. It acts only once.", more=True):
         p.integrate(h)
         got = p.velocity
     expect_close(xyz(got), v + f / mass * h + a * 2 * h, unit="m/s", tolerance=ROUNDED)
@@ -166,10 +140,7 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
 def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
     x, v, a = vector(rng), vector(rng), vector(rng)
     mass, h, damping = draw_mass(rng), draw_duration(rng), draw_duration(rng)
-    with calls(
-        "Without forces the step must be the same as in chapter 3. The position moves by v h, the "
-        "new velocity is (v + a h) d^h, and the mass has no effect."
-    ):
+    with calls("Without forces, x moves by v h, and the new velocity is (v + a h) d^h."):
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
         p.integrate(h)
     expect_close(xyz(p.position), x + v * h, then="; p.position", unit="m", tolerance=ROUNDED)
@@ -180,10 +151,7 @@ def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
 @pytest.mark.exercise("B5.2", asks="with the mass and the damping of now", read=KICK)
 def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
     v, f, mass = vector(rng), vector(rng), draw_mass(rng)
-    with calls(
-        "The damping and the mass changed between the two steps. Compute d^h and 1 / m again in "
-        "every step."
-    ):
+    with calls("Compute d^h and 1 / m again in every step, because both have changed."):
         p = Particle(velocity=Vector3(*v))
         p.integrate(0.5)
         p.damping = 0.25
@@ -192,10 +160,7 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
         p.integrate(0.5)
         got = p.velocity
     expect_close(xyz(got), (v + f / mass * 0.5) * 0.5, tolerance=ROUNDED, unit="m/s")
-    with calls(
-        "With a damping of 0.25, a step of 0.5 s must multiply the velocity by 0.25^0.5, which is "
-        "one half."
-    ):
+    with calls("Two steps of 0.5 s must multiply the velocity by the damping, which is 0.25."):
         p = Particle(velocity=Vector3(*v), damping=0.25)
         p.integrate(0.5)
         p.integrate(0.5)
@@ -210,18 +175,12 @@ def test_dampings_of_0_and_above_1(rng: Random) -> None:
     v, f = vector(rng), vector(rng)
     for damping, h, wanted, tolerance, cause in (
         (0.0, 0.5, ZERO, 0.0,
-         "The new velocity is not zero, although the damping d is 0. Multiply it by d^h, which is "
-         "0."),
-        (0.5, 1, (v + f) / 2.0, ROUNDED,
-         "The duration is the int 1 here, which must work just like 1.0."),
+         "The damping d is 0, so the new velocity must be, too. Multiply it by d^h."),
+        (0.5, 1, (v + f) / 2.0, ROUNDED, "The int 1 must work just like the duration 1.0."),
         (2.0, 2.0, (v + 2.0 * f) * 4.0, 10.0 * ROUNDED,
-         "A damping above 1 is valid and speeds the particle up. Multiply by d^h as usual, where "
-         "d is the damping and h the duration."),
+         "A damping above 1 is valid and speeds the particle up. Multiply by d^h as usual."),
     ):  # fmt: skip
-        logarithm = (
-            "You take the logarithm of the damping, which fails for a damping of 0. Compute "
-            "damping**duration instead."
-        )
+        logarithm = "The logarithm of a damping of 0 fails. Compute damping**duration instead."
         with calls(cause if damping else logarithm):
             p = Particle(velocity=Vector3(*v), damping=damping)
             p.add_force(Vector3(*f))
@@ -236,8 +195,7 @@ def test_dampings_of_0_and_above_1(rng: Random) -> None:
 def test_a_constant_force_for_5_seconds(rng: Random) -> None:
     f, mass = vector(rng), draw_mass(rng)
     with calls(
-        "The force is not the same in all steps, or it acts for the wrong length of time. It must "
-        "change the velocity by (f / m) h in every step of h seconds.",
+        "The force must change the velocity by (f / m) h in every step of h seconds.",
         f"p = Particle(mass={mass}); 300 times: p.add_force(Vector3{f}) and p.integrate(1/60)",
     ):
         position, velocity = march(Particle(mass=mass), Push(f), 1.0 / 60.0, 300)
@@ -245,3 +203,124 @@ def test_a_constant_force_for_5_seconds(rng: Random) -> None:
     wanted = f / mass * (12.5 - 5.0 / 120.0)
     expect_close(position, wanted, then="; p.position", unit="m", tolerance=1e-10)
     expect_close(velocity, f / mass * 5.0, then="; p.velocity", unit="m/s", tolerance=1e-10)
+
+
+@pytest.mark.exercise("B5.2", asks="the sum that the last step used", read=LAST)
+def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> None:
+    a, f, g, mass = vector(rng), vector(rng), vector(rng), round(rng.uniform(2.0, 9.0), 3)
+    with calls("last_acceleration must be a + f / m, where f is the force of the last step."):
+        p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
+        p.add_force(Vector3(*f))
+        p.integrate(0.5)
+        got = p.last_acceleration
+    wanted = a + f / mass
+    slips = {
+        "Your result is only the constant acceleration, without the forces of the last step. "
+        "kick must store them in self._last_force, and last_acceleration must read them there.": a,
+        "Your result is a + f, so the mass is missing.": a + f,
+        "Your result is a + f m. Divide the force f by the mass m instead.": a + f * mass,
+        "Your result is only f / m.": f / mass,
+        "You divide the constant acceleration by the mass, too.": (a + f) / mass,
+        "You divide the constant acceleration a by the mass, but not the force f.": a / mass + f,
+    }
+    expect_close(xyz(got), wanted, slips, unit="m/s^2", tolerance=ROUNDED)
+    expect_unchanged(
+        "p.acceleration", p.acceleration, a,
+        cause="last_acceleration has changed p.acceleration, because += works in place. Use +.",
+    )  # fmt: skip
+    with calls("No step has used this force yet, so last_acceleration must not change.", more=True):
+        p.add_force(Vector3(*g))
+        got = p.last_acceleration
+    expect_close(xyz(got), wanted, unit="m/s^2", tolerance=ROUNDED)
+    with calls("clear_forces has changed last_acceleration. Clear only self._force.", more=True):
+        p.clear_forces()
+        got = p.last_acceleration
+    expect_close(xyz(got), wanted, unit="m/s^2", tolerance=ROUNDED)
+    with calls("No force acted in the last step. Return the constant acceleration.", more=True):
+        p.integrate(0.5)
+        got = p.last_acceleration
+    expect_close(xyz(got), a, unit="m/s^2", tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2", asks="Before the first step f is zero", read=LAST)
+def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Random) -> None:
+    a, f = vector(rng), vector(rng)
+    with calls("No step has used the force yet. Return only the constant acceleration."):
+        p = Particle(acceleration=Vector3(*a))
+        p.add_force(Vector3(*f))
+        got = p.last_acceleration
+    expect_close(xyz(got), a, unit="m/s^2")
+    own = "The caller could change p.acceleration. Return a new vector from every call."
+    with calls(own, more=True):
+        last = p.last_acceleration
+        last.x = 99.0
+    expect_unchanged("p.acceleration", p.acceleration, a)
+    with calls("After the step, last_acceleration must be a + f / m.", more=True):
+        p.integrate(0.5)
+        last = p.last_acceleration
+        last.x = 99.0
+        got = p.last_acceleration
+    wanted = a + f
+    expect_close(xyz(got), wanted, {own: (99.0, *wanted[1:])}, tolerance=ROUNDED, unit="m/s^2")
+
+
+@pytest.mark.exercise(
+    "B5.2", asks="No force changes the velocity of an immovable particle", read=KICK
+)
+def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
+    x, v, a, f = vector(rng), vector(rng), vector(rng), vector(rng)
+    h, mass = draw_duration(rng), round(rng.uniform(2.0, 9.0), 3)
+    with calls("Your step changed an immovable particle. Check its inverse mass first."):
+        p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
+        p.add_force(Vector3(*f))
+        p.integrate(h)
+    expect_unchanged("p.position", p.position, x)
+    expect_unchanged("p.velocity", p.velocity, v)
+    expect_close(
+        xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N",
+        cause="kick must clear the forces in every step, even those on an immovable particle.",
+    )  # fmt: skip
+    expect_close(
+        xyz(p.last_acceleration), a, then="; p.last_acceleration", unit="m/s^2",
+        cause="Multiply the force by the inverse mass, which is 0 for an immovable particle.",
+    )  # fmt: skip
+    with calls("The mass is finite now. Only the second force must act in this step.", more=True):
+        p.mass = mass
+        p.add_force(Vector3(*f))
+        p.integrate(h)
+        got = p.velocity
+    expect_close(xyz(got), v + (a + f / mass) * h, tolerance=ROUNDED, unit="m/s")
+
+
+@pytest.mark.exercise("B5.2", asks="Apply the acceleration, forces and damping", read=KICK)
+def test_forces_act_in_kick_and_not_in_drift(rng: Random) -> None:
+    x, v, a, f = vector(rng), vector(rng), vector(rng), vector(rng)
+    mass, h = round(rng.uniform(2.0, 9.0), 3), draw_duration(rng)
+    with calls("drift must change only the position, because the forces act in kick."):
+        p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
+        p.add_force(Vector3(*f))
+        p.drift(h / 2.0)
+    expect_unchanged("p.velocity", p.velocity, v)
+    expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator", unit="N")
+    before = xyz(p.position)
+    with calls("kick changed the position. Let only drift move the particle.", more=True):
+        p.kick(h)
+    expect_unchanged("p.position", p.position, before)
+    total = a + f / mass
+    expect_close(
+        xyz(p.velocity), v + total * h, then="; p.velocity", unit="m/s", tolerance=ROUNDED,
+        cause="The velocity after kick must be v + (a + f / m) h.",
+    )  # fmt: skip
+    expect_close(
+        xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N",
+        cause="A force acts only once, so kick must set the sum of the forces to zero.",
+    )  # fmt: skip
+    with calls("The drift must keep the acceleration that the last kick used.", more=True):
+        p.drift(h / 2.0)
+        got = p.last_acceleration
+    expect_close(xyz(got), total, unit="m/s^2", tolerance=ROUNDED)
+    expect_close(
+        xyz(p.position), x + v * h + total * h * h / 2.0,
+        then="; p.position", unit="m", tolerance=ROUNDED,
+        cause="The two drifts and the kick must give the exact position for a constant force.",
+    )  # fmt: skip

@@ -33,10 +33,7 @@ def lifted(cause: str, origin: Components, radius: float, force: Triple, place: 
 @pytest.mark.exercise("5.1", asks="if the horizontal distance (in X and Z)", read=READ)
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     origin, force, radius = vector(rng), vector(rng), round(rng.uniform(2.0, 5.0), 3)
-    cause = (
-        "Your condition for a particle inside the column is wrong. Add self.force if "
-        "sqrt(dx^2 + dz^2), the distance from the axis, is at most the radius."
-    )
+    cause = "Add self.force if the horizontal distance sqrt(dx^2 + dz^2) is at most the radius."
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
         (dx * share * radius, dz * share * radius)
@@ -47,16 +44,14 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     acted = [lifted(cause, origin, radius, force, place) != ZERO for place in places]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
-        "You measure the distance from the point (0, 0, 0), which is not on the axis of the "
-        "column. Measure it from self.origin.":
+        "You measure the distance from the point (0, 0, 0). Measure it from self.origin.":
             [math.hypot(x, z) <= radius for x, _, z in places],
         "You measure the distance in X and Y. The column is vertical, so use X and Z.":
             [abs(dx) <= radius for dx, _ in ways],
-        "Your column is square, because you compare dx and dz separately with the radius. "
-        "Compare the distance sqrt(dx^2 + dz^2) instead.":
+        "Your column is square. Compare the distance sqrt(dx^2 + dz^2) with the radius.":
             [max(abs(dx), abs(dz)) <= radius for dx, dz in ways],
-        "You compare the sum |dx| + |dz| with the radius. Use the distance sqrt(dx^2 + dz^2) "
-        "instead.": [abs(dx) + abs(dz) <= radius for dx, dz in ways],
+        "You compare the sum |dx| + |dz| with the radius. Use sqrt(dx^2 + dz^2) instead.":
+            [abs(dx) + abs(dz) <= radius for dx, dz in ways],
         "You compare the squared distance with the radius. Square the radius as well.":
             [dx * dx + dz * dz <= radius for dx, dz in ways],
         "Your force acts outside the column instead of inside. Reverse the comparison.":
@@ -69,17 +64,11 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     if acted != inside:
         cause = next((rule for rule in rules if rules[rule] == acted), cause)
     if not any(acted) and lifted(cause, origin, radius, force, ZERO) == ZERO:
-        cause = (
-            "Your force does not act anywhere. Call particle.add_force if the particle is inside "
-            "the column."
-        )
+        cause = "Your force acts nowhere. Call particle.add_force inside of the column."
     slips = {
-        "You multiply the force by the duration of 0.5 s. self.force is already a force, so add it "
-        "unchanged.": 0.5 * force,
-        "You multiply the force by the mass of 4 kg. self.force is already a force, so add it "
-        "unchanged.": 4.0 * force,
-        "Your force points straight up, but self.force has another direction. Add the vector "
-        "self.force unchanged.": (0.0, abs(force), 0.0),
+        "You multiply the force by the duration of 0.5 s. Add self.force unchanged.": 0.5 * force,
+        "You multiply the force by the mass of 4 kg. Add self.force unchanged.": 4.0 * force,
+        "Your force points straight up. Add self.force unchanged.": (0.0, abs(force), 0.0),
     }
     for place, acts in zip(places, inside, strict=True):
         got = lifted(cause, origin, radius, force, place)
@@ -89,15 +78,10 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
 @pytest.mark.exercise("5.1", asks="without an upper or lower end", read=READ)
 def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
     origin, force = vector(rng), vector(rng)
-    (x, _, z), cause = origin, (
-        "You include the height in the distance, but the column has no upper or lower end. Measure "
-        "the distance only in X and Z."
-    )  # fmt: skip
+    x, _, z = origin
+    cause = "You include the height in the distance. Measure it only in X and Z."
     if lifted(cause, origin, 2.0, force, (x + 1.0, 500.0, z - 1.0)) != ZERO:
-        cause = (
-            "Your force acts only above self.origin, but the column has no lower end. Don't "
-            "compare the heights."
-        )
+        cause = "Your force acts only above self.origin. Don't compare the heights."
     outside = "Your force acts outside the column as well."
     for height in (-500.0, 0.0, 500.0):
         got = lifted(cause, origin, 2.0, force, (x + 1.0, height, z - 1.0))
@@ -109,14 +93,8 @@ def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
 @pytest.mark.exercise("5.1", asks="from the axis is at most radius", read=READ)
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     force = vector(rng)
-    edge = (
-        "Your force does not act exactly at the edge of the column, which counts as inside. "
-        "Compare with <= instead of <."
-    )
-    line = (
-        "Your force does not act if the radius is 0. The column is then a vertical line, and a "
-        "particle exactly on it counts as inside."
-    )
+    edge = "The edge of the column counts as inside. Compare with <= instead of <."
+    line = "If the radius is 0, the column is a line. A particle exactly on it counts as inside."
     for x, z, radius, cause in (  # 3, 4, 5 and along an axis
         (4.0, 6.0, 5.0, edge), (1.0, -3.0, 5.0, edge), (-4.0, 2.0, 5.0, edge), (1.0, 2.0, 0.0, line)
     ):  # fmt: skip
@@ -127,10 +105,7 @@ def test_the_edge_belongs_to_the_column(rng: Random) -> None:
 @pytest.mark.exercise("5.1", asks="Add the force to the others on particle", read=READ)
 def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     first, force, moved = vector(rng), vector(rng), vector(rng)
-    with calls(
-        "The sum must contain both self.force and the force that was added before. Add self.force "
-        "unchanged with add_force, and don't clear any forces."
-    ):
+    with calls("Add self.force unchanged to the earlier forces, and don't clear any forces."):
         p = Particle(Vector3(1, 2, 1))
         uplift = Uplift(origin=Vector3(0, 1, 0), radius=3.0, force=Vector3(*force))
         p.add_force(Vector3(*first))
@@ -142,21 +117,13 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     expect_kept("uplift.force", xyz(uplift.force), force)
     expect_kept("uplift.origin", xyz(uplift.origin), (0, 1, 0))
     expect_kept("p.position", xyz(p.position), (1, 2, 1))
-    with calls(
-        "You use the initial uplift.origin, but the column has moved since then. Read self.origin "
-        "in every call.",
-        more=True,
-    ):
+    with calls("The column has moved. Read self.origin in every call.", more=True):
         uplift.origin = Vector3(9, 0, 9)
         p.clear_forces()
         uplift.update_force(p, 0.5)
         got = p.force_accumulator
     expect_close(got, ZERO, unit="N")
-    with calls(
-        "You use the initial values of uplift.radius and uplift.force, which have changed since "
-        "then. Read self.radius and self.force in every call.",
-        more=True,
-    ):
+    with calls("Both have changed. Read self.radius and self.force in every call.", more=True):
         uplift.radius, uplift.force = 20.0, Vector3(*moved)
         uplift.update_force(p, 0.5)
         got = p.force_accumulator

@@ -43,26 +43,21 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
 
     for k1, k2 in ((one, 0.0), (0.0, two), (one, two)):
         wanted = drag(v - w, k1, k2)
-        got = blown(
-            "The force must be the drag at the velocity v - w, where v is the velocity of the "
-            "particle and w that of the wind.",
-            v, w, k1, k2,
-        )  # fmt: skip
+        cause = "The force must be the drag at v - w, the velocity relative to the wind."
+        got = blown(cause, v, w, k1, k2)
         slips = {
             "You ignore the wind.": drag(v, k1, k2),
             "You use the wind alone, as if the particle were at rest.": -drag(w, k1, k2),
             "You add the velocity of the wind to that of the particle.": drag(v + w, k1, k2),
             "Your force has the wrong sign, because it was computed with w - v, or because of an "
             "extra minus sign.": -wanted,
-            "You divide the drag by the mass. Add the force itself, because the step divides it by "
-            "the mass later.": wanted / 4.0,
-            "You use the constants K1 and K2. Use the coefficients self.k1 and self.k2 of this "
-            "wind.": drag(v - w, 0.02, 0.0003),
+            "You divide the drag by the mass. Leave the mass out.": wanted / 4.0,
+            "You use the constants K1 and K2. Use self.k1 and self.k2 instead.":
+                drag(v - w, 0.02, 0.0003),
             "update_force added no force to the particle. Pass the drag to particle.add_force."
             if k1
             else "Your force is zero if k1 is 0. Include the quadratic drag (k2), too.": ZERO,
-            "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the "
-            "square of the speed.": drag(v - w, k2, k1),
+            "You swapped k1 and k2. The square of the speed belongs to k2.": drag(v - w, k2, k1),
             "You add two drags, one for the particle's velocity and one for the wind's.":
                 drag(v, k1, k2) - drag(w, k1, k2),
         }  # fmt: skip
@@ -75,14 +70,11 @@ def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     drawn = vector(rng)
     for v, w, force, cause in (
         (drawn, drawn, ZERO,
-         "You add a force to a particle that moves along with the wind. Its velocity relative to "
-         "the air is zero, so no force must act on it."),
+         "This particle moves along with the wind, so no force must act on it."),
         (ZERO, (2.0, 0.0, 0.0), (2.0, 0.0, 0.0),
-         "The wind must push a particle at rest in the direction of the wind. Compute the drag at "
-         "v - w, not at w - v."),
+         "Wind pushes a particle at rest along. Compute the drag at v - w, not at w - v."),
         ((0.0, 0.0, 2.0), ZERO, (0.0, 0.0, -2.0),
-         "The force is wrong in still air. It must be ordinary drag, against the velocity of the "
-         "particle."),
+         "In still air, the force must be ordinary drag against the velocity."),
     ):  # fmt: skip
         expect_close(blown(cause, v, w, 0.5, 0.25), force, unit="N")
 
@@ -125,19 +117,13 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         if not any(map(any, seen)):
             cause = "The wind is always zero. Store the vector that you draw in self.wind.velocity."
         elif len(set(map(tuple, drawn))) == 1:
-            cause = (
-                "Every call to change_wind gives the same wind. Draw new numbers from self.random "
-                "in each call, and don't create or seed a generator there."
-            )
+            cause = "Every wind is the same. Draw from self.random, without seeding it again."
         elif not any(part[1:]):
             cause = f"The {name} component of your wind is always 0. {draw}"
         elif max(map(abs, part)) > 10.0 and all(
             abs(one - other) <= 10.0 for one, other in itertools.pairwise(part)
         ):
-            cause = (
-                "You add each new wind to the previous one, so the wind becomes too strong. "
-                "Replace the old velocity with the new one."
-            )
+            cause = "You add each wind to the previous one. Replace the velocity instead."
         # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^8 runs, and
         # their mean is beyond 2 more seldom: 7 times its deviation.
         for what, got, low, high in (
@@ -150,15 +136,9 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     speeds = [math.hypot(x, z) for x, _, z in drawn]
     cause = "Weak winds are too rare or too common. Draw x and z independently of each other."
     if max(speeds) - min(speeds) < 1e-9:
-        cause = (
-            "All your winds have the same speed, because x and z depend on each other. Draw x and "
-            "z separately, each with self.random.uniform."
-        )
+        cause = "All your winds have the same speed. Draw x and z independently of each other."
     elif all(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in drawn):
-        cause = (
-            "You use the same random number for x and z. Draw a separate random number for each "
-            "component."
-        )
+        cause = "You use the same random number for x and z. Draw two numbers."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     then = "; number of winds slower than 5 m/s, out of 401"
@@ -168,29 +148,22 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     same = sum(x * z > 0.0 for x, _, z in seen)
     then = "; number of winds in which x and z have the same sign, out of 401"
     expect_between(same, 130, 270, then=then, cause=cause)
-    cause = (
-        "In some winds, x and z have the same absolute value. Draw a separate random number for "
-        "each of them."
-    )
+    cause = "Sometimes |x| equals |z|. Draw a separate random number for each."
     if all(x == round(x) and z == round(z) for x, _, z in drawn):
-        cause = (
-            "You draw whole numbers, so x and z sometimes have the same size. Draw floats with "
-            "self.random.uniform instead."
-        )
+        cause = "You draw whole numbers. Draw floats with self.random.uniform instead."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then="; number of winds with |x| = |z|, out of 401", cause=cause)
 
 
 @pytest.mark.exercise("P4.2a", asks="and keep this generator", read=CHANGE)
 def test_change_wind_keeps_the_wind_object() -> None:
-    with calls(
-        "change_wind created a new Wind object, but the registry still holds the old one. Change "
-        "the velocity of self.wind instead."
-    ):
+    keep = "Keep the Wind object, which the registry holds, and change its velocity."
+    with calls(keep):
         game = SniperRange(1)
         wind = game.wind
-        before = xyz(wind.velocity)
         wind.k1 = 0.5
+    before = xyz(wind.velocity)
+    with calls(keep, more=True):
         game.change_wind()
     after = xyz(wind.velocity)
     expect_close(game.wind.k1, 0.5, then="; game.wind.k1")
@@ -204,13 +177,13 @@ def test_change_wind_keeps_the_wind_object() -> None:
 @pytest.mark.exercise("P4.2a", asks="the same seed must always give the same winds", read=CHANGE)
 def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     seed = rng.randrange(1000)
+    own = "Draw the winds with self.random, which was created from the seed."
     with calls(
-        "Draw the winds with self.random, which was created from the seed.",
+        own,
         f"a = SniperRange({seed}); b = SniperRange({seed}); c = SniperRange({seed + 1}); "
         "6 times: a.change_wind(), b.change_wind() and c.change_wind()",
     ):
         first, second, other = winds([seed, seed, seed + 1], 6)
-    own = "Draw the winds with self.random, which was created from the seed."
     for name, winds_of, wanted, cause in (
         ("b", second, 7, f"Two ranges with the same seed have different winds. {own}"),
         ("c", other, 0, f"Ranges with different seeds have the same winds. {own}"),

@@ -33,8 +33,8 @@ def expect_unmoved(p: Particle, cause: str) -> None:
 
 @pytest.mark.exercise("B5.1", asks="Add a force in N to the sum", read="book 5.1")
 def test_forces_add_up(rng: Random) -> None:
-    p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
-    about("p = Particle(mass=4.0)")
+    with calls("self._force must stay a Vector3.", "p = Particle(mass=4.0)"):
+        p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
     total = ZERO
     for force in [vector(rng) for _ in range(4)]:
         with calls(

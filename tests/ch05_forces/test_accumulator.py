@@ -47,8 +47,8 @@ def test_forces_add_up(rng: Random) -> None:
         total += force
         x, y, z = total
         cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
-        then = "; p.force_accumulator"
-        got = expect_vector(summed, then=then, cause=cause)
+        call, then = "p.force_accumulator, after a force was added", "; p.force_accumulator"
+        got = expect_vector(summed, call=call, cause=cause)
         zero = "The sum is still zero. Store it in self._force, and return it as force_accumulator."
         if xyz(p.acceleration) != (7, 8, 9):
             zero = "You change p.acceleration instead of the sum. Store the sum in self._force."

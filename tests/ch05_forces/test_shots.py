@@ -157,7 +157,10 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     then, way = "; x and y of game.bullet.position, in m", "the docstring of update"
     slips = {"Your update doesn't move the bullet.": (0.0, 1.5)}
     expect_close((x, y), wanted, slips, then=then, cause=cause, read=way, tolerance=1e-12)
-    with calls("A bullet is in flight, so fire no other one. Return False instead.", more=True):
+    with calls(
+        "A bullet is in flight, so fire no other one. Return False instead.",
+        f"game = SniperRange(1); game.shoot({a}, {e}); one step of 1/60 s; game.shoot(0.0, 0.0)",
+    ):
         fired = game.shoot(0.0, 0.0)
     expect_exactly(fired, False)
     expect_exactly(game.shots_left, 9, then="; game.shots_left", cause=EARLY)

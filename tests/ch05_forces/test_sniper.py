@@ -100,7 +100,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     x, before = (10.0 * STEP * (n - (1.0 - keep**n) / (1.0 - keep)) for n in (109, 108))
     got, cause = (blown[-1][0], still[-1][0]), once
     if got[1] != 0.0:
-        cause = "Without wind, x must stay 0. Call change_wind only after the shot."
+        cause = "Without wind, x must stay 0. Call change_wind only after the shot has ended."
     late = "Your forces act one step too late. Call update_forces before integrate."
     then = "; the bullet's x after its last step in flight, with wind and without wind, in m"
     expect_close(got, (x, 0.0), {late: (before, 0.0)}, then=then, tolerance=1e-10, cause=cause)

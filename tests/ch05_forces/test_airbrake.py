@@ -122,7 +122,7 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
             brake.update_force(p, h)
         stop = -v * mass / h
         slips = {
-            "The earlier force is missing. Don't clear it. Add the force of the brake with add_force.": stop
+            "The earlier force is missing. Don't clear it, but add yours with add_force.": stop
         }
         total, then = p.force_accumulator, "; p.force_accumulator"
         # Up to a part in 1e12 of 400 N, as FULL says.

@@ -51,7 +51,7 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         "Your result is twice the right one, because you divide by k2. Divide by 2 k2.":
             (root - k1) / k2,
         "You subtract 4 k2 W under the square root. Add it instead.": difference,
-        "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by its square.": both,
+        "You swapped k1 and k2. In the drag, k2 belongs to the square of the speed.": both,
         "Your result is sqrt(weight / k2). Include the linear drag too.": math.sqrt(weight / k2),
         "Your result is half of the right one. The numerator of W / (k1 + sqrt(k1^2 + 4 k2 W)) "
         "must be 2 W, where W is the weight.": weight / (k1 + root),

@@ -142,8 +142,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "result unchanged.": f - force,
         "You divide the drag by the mass.": f + force / mass,
         "You multiply the drag by the duration.": f + force * h,
-        "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by its square.": f
-        + swapped,
+        "You swapped k1 and k2. In the drag, k2 belongs to the square of the speed.": f + swapped,
         "The sum is only the drag. Don't clear the earlier forces.": force,
         "Your update_force added no force to the particle. Pass the result of drag_force to "
         "particle.add_force.": f,

@@ -70,8 +70,8 @@ def expect_asked(
         except AttributeError as error:
             if "Generator' object has no attribute" in str(error):
                 about(
-                    cause="You use a generator where a particle is needed. Each entry of self._pairs "
-                    "is a tuple (particle, generator), in this order."
+                    cause="You use a generator where a particle is needed. Each pair in "
+                    "self._pairs is (particle, generator), in this order."
                 )
             raise
         except TypeError as error:
@@ -104,7 +104,8 @@ def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
-        "You call the generators only in the first update. A pair stays until it is removed.": wanted[:3],
+        "You call the generators only in the first update. A pair stays until you remove it.":
+            wanted[:3],
         "You call the generator of the newest pair first. Keep the order of the pairs.":
             [*wanted[2::-1], *wanted[:2:-1]],
         "You call only one generator for each particle. A particle may have several generators, "

@@ -57,7 +57,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
             "update_force added no force to the particle. Pass the drag to particle.add_force."
             if k1
             else "Your force is zero if k1 is 0. Include the quadratic drag (k2), too.": ZERO,
-            "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by its square.": drag(v - w, k2, k1),
+            "You swapped k1 and k2. In the drag, k2 belongs to the square of the speed.":
+                drag(v - w, k2, k1),
             "You add two drags, one for the particle's velocity and one for the wind's.":
                 drag(v, k1, k2) - drag(w, k1, k2),
         }  # fmt: skip

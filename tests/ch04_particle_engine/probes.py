@@ -36,6 +36,15 @@ State = tuple[Components, Components]
 # type, smallest and largest age, smallest and largest velocity, damping, payloads as (type, count)
 RuleData = tuple[int, float, float, Components, Components, float, Sequence[tuple[int, int]]]
 
+UP, STILL = (0.0, 9.0, 0.0), (0.0, 0.0, 0.0)
+# The book's first rule, without its payload.
+FIRST: RuleData = (1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ())
+
+
+def fixed(type: int, age: float, velocity: Components = UP, *payloads: tuple[int, int]) -> RuleData:
+    """Return a rule without anything random and without damping."""
+    return (type, age, age, velocity, velocity, 1.0, payloads)
+
 
 def rule(data: RuleData) -> FireworkRule:
     """Return the rule with these numbers."""
@@ -49,8 +58,26 @@ def show_of(rules: Sequence[RuleData], capacity: int, when_full: str, seed: int)
     return FireworksShow([rule(data) for data in rules], capacity, seed, when_full)
 
 
+def types(show: FireworksShow) -> list[int]:
+    """Return the types of the fireworks that burn, oldest first."""
+    return [firework.type for firework in show.fireworks]
+
+
 def xyz(v: Vector3) -> Components:
     return v.x, v.y, v.z
+
+
+def flight(names: Sequence[str], duration: float, frames: int) -> list[list[Any]]:
+    """Fire shots together; return type, position and velocity of each one after each frame."""
+    at = BallisticRange()
+    for name in names:
+        at.fire(name)
+    seen = []
+    for _ in range(frames):
+        at.update(duration)
+        shots = [(shot.type, shot.particle) for shot in at.shots]
+        seen.append([(type, xyz(p.position), xyz(p.velocity)) for type, p in shots])
+    return seen
 
 
 def shot_after(name: str, duration: float, frames: int) -> State:
@@ -211,6 +238,32 @@ def sparks(
     return seen
 
 
+def played(
+    rules: Sequence[RuleData],
+    launches: Sequence[int],
+    duration: float,
+    frames: int,
+    *,
+    capacity: int = 500,
+    when_full: str = "keep_old",
+    seed: int = 1,
+) -> list[list[Any]]:
+    """Launch fireworks; return type, age, position and velocity of each, at first and each frame.
+
+    The oldest firework is the first.
+    """
+    show = show_of(rules, capacity, when_full, seed)
+    for type in launches:
+        show.launch(type)
+    seen = []
+    for frame in range(frames + 1):
+        if frame:
+            show.update(duration)
+        lit = [(firework.type, firework.age, firework.particle) for firework in show.fireworks]
+        seen.append([(type, age, xyz(p.position), xyz(p.velocity)) for type, age, p in lit])
+    return seen
+
+
 def show_after(
     rules: Sequence[RuleData], launches: Sequence[int], seed: int, duration: float, frames: int
 ) -> list[list[float]]:
@@ -231,9 +284,8 @@ def endless(leaves: dict[int, list[int]]) -> list[int] | str:
 
     If the search never comes to an end, return what stopped it.
     """
-    still = (0.0, 0.0, 0.0)
     rules = [
-        rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
+        rule(fixed(type, 1.0, STILL, *((other, 1) for other in after)))
         for type, after in leaves.items()
     ]
     lines = 0
@@ -286,8 +338,7 @@ def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
 
 def sparks_of_a_wheel(sparks_per_second: float, duration: float, frames: int) -> list[int]:
     """Turn a wheel and return the number of sparks after each frame."""
-    still = (0.0, 0.0, 0.0)
-    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 20000, "keep_old", 1)
+    show = show_of([fixed(7, 90.0, STILL)], 20000, "keep_old", 1)
     wheel = CatherineWheel(show, 7, Vector3(0, 5, 0), 1.0, 2.0, sparks_per_second)
     counts = []
     for _ in range(frames):
@@ -330,12 +381,11 @@ def calls_of_drag_factors(
     return [*positions], len(calls)
 
 
-STILL = (0.0, 0.0, 0.0)
 # Type 1 is a rocket that leaves three sparks of type 2. Type 3 is another rocket.
 RULES: list[RuleData] = [
-    (1, 2.0, 2.0, STILL, STILL, 1.0, ((2, 3),)),
-    (2, 5.0, 5.0, STILL, STILL, 1.0, ()),
-    (3, 1.0, 1.0, STILL, STILL, 1.0, ((2, 1),)),
+    fixed(1, 2.0, STILL, (2, 3)),
+    fixed(2, 5.0, STILL),
+    fixed(3, 1.0, STILL, (2, 1)),
 ]
 
 

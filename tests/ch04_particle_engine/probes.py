@@ -17,7 +17,6 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, fireworks
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.catherine_wheel import CatherineWheel
-from ch04_particle_engine.closed_form import burst_positions
 from ch04_particle_engine.display import Display
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import (
@@ -80,65 +79,6 @@ def flight(names: Sequence[str], duration: float, frames: int) -> list[list[Any]
     return seen
 
 
-def shot_after(name: str, duration: float, frames: int) -> State:
-    """Fire a shot, update it for some frames, and return its position and velocity."""
-    at = BallisticRange()
-    at.fire(name)
-    shot = at.shots[0]
-    for _ in range(frames):
-        at.update(duration)
-    return xyz(shot.particle.position), xyz(shot.particle.velocity)
-
-
-def frames_in_flight(name: str, duration: float, most: int) -> int:
-    """Fire a shot and return the number of the frame that drops it, or most + 1 if none does."""
-    at = BallisticRange()
-    at.fire(name)
-    for frame in range(1, most + 1):
-        at.update(duration)
-        if len(at.shots) == 0:
-            return frame
-    return most + 1
-
-
-def landing(name: str, duration: float) -> tuple[float, float]:
-    """Fire a shot and return the time and the z at which it reaches y = 0, within a frame."""
-    at = BallisticRange()
-    at.fire(name)
-    time = 0.0
-    for _ in range(round(6.0 / duration)):
-        p, v = xyz(at.shots[0].particle.position), xyz(at.shots[0].particle.velocity)
-        at.update(duration)
-        if len(at.shots) == 0:
-            left = -p[1] / v[1]
-            return time + left, p[2] + v[2] * left
-        time += duration
-    return time, p[2]
-
-
-def shots_over(names: Sequence[str], duration: float, frames: int) -> list[list[str]]:
-    """Fire shots together and return the types in flight after each frame."""
-    at = BallisticRange()
-    for name in names:
-        at.fire(name)
-    seen = []
-    for _ in range(frames):
-        at.update(duration)
-        seen.append([shot.type for shot in at.shots])
-    return seen
-
-
-def heights_of(name: str, duration: float, frames: int) -> list[float]:
-    """Fire a shot and return the height of the first shot in flight after each frame."""
-    at = BallisticRange()
-    at.fire(name)
-    heights = []
-    for _ in range(frames):
-        at.update(duration)
-        heights += [shot.particle.position.y for shot in at.shots[:1]]
-    return heights
-
-
 def burst(
     position: Components,
     velocity: Components,
@@ -173,32 +113,18 @@ def lit(
     return made
 
 
-def places_of_launches(data: RuleData, type: int, count: int) -> list[tuple[float, float]]:
-    """Launch fireworks and return the different x and y at which they start, sorted."""
-    show = show_of([data], count, "keep_old", 1)
-    for _ in range(count):
-        show.launch(type)
-    places = [firework.particle.position for firework in show.fireworks]
-    return sorted({(place.x, place.y) for place in places})
-
-
-def births_after(first: RuleData, second: RuleData, when_full: str) -> list[tuple[int, int]]:
+def births_after(show: FireworksShow) -> list[tuple[int, int]]:
     """Light births and return what is then in the list that was passed."""
-    show = show_of([first, second], 4, when_full, 1)
     births: list[tuple[int, int, Particle | None]] = [(1, 2, None), (2, 3, None)]
     show.light(births)
     return [(type, count) for type, count, _ in births]
 
 
-def many_births(
-    first: RuleData, second: RuleData, capacity: int, when_full: str, births: int, count: int
-) -> tuple[list[int], int, int]:
-    """Light births of types 1 and 2, half of each; return how many burn, are dropped and made."""
-    show = show_of([first, second], capacity, when_full, 1)
+def many_births(show: FireworksShow, births: int, count: int) -> tuple[list[int], int]:
+    """Light births of types 1 and 2, half of each; return what burns and how many were made."""
     with counted(fireworks, "make_firework") as made:
         show.light([(1 if i < births // 2 else 2, count, None) for i in range(births)])
-    types = [firework.type for firework in show.fireworks]
-    return [types.count(1), types.count(2)], show.dropped, len(made)
+    return types(show), len(made)
 
 
 @contextmanager
@@ -216,26 +142,6 @@ def counted(module: Any, name: str) -> Iterator[list[None]]:
         yield calls
     finally:
         setattr(module, name, function)
-
-
-def sparks(
-    rules: Sequence[RuleData],
-    launches: Sequence[int],
-    capacity: int,
-    when_full: str,
-    seed: int,
-    duration: float,
-    frames: int,
-) -> list[list[int]]:
-    """Launch fireworks and return the types that burn after each frame, oldest first."""
-    show = show_of(rules, capacity, when_full, seed)
-    for type in launches:
-        show.launch(type)
-    seen = []
-    for _ in range(frames):
-        show.update(duration)
-        seen.append([firework.type for firework in show.fireworks])
-    return seen
 
 
 def played(
@@ -262,21 +168,6 @@ def played(
         lit = [(firework.type, firework.age, firework.particle) for firework in show.fireworks]
         seen.append([(type, age, xyz(p.position), xyz(p.velocity)) for type, age, p in lit])
     return seen
-
-
-def show_after(
-    rules: Sequence[RuleData], launches: Sequence[int], seed: int, duration: float, frames: int
-) -> list[list[float]]:
-    """Launch fireworks, update the show, and return type, age, position and velocity of each."""
-    show = show_of(rules, 500, "keep_old", seed)
-    for type in launches:
-        show.launch(type)
-    for _ in range(frames):
-        show.update(duration)
-    return [
-        [f.type, f.age, *xyz(f.particle.position), *xyz(f.particle.velocity)]
-        for f in show.fireworks
-    ]
 
 
 def endless(leaves: dict[int, list[int]]) -> list[int] | str:
@@ -364,21 +255,13 @@ def stepped(
     return xyz(particle.position), xyz(particle.velocity)
 
 
-def speeds_after(
+def burst_counted(
     start: float, speeds: list[float], acceleration: float, damping: float, time: float
-) -> list[float]:
-    """Compute the positions of a burst and return what is then in the list of speeds."""
-    burst_positions(start, speeds, acceleration, damping, time)
-    return speeds
-
-
-def calls_of_drag_factors(
-    start: float, speeds: list[float], acceleration: float, damping: float, time: float
-) -> tuple[list[float], int]:
-    """Return the positions of a burst, and how many times drag_factors was called for them."""
+) -> tuple[list[float], list[float], int]:
+    """Return the positions of a burst, the speeds after it, and the calls of drag_factors."""
     with counted(closed_form, "drag_factors") as calls:
         positions = closed_form.burst_positions(start, speeds, acceleration, damping, time)
-    return [*positions], len(calls)
+    return [*positions], speeds, len(calls)
 
 
 # Type 1 is a rocket that leaves three sparks of type 2. Type 3 is another rocket.

@@ -53,7 +53,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         "Your function changes the list of speeds, which belongs to the caller. Store the "
         "positions in a new list."
     )
-    given = probes.speeds_after(start, [*speeds], a, 0.5, t)
+    _, given, _ = probes.burst_counted(start, [*speeds], a, 0.5, t)
     expect_unchanged("the list of speeds", given, speeds, cause=mine)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
@@ -76,7 +76,7 @@ def test_drag_factors_is_called_once_for_all_sparks() -> None:
         "speed. Call drag_factors once, before the loop.",
         "burst_positions(...) with 50 speeds",
     ):
-        positions, count = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
+        positions, _, count = probes.burst_counted(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
     then = "; the number of calls to drag_factors"
     expect_that(count <= 1, f"{count} calls", "1 call", then=then)
     then, cause = "; the number of positions", "There are 50 speeds, so return 50 positions."

@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 from random import Random
+from typing import Any
 
 import pytest
 
-from ch04_particle_engine import display
+from calls import calls
+from ch04_particle_engine.display import find_rocket
 from ch04_particle_engine.probes import game
 from draw import number
 from expect import about, expect_exactly, expect_that, scoped
+
+FIND = "the docstring of find_rocket"
+PAYLOADS = "Skip every firework whose rule has no payloads."
+
+
+def expect_rocket(found: Any, cause: str | None = None) -> None:
+    __tracebackhide__ = True
+    cause = cause or about.cause
+    expect_that(found is not None, "no rocket (None)", "the rocket", cause=cause)
 
 
 @scoped
 def why_none(x: float, y: float) -> str:
     """Return why a rocket that is 2.4 m away on a slant is not found."""
-    about.call = f"one rocket, 2 m beside the click; find_rocket(display, {x}, {y})"
-    if display.find_rocket(game((1, x + 2.0, y)), x, y) is not None:
+    about(f"one rocket, 2 m beside the click; find_rocket(display, {x}, {y})")
+    if find_rocket(game((1, x + 2.0, y)), x, y) is not None:
         return (
             "You add up the distances along X and Y. The distance to the click is the straight "
             "line, sqrt(dx^2 + dy^2), which is 2.4 m here, less than REACH (2.5 m)."
@@ -27,132 +38,108 @@ def why_none(x: float, y: float) -> str:
     )
 
 
-@pytest.mark.exercise("P4.1", asks="Find the rocket nearest to the point (x, y)")
+@pytest.mark.exercise("P4.1", asks="Find the rocket nearest to the point (x, y)", read=FIND)
 def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
-    about.read = "the docstring of find_rocket"
-    about.cause = (
+    with calls(
+        "Return the Firework itself, not only a part of it.",
+        "three rockets near the click: type 1 at 2 m, type 3 at 1 m, and type 1 at 1.5 m; "
+        f"find_rocket(display, {x}, {y})",
+    ):
+        found = find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
+        expect_that(found is not None, "no rocket (None)", "the rocket of type 3")
+        type, is_last = found.type, found.particle.position.y == y + 1.5
+    nearest = (
         "You don't return the nearest of the three rockets within reach. Compare the distances of "
         "all rockets to the click."
     )
-    about.call = (
-        "three rockets near the click: type 1 at 2 m, type 3 at 1 m, and type 1 at 1.5 m; "
-        f"find_rocket(display, {x}, {y})"
-    )
-    about.cause, nearest = "Return the Firework itself, not only a part of it.", about.cause
-    found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
-    expect_that(found is not None, "no rocket (None)", "the rocket of type 3")
-    what = None if found is None else found.type
-    if found is not None and found.particle.position.y == y + 1.5:
+    if is_last:
         nearest = (
             "You return the last rocket within reach. When you find a nearer one, also remember "
             "its distance, and compare the next rocket with it."
         )
-    expect_exactly(what, 3, then="; the type of the rocket that it returns", cause=nearest)
+    expect_exactly(type, 3, then="; the type of the rocket that it returns", cause=nearest)
     for away, reached in ((2.4, True), (2.6, False)):
-        about.cause = (
+        with calls(
             "A rocket is within reach if its distance from the click, sqrt(dx^2 + dy^2), is at "
-            "most REACH, which is 2.5 m. Otherwise return None."
-        )
-        place = (x + away * 0.6, y - away * 0.8)
-        about.call = f"one rocket, {away} m away from the click; find_rocket(display, {x}, {y})"
-        found = display.find_rocket(game((1, *place)), x, y)
+            "most REACH, which is 2.5 m. Otherwise return None.",
+            f"one rocket, {away} m away from the click; find_rocket(display, {x}, {y})",
+        ):
+            found = find_rocket(game((1, x + away * 0.6, y - away * 0.8)), x, y)
+            far = find_rocket(game((1, x + 9.0, y)), x, y)
         if reached:
-            if found is None:
-                about.cause = why_none(x, y)
-            expect_that(found is not None, "no rocket (None)", "the rocket")
+            expect_rocket(found, why_none(x, y) if found is None else None)
             continue
-        if found is not None and display.find_rocket(game((1, x + 9.0, y)), x, y) is not None:
-            about.cause = (
+        why = (
+            "You don't use the straight-line distance, which is sqrt(dx^2 + dy^2). It is 2.6 m "
+            "here, which is more than REACH (2.5 m)."
+        )
+        if far is not None:
+            why = (
                 "You return a rocket at any distance from the click. Return None if the distance "
                 "is more than REACH, which is 2.5 m."
             )
-        elif found is not None:
-            about.cause = (
-                "You don't use the straight-line distance, which is sqrt(dx^2 + dy^2). It is 2.6 "
-                "m here, which is more than REACH (2.5 m)."
-            )
-        expect_that(found is None, "the rocket", "no rocket (None)")
+        expect_that(found is None, "the rocket", "no rocket (None)", cause=why)
 
 
-@pytest.mark.exercise("P4.1", asks="also accept a rocket at exactly the distance REACH")
+@pytest.mark.exercise("P4.1", asks="also accept a rocket at exactly the distance REACH", read=FIND)
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
-    about(
-        cause=(
-            "You ignore a rocket at exactly the distance REACH (2.5 m), which is still within "
-            "reach. Include the limit in your comparison."
-        )
-    )
-    about.read = "the docstring of find_rocket"
     for place in ((2.5, 20.0), (-1.5, 22.0)):
-        about.call = (
-            f"one rocket at {place}, exactly 2.5 m away from the click; find_rocket(display, 0, 20)"
-        )
-        found = display.find_rocket(game((1, *place)), 0.0, 20.0)
-        expect_that(found is not None, "no rocket (None)", "the rocket")
+        with calls(
+            "You ignore a rocket at exactly the distance REACH (2.5 m), which is still within "
+            "reach. Include the limit in your comparison.",
+            f"one rocket at {place}, exactly 2.5 m away from the click; find_rocket(display, 0, "
+            "20)",
+        ):
+            found = find_rocket(game((1, *place)), 0.0, 20.0)
+        expect_rocket(found)
 
 
-@pytest.mark.exercise("P4.1", asks="Measure distances in the X-Y plane")
+@pytest.mark.exercise("P4.1", asks="Measure distances in the X-Y plane", read=FIND)
 def test_the_distance_to_a_rocket_leaves_out_z(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
-    about.call = f"one rocket at x = {x}, y = {y}, z = 40; find_rocket(display, {x}, {y})"
-    about(
-        cause="You include z in the distance between the click and the rocket. The screen shows "
-        "only X and Y, so leave z out.",
-        read="the docstring of find_rocket",
-    )
-    found = display.find_rocket(game((1, x, y), z=40.0), x, y)
-    expect_that(found is not None, "no rocket (None)", "the rocket")
+    with calls(
+        "You include z in the distance between the click and the rocket. The screen shows only X "
+        "and Y, so leave z out.",
+        f"one rocket at x = {x}, y = {y}, z = 40; find_rocket(display, {x}, {y})",
+    ):
+        found = find_rocket(game((1, x, y), z=40.0), x, y)
+    expect_rocket(found)
 
 
-@pytest.mark.exercise("P4.1", asks="A rocket is any firework that lights others")
+@pytest.mark.exercise("P4.1", asks="A rocket is any firework that lights others", read=FIND)
 def test_sparks_are_not_rockets() -> None:
-    about.call = (
+    with calls(
+        f"You return a spark, because it is nearer to the click than the rocket. {PAYLOADS}",
         "a spark of type 2 at (0, 20) and a rocket of type 1 at (2, 20); find_rocket(display, 0, "
-        "20)"
-    )
-    about.cause = (
-        "You return a spark, because it is nearer to the click than the rocket. Skip every "
-        "firework whose rule has no payloads."
-    )
-    about.read = "the docstring of find_rocket"
-    found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
-    what = found is not None and found.type
-    if found is None:
-        about.cause = "You return no rocket, although one is within reach. Skip every firework "
-        about.cause += "whose rule has no payloads before you look for the nearest one."
-    expect_that(what == 1, "the spark" if what == 2 else "no rocket (None)", "the rocket")
-    about.call = "a spark at (0, 20) and no rocket; find_rocket(display, 0, 20)"
-    about.cause = "You return a spark. Skip every firework whose rule has no payloads."
-    found = display.find_rocket(game((2, 0.0, 20.0)), 0.0, 20.0)
+        "20)",
+    ):
+        found = find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
+    expect_rocket(found, f"You return no rocket, although one is within reach. {PAYLOADS}")
+    expect_that(found.type == 1, "the spark", "the rocket")
+    with calls(
+        f"You return a spark. {PAYLOADS}",
+        "a spark at (0, 20) and no rocket; find_rocket(display, 0, 20)",
+    ):
+        found = find_rocket(game((2, 0.0, 20.0)), 0.0, 20.0)
     expect_that(found is None, "the spark", "no rocket (None)")
 
 
-@pytest.mark.exercise("P4.1", asks="Skip rockets with an age of 0 or less")
+@pytest.mark.exercise("P4.1", asks="Skip rockets with an age of 0 or less", read=FIND)
 def test_a_rocket_without_a_fuse_is_skipped() -> None:
-    about.read = "the docstring of find_rocket"
-    for age, cause in (
-        (
-            0.0,
-            "You return a rocket whose age is exactly 0, which has no fuse left. Skip every rocket "
-            "whose age is 0 or less.",
-        ),
-        (
-            -0.5,
-            "You return a rocket with a negative age, which has no fuse left. Skip every rocket "
-            "whose age is 0 or less.",
-        ),
-    ):
-        about.cause = cause
-        about.call = (
+    skip = "which has no fuse left. Skip every rocket whose age is 0 or less."
+    for age, which in ((0.0, "whose age is exactly 0"), (-0.5, "with a negative age")):
+        with calls(
+            f"You return a rocket {which}, {skip}",
             f"a rocket of type 1 and age {age} at (0, 20), and a rocket of type 3 and age 1.0 at "
-            "(2, 20); find_rocket(display, 0, 20)"
+            "(2, 20); find_rocket(display, 0, 20)",
+        ):
+            display = game((1, 0.0, 20.0), (3, 2.0, 20.0))
+            display.show.fireworks[0].age = age
+            found = find_rocket(display, 0.0, 20.0)
+        expect_rocket(
+            found,
+            "You return no rocket, although the second one has fuse left and is within reach. Skip "
+            "only the rockets whose age is 0 or less.",
         )
-        a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
-        a_game.show.fireworks[0].age = age
-        found = display.find_rocket(a_game, 0.0, 20.0)
-        what = found is not None and found.type
-        if found is None:
-            about.cause = "You return no rocket, although the second one has fuse left and is "
-            about.cause += "within reach. Skip only the rockets whose age is 0 or less."
-        expect_exactly(what, 3, then="; the type of the rocket that it returns")
+        expect_exactly(found.type, 3, then="; the type of the rocket that it returns")

@@ -58,7 +58,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
         f"show.launch({type}), called 80 times; the different positions (x, y) at which fireworks "
         "start",
     ):
-        places = probes.places_of_launches(fixed(type, 2.0), type, 80)
+        lit = probes.played([fixed(type, 2.0)], [type] * 80, 1.0, 0)[0]
+    places = sorted({tuple(position[:2]) for _, _, position, _ in lit})
     if len(places) == 1:
         about(
             cause="All fireworks start at the same position. Pass self.random to make_firework "
@@ -213,7 +214,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
             "a show with 4 slots; births = [(1, 2, None), (2, 3, None)]; show.light(births); "
             "births",
         ):
-            left = probes.births_after(fixed(1, 2.0), fixed(2, 2.0), when_full)
+            left = probes.births_after(launched(4, when_full))
         expect_exactly(left, [(1, 2), (2, 3)])
 
 
@@ -226,12 +227,12 @@ def test_light_creates_no_more_fireworks_than_the_capacity(when_full: str) -> No
         f'a show with 2000 slots and the policy "{when_full}"; show.light(births), with 500 births '
         "of type 1 and then 500 of type 2, each of 50 fireworks",
     ):
-        rules = fixed(1, 2.0), fixed(2, 2.0)
-        lit, dropped, made = probes.many_births(*rules, 2000, when_full, 1000, 50)
+        show = launched(2000, when_full)
+        lit, made = probes.many_births(show, 1000, 50)
     name = "; the calls to make_firework beyond the 2000 that are needed"
     expect_exactly(max(0, made - 2000), 0, then=name)
     expect_exactly(
-        lit,
+        [lit.count(1), lit.count(2)],
         [2000, 0] if when_full == "keep_old" else [0, 2000],
         then="; how many fireworks of type 1 and of type 2 burn",
         cause="The wrong fireworks burn. With keep_old, the first 2000 births get the slots. With "
@@ -241,7 +242,7 @@ def test_light_creates_no_more_fireworks_than_the_capacity(when_full: str) -> No
         "Most of these fireworks find no free slot. Count all of those in dropped, even if you "
         "skip some items of births altogether."
     )
-    expect_exactly(dropped, 1000 * 50 - 2000, then=DROPPED, cause=uncounted)
+    expect_exactly(show.dropped, 1000 * 50 - 2000, then=DROPPED, cause=uncounted)
 
 
 @pytest.mark.exercise("B4.5", asks="seed always gives the same show", read=SHOW)

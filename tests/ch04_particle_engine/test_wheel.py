@@ -91,8 +91,8 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             "rate by the radius to get the speed in m/s.": rate * along,
         }
         right = (
-            "The nozzle moves at right angles to the spoke, in the direction from X toward Y. Its "
-            "speed is rate x radius."
+            "The nozzle must move at right angles to the spoke, from X toward Y. Its speed is rate "
+            "x radius."
         )
         expect_close(
             nozzle.velocity,

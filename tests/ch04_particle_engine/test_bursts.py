@@ -49,10 +49,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     if not isinstance(got, (list, tuple)):
         cause = "Return a list of the positions, one for each speed."
     expect_close(got, undamped, slips, unit="m", tolerance=1e-12, cause=cause)
-    mine = (
-        "Your function changes the list of speeds, which belongs to the caller. Store the "
-        "positions in a new list."
-    )
+    mine = "Your function changes the list of speeds. Store the positions in a new list."
     _, given, _ = probes.burst_counted(start, [*speeds], a, 0.5, t)
     expect_unchanged("the list of speeds", given, speeds, cause=mine)
     k = -math.log(damping)

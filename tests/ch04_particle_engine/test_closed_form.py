@@ -70,8 +70,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         )
         got = factors(cause, damping, time)
         undamped = (
-            "You ignore the damping, so these are the factors without drag. Compute the drag rate "
-            "from it, which is -ln(damping)."
+            "You ignore the damping, which gives the factors without drag. Use k = -ln(damping)."
         )
         if damping == 0.9999:
             undamped = (
@@ -177,10 +176,7 @@ def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None
 def test_the_factors_hold_for_short_times(rng: Random) -> None:
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
-        cause = (
-            "After a very short time, gone and fallen are small but not 0. Check whether your code "
-            "rounds a small number, or treats it as 0."
-        )
+        cause = "After a very short time, gone and fallen are small but not 0. Don't round them."
         got, wanted = factors(cause, damping, t), by_series(damping, t)
         # Nine digits are required, of gone and of fallen too.
         expect_close(got, wanted, tolerance=1e-9)

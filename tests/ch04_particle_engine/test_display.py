@@ -49,15 +49,9 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
         found = find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
         expect_that(found is not None, "no rocket (None)", "the rocket of type 3")
         type, is_last = found.type, found.particle.position.y == y + 1.5
-    nearest = (
-        "You don't return the nearest of the three rockets within reach. Compare the distances of "
-        "all rockets to the click."
-    )
+    nearest = "You don't return the nearest rocket. Compare the distances of all of them."
     if is_last:
-        nearest = (
-            "You return the last rocket within reach. When you find a nearer one, also remember "
-            "its distance, and compare the next rocket with it."
-        )
+        nearest = "You return the last rocket within reach. Also store the distance of the nearest."
     expect_exactly(type, 3, then="; the type of the rocket that it returns", cause=nearest)
     for away, reached in ((2.4, True), (2.6, False)):
         with calls(
@@ -70,15 +64,9 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
         if reached:
             expect_rocket(found, why_none(x, y) if found is None else None)
             continue
-        why = (
-            "You don't use the straight-line distance, which is sqrt(dx^2 + dy^2). It is 2.6 m "
-            "here, which is more than REACH (2.5 m)."
-        )
+        why = "Use the straight-line distance, sqrt(dx^2 + dy^2), which is 2.6 m here."
         if far is not None:
-            why = (
-                "You return a rocket at any distance from the click. Return None if the distance "
-                "is more than REACH, which is 2.5 m."
-            )
+            why = "You return a rocket at any distance. Return None if it is above REACH (2.5 m)."
         expect_that(found is None, "the rocket", "no rocket (None)", cause=why)
 
 
@@ -88,8 +76,7 @@ def test_a_rocket_at_exactly_the_reach_is_found() -> None:
         with calls(
             "You ignore a rocket at exactly the distance REACH (2.5 m), which is still within "
             "reach. Include the limit in your comparison.",
-            f"one rocket at {place}, exactly 2.5 m away from the click; find_rocket(display, 0, "
-            "20)",
+            f"one rocket at {place}, 2.5 m away from the click; find_rocket(display, 0, 20)",
         ):
             found = find_rocket(game((1, *place)), 0.0, 20.0)
         expect_rocket(found)
@@ -111,8 +98,7 @@ def test_the_distance_to_a_rocket_leaves_out_z(rng: Random) -> None:
 def test_sparks_are_not_rockets() -> None:
     with calls(
         f"You return a spark, because it is nearer to the click than the rocket. {PAYLOADS}",
-        "a spark of type 2 at (0, 20) and a rocket of type 1 at (2, 20); find_rocket(display, 0, "
-        "20)",
+        "a spark at (0, 20) and a rocket at (2, 20); find_rocket(display, 0, 20)",
     ):
         found = find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
     expect_rocket(found, f"You return no rocket, although one is within reach. {PAYLOADS}")

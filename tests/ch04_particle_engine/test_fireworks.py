@@ -62,15 +62,9 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     draw = "Draw a new age for each firework with random.uniform(min_age, max_age)."
     cause = f"The ages are not spread evenly between min_age and max_age. {draw}"
     if all(age == round(age) for age in ages):
-        cause = (
-            "All of your ages are whole numbers of seconds. Draw them with random.uniform, which "
-            "returns any number between its two limits."
-        )
+        cause = "All of your ages are whole numbers of seconds. Draw them with random.uniform."
     elif max(ages) > 1.4 and min(ages) >= 0.5:
-        cause = (
-            "You draw some ages above max_age. If you draw a fraction yourself, multiply it by "
-            "max_age - min_age before you add min_age."
-        )
+        cause = "You draw some ages above max_age. Multiply a fraction by max_age - min_age."
     elif min(ages) < 0.5:
         cause = f"You draw some ages below min_age. {draw}"
     elif min(ages) == max(ages):
@@ -97,10 +91,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         how = "not spread evenly between its limits"
         if min(drawn) == max(drawn):
             how = "the same in every firework"
-        cause = (
-            f"The {axis} component of the velocity is {how}. Draw each component with "
-            "random.uniform and the two limits of its own axis."
-        )
+        cause = f"The {axis} component is {how}. Draw each one between the limits of its own axis."
         name = f"the {axis} components of the velocities"
         expect_even(name, drawn, low[i], high[i], cause)
     ages = [firework[1] for firework in made]
@@ -117,8 +108,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
             -tolerance,
             tolerance,
             then=f"; the correlation between {pair}",
-            cause=f"You use the same random number for {pair}. Draw the age and each component "
-            "separately.",
+            cause=f"You use the same random number for {pair}. Draw each of them separately.",
         )
 
 
@@ -127,27 +117,17 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
 )
 def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    cause = (
-        "A firework without a parent starts on the ground, at y = 0 and z = 0. Choose its x at "
-        "random from the three LAUNCH_PLACES, all equally likely."
-    )
+    cause = "A firework without a parent starts at one of the LAUNCH_PLACES, with y = 0 and z = 0."
     with calls(
         cause,
-        f"random = Random({seed}); make_firework(rule, random), without a parent, called {MANY} "
-        "times",
+        f"random = Random({seed}); make_firework(rule, random) without a parent, {MANY} times",
     ):
         places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
     strange = [place[0] for place in places if place[0] not in (-5.0, 0.0, 5.0)]
     if strange:
-        cause = (
-            f"One of your fireworks starts at x = {strange[0]:.6g}, which is not one of the three "
-            "LAUNCH_PLACES. Choose x from them at random."
-        )
+        cause = f"x = {strange[0]:.6g} is not one of the three LAUNCH_PLACES. Choose x from them."
     elif len({*places}) == 1:
-        cause = (
-            f"All of your fireworks start at x = {places[0][0]:.6g}. Choose x from the three "
-            "LAUNCH_PLACES at random."
-        )
+        cause = f"All your fireworks start at x = {places[0][0]:.6g}. Choose x from LAUNCH_PLACES."
     for x in (-5.0, 0.0, 5.0):
         then = f"; the number of fireworks that start at ({x:g}, 0, 0)"
         expect_count(places.count((x, 0.0, 0.0)), 1.0 / 3.0, then, cause)
@@ -166,20 +146,11 @@ def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) ->
     ):
         first, _, third = probes.lit(probes.fixed(3, 1.0, own), seed, 3, (x, v))
     expect_close(first[2:5], x, then=".particle.position", unit="m")
-    slips = {
-        "You replace the velocity that you draw by the velocity of the parent. Add the two "
-        "velocities.": v
-    }
-    added = (
-        "You leave out the velocity of the parent. Add it to the velocity that you draw from the "
-        "rule."
-    )
+    slips = {"You replace the velocity that you draw by the parent's. Add the two velocities.": v}
+    added = "You leave out the velocity of the parent. Add it to the velocity from the rule."
     then = ".particle.velocity"
     expect_close(first[5:8], v + own, slips, then=then, unit="m/s", cause=added)
-    changed = (
-        "Your function changes the velocity of the parent, so every later firework of this parent "
-        "gets a wrong velocity. Add the two velocities in a new vector."
-    )
+    changed = "Your function changes the velocity of the parent. Add the two in a new vector."
     then = ", called 3 times; the velocity of the third firework"
     expect_close(third[5:8], v + own, then=then, unit="m/s", cause=changed)
 
@@ -190,19 +161,16 @@ def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
     for parent in (None, (vector(rng), vector(rng))):
         with calls(
             "Your firework does not get the type of its rule. Pass that type to Firework.",
-            f"a rule with type {type} and damping {damping}; firework = make_firework(rule, "
-            "random)",
+            f"a rule of type {type}, damping {damping}; firework = make_firework(rule, random)",
         ):
             rule = (type, 1.0, 2.0, STILL, STILL, damping, ())
             (firework,) = probes.lit(rule, 1, 1, parent, parent_mass=4.0)
         expect_close(firework[0], type, then="; firework.type")
         for field, got, wanted, unit, cause in (
             ("damping", firework[12], damping, "",
-             "Your firework does not get the damping of its rule. Pass that damping to the new "
-             "Particle."),
+             "Your firework does not get the damping of its rule. Pass it to the new Particle."),
             ("acceleration", firework[8:11], (0.0, -9.81, 0.0), "m/s^2",
-             "Your firework does not get the acceleration GRAVITY, which is (0, -9.81, 0) m/s^2. "
-             "Pass GRAVITY to the new Particle."),
+             "Your firework does not get the acceleration GRAVITY. Pass it to the new Particle."),
             ("mass", firework[11], 1.0, "",
              "Every firework has a mass of 1 kg. Don't take the mass from the parent."),
         ):  # fmt: skip
@@ -228,6 +196,5 @@ def test_every_random_number_comes_from_the_given_generator(rng: Random) -> None
         0,
         call=f"{first}; make_firework(rule, random), called 5 more times with random = "
         f"Random({seed + 1}); the number of velocities that are the same in both series",
-        cause="Your fireworks are the same although the seeds differ. Draw every number from the "
-        "argument random, in every call.",
+        cause="Your fireworks don't depend on the seed. Draw every number from random.",
     )

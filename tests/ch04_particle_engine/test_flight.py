@@ -40,28 +40,23 @@ def by_the_law(
 def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> None:
     for position, age, spent, cause in (
         ((0.0, 1.5, 100.0), 4.0, False,
-         "This shot is above the ground, younger than 5 s and less than 200 m away, so it is not "
-         "spent. Return False."),
+         "This shot is above the ground, younger than 5 s and less than 200 m away. Return False."),
         ((0.0, 0.0, 100.0), 4.0, False,
-         "You treat a shot at exactly y = 0 as spent. A shot is spent only if it is below the "
-         "ground (y < 0)."),
+         "You treat a shot at exactly y = 0 as spent. It is spent only below the ground (y < 0)."),
         ((0.0, -0.001, 100.0), 4.0, True,
          "You don't treat this shot as spent, although it is below the ground (y < 0). Each of the "
          "three conditions (y, age and z) is enough on its own."),
         ((0.0, 1.5, 100.0), 5.0, False,
-         "You treat a shot with an age of exactly 5 s as spent. A shot is spent only when it is "
-         "older than 5 s."),
+         "You treat a shot of exactly 5 s as spent. It is spent only when it is older than 5 s."),
         ((0.0, 1.5, 100.0), 5.001, True,
          "You ignore the age of the shot. A shot that is older than 5 s is spent, wherever it is."),
         ((0.0, 1.5, 150.0), 4.0, False,
-         "You treat a shot at z = 150 m as spent. The range ends at 200 m, as in the book's "
-         "listing, not at 100 m (E-34)."),
+         "You end the range too early. It ends at 200 m, as in the listing, not at 100 m (E-34)."),
         ((0.0, 1.5, 200.0), 4.0, False,
          "You treat a shot at exactly z = 200 m as spent. It is still on the range, which ends at "
          "200 m, so only z > 200 is past the end."),
         ((0.0, 1.5, 200.001), 4.0, True,
-         "You ignore the z of the shot. A shot past the end of the range (z > 200 m) is spent, "
-         "whatever its height and its age."),
+         "You ignore the z of the shot. Past the end of the range (z > 200 m), it is spent."),
         ((300.0, 300.0, -300.0), 0.0, False,
          "You limit the range in a direction in which it has no limit. Check only whether y is "
          "below 0, z is above 200 m and the age is above 5 s."),
@@ -78,10 +73,7 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
 )
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
-    cause = (
-        "Each update must move every shot by one time step. Call integrate exactly once for each "
-        "particle, with the duration of the step."
-    )
+    cause = "Call integrate exactly once for each particle, with the duration of the step."
     with calls(cause):
         r = BallisticRange()
         r.fire("pistol")
@@ -110,10 +102,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         "You never change the age of a shot. Add the duration to it in every update.": 0.0,
         "You subtract the duration from the age. The age of a shot grows, so add the duration.": -h,
     }
-    once = (
-        "The age of a shot is the time since it was fired. Add the duration to it exactly once in "
-        "every update."
-    )
+    once = "The age is the time since the shot was fired. Add the duration once in every update."
     expect_close(r.shots[1].age, h, slips, then="; r.shots[1].age", unit="s", cause=once)
 
 

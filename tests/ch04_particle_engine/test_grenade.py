@@ -44,14 +44,8 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
             "You leave the grenade below the ground.": (x, y, 3.0),
         }
         expect_close(p.position, (x, 0.0, 3.0), slips, then="; p.position", unit="m")
-        unmoved = (
-            "You move the grenade up to the ground, but leave its velocity unchanged. Change the "
-            "components of p.velocity, or assign a new vector to it."
-        )
-        slow = (
-            f"Your grenade doesn't bounce if it moves down at {-vy} m/s. Every grenade that is "
-            "below the ground and moves down must bounce."
-        )
+        unmoved = "You move the grenade up, but leave its velocity unchanged. Assign a new vector."
+        slow = f"A grenade must bounce even if it moves down at {-vy} m/s, that is, if vy < 0."
         slips = {
             "You reverse the Y component of the velocity without making it smaller. Also multiply "
             "it by BOUNCE, which is 0.5.": (0.8 * vx, -vy, 0.8 * vz),
@@ -67,10 +61,7 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
             "You multiply the Y component by SLIDE too. Multiply it by -BOUNCE only.":
                 (0.8 * vx, -0.4 * vy, 0.8 * vz),
         }  # fmt: skip
-        right = (
-            "Reverse the Y component of the velocity and multiply it by BOUNCE, which is 0.5. "
-            "Multiply X and Z by SLIDE, which is 0.8."
-        )
+        right = "Multiply Y by -BOUNCE, which is -0.5, and X and Z by SLIDE, which is 0.8."
         wanted, then = (0.8 * vx, -0.5 * vy, 0.8 * vz), "; p.velocity"
         expect_close(p.velocity, wanted, slips, then=then, unit="m/s", cause=right)
 
@@ -80,17 +71,13 @@ def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
         with calls(
-            f"You let a grenade bounce at y = {y}, which is not below the ground. Let it bounce "
-            "only if y < 0."
+            f"You let a grenade bounce at y = {y}. Let it bounce only below the ground (y < 0)."
         ):
             p = Particle(position=Vector3(1.0, y, 3.0), velocity=Vector3(*v))
             bounce(p)
         expect_unchanged("p.position", p.position, (1.0, y, 3.0))
         expect_unchanged("p.velocity", p.velocity, v)
-    with calls(
-        "This grenade is only 1e-9 m below the ground, but it must bounce too. Move every particle "
-        "with y < 0 back to y = 0."
-    ):
+    with calls("Every particle with y < 0 must bounce, even 1e-9 m below the ground."):
         p = Particle(position=Vector3(1.0, -1e-9, 3.0), velocity=Vector3(*v))
         bounce(p)
     expect_close(p.position.y, 0.0, tolerance=0.0, then="; p.position.y")
@@ -107,10 +94,7 @@ def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> No
             p = Particle(position=Vector3(1.0, -0.5, 3.0), velocity=Vector3(*v))
             bounce(p)
         expect_close(p.position, (1.0, 0.0, 3.0), then="; p.position", unit="m")
-        up = (
-            "You change the velocity of a grenade that is not moving down. Change the velocity "
-            "only if its Y component is negative."
-        )
+        up = "You change a velocity that doesn't point down. Do so only if Y is negative."
         expect_unchanged("p.velocity", p.velocity, v, cause=up)
 
 
@@ -124,10 +108,7 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
         p = Particle(Vector3(*x), Vector3(*v), mass=6.0)
         pieces = fragments(p)
     expect_twelve(len(pieces))
-    adds = (
-        "You change the velocity of the grenade, so each fragment starts with the speed of all the "
-        "ones before it. Add the two velocities in a new vector."
-    )
+    adds = "You change the velocity of the grenade. Add the two velocities in a new vector."
     expect_unchanged("p.velocity", p.velocity, v, cause=adds)
     mass = "You change the mass of the grenade. Compute the mass of a fragment from it."
     expect_close(p.mass, 6.0, then="; p.mass", cause=mass)
@@ -162,10 +143,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
             ("position", piece[2:5], x),
             ("acceleration", piece[8:], a),
         ):
-            passed = (
-                f"Your fragments don't get the {name} of the grenade. Pass its {name} to each new "
-                "Particle."
-            )
+            passed = f"Your fragments don't get the grenade's {name}. Pass it to each new Particle."
             expect_close(got, of_grenade, then=f"; the {name} of a fragment", cause=passed)
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     slips = {
@@ -175,15 +153,9 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
         "different direction, so that the directions add up to 0.":
             mass * (1.0 + 15.0 / abs(v)) * v,
     }  # fmt: skip
-    why = (
-        "The directions of your fragments don't add up to 0, so the burst changes the total "
-        "momentum. Choose them in opposite pairs, for example."
-    )
+    why = "The directions must add up to 0 to keep the momentum. Choose them in opposite pairs."
     if math.hypot(*total) < 1e-9:
-        why = (
-            "You leave out the velocity of the grenade, so the total momentum of the fragments is "
-            "0. Add the grenade's velocity to that of each fragment."
-        )
+        why = "You leave out the velocity of the grenade. Add it to that of each fragment."
     # The rounding errors of 12 numbers up to 25 x 9 / 12.
     then = "; the total momentum of the fragments"
     expect_close(total, mass * v, slips, then=then, unit="kg m/s", tolerance=1e-11, cause=why)
@@ -194,14 +166,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
 )
 def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> None:
     x, v = vector(rng), vector(rng)
-    cause = (
-        "Each fragment must move at FRAGMENT_SPEED, which is 15 m/s, relative to the grenade. "
-        "Normalize its direction before you multiply by this speed."
-    )
-    left_out = (
-        "You leave out the velocity of the grenade. Add it to the velocity of each fragment, which "
-        "is 15 m/s only relative to the grenade."
-    )
+    cause = "Normalize each direction and multiply it by FRAGMENT_SPEED, which is 15 m/s."
+    left_out = "You leave out the velocity of the grenade. Add it to that of each fragment."
     with calls(
         cause, f"p = Particle(position=Vector3{x}, velocity=Vector3{v}); pieces = fragments(p)"
     ):
@@ -212,9 +178,6 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
         expect_close(abs(velocity - v), 15.0, then=then, unit="m/s", tolerance=1e-11, cause=why)
     expect_exactly(len(velocities), 12, then="; len(pieces)", cause=TWELVE)
     near = sum(abs(a - b) < 0.1 for a, b in itertools.combinations(velocities, 2))
-    different = (
-        "Several of your fragments fly in the same direction. Give each of the 12 fragments a "
-        "different direction."
-    )
+    different = "Several fragments fly in the same direction. Give each one its own direction."
     then = "; the number of pairs of fragments with the same velocity, to within 0.1 m/s"
     expect_exactly(near, 0, then=then, cause=different)

@@ -43,14 +43,8 @@ def why_it_disappears() -> str:
         p = Particle(position=Vector3(0.0, -0.5, 9.0), velocity=Vector3(0.0, -8.0, 5.0))
         left = grenade_after(Shot("grenade", p))
     if len(left) == 0:
-        return (
-            "Your grenade_after returns an empty list for a grenade below the ground, because "
-            "is_spent is True there. Call bounce first, which moves it up to the ground."
-        )
-    return (
-        "Your update removes the grenade when it falls below the ground, like any other shot. Call "
-        "grenade_after for each grenade instead of is_spent."
-    )
+        return "You return an empty list for a grenade below the ground. Call bounce first."
+    return "Your update removes the grenade when it falls below the ground. Call grenade_after."
 
 
 @scoped
@@ -61,14 +55,8 @@ def why_it_bursts() -> str:
         shot.age = 5.0
         left = grenade_after(shot)
     if len(left) < 2:
-        return (
-            "You compare the age with FUSE the wrong way round, so your grenade bursts while its "
-            "fuse still burns. It bursts if its age is FUSE (4 s) or more."
-        )
-    return (
-        "Your grenade bursts in the first update, whatever its age is, so it never reaches the "
-        "ground. Let it burst only if its age is FUSE (4 s) or more."
-    )
+        return "You compare the age the wrong way round. It bursts if its age is FUSE or more."
+    return "Your grenade bursts whatever its age is. Let it burst only if that is FUSE or more."
 
 
 @pytest.mark.exercise(
@@ -95,38 +83,25 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     # It lands in frame 12 and is put back to exactly 0.
     expect_close(lowest, 0.0, then=then, unit="m", tolerance=ROUNDED, cause=why)
     risen, then = max(heights[heights.index(lowest) :]), "; the greatest height after the bounce"
-    rises = (
-        "The grenade does not rise again after its bounce. It must leave the ground at half the "
-        "speed at which it fell."
-    )
+    rises = "The grenade does not rise again. It must leave the ground at half its speed."
     expect_that(risen > 0.5, f"{risen:.6g} m", "more than 0.5 m", then=then, cause=rises)
 
 
 @pytest.mark.exercise("4.1", asks="If the age of the grenade has reached FUSE", read=AFTER)
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     at = thrown(
-        "The fuse of a grenade burns for 4 s (FUSE). Until then, keep the grenade in the list and "
-        "don't let it burst.",
+        "Until the fuse has burned for 4 s (FUSE), keep the grenade and don't let it burst.",
         BURST_FRAME - 1,
     )
     expect_exactly(types_of(at), ["grenade"], then="; the types of the shots")
-    cause = (
-        "After 4 s, your grenade has not burst into 12 fragments. Return 12 shots of the type "
-        "fragment as soon as the age of the grenade reaches FUSE."
-    )
+    cause = "Return 12 shots of the type fragment as soon as the grenade's age reaches FUSE (4 s)."
     late = types_of(thrown(cause, BURST_FRAME + 1))
     at = thrown(cause, BURST_FRAME)
     types = types_of(at)
     if types == ["grenade"] and late[:1] == ["fragment"]:
-        cause = (
-            "Your grenade bursts only when its age is above FUSE. It bursts as soon as its age has "
-            "reached FUSE, so use >= in the comparison."
-        )
+        cause = "It bursts only when its age is above FUSE. Use >=, so that it bursts at FUSE, too."
     if types == ["grenade"] * 12:
-        cause = (
-            "The 12 shots of your burst still have the type grenade. Give each of them the type "
-            "fragment."
-        )
+        cause = "The 12 shots still have the type grenade. Give each of them the type fragment."
     if "grenade" in types and "fragment" in types:
         cause = "The grenade is still there. In update, replace the grenade by its fragments."
     if len(types) == 12 and "grenade" not in types and len({*types}) == 1:
@@ -176,8 +151,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
         left = len(grenade_after(shot))
     expect_exactly(left, 0)
     with calls(
-        "This grenade is still in flight, and its fuse still burns. Return a list that contains "
-        "only the grenade."
+        "This grenade is in flight, and its fuse still burns. Return a list of only the grenade."
     ):
         shot = Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
         shot.age = 2.0
@@ -199,10 +173,7 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     pieces = [each.particle for each in left]
     why = about.cause
     if len(pieces) == 12:
-        why = (
-            "Your grenade bursts before it bounces, so its fragments start below the ground. Call "
-            "bounce before fragments."
-        )
+        why = "Your grenade bursts before it bounces. Call bounce before fragments."
     heights, then = [piece.position.y for piece in pieces], "; the heights of the 12 fragments"
     expect_close(heights, [0.0] * 12, then=then, unit="m", tolerance=0.0, cause=why)
     velocities = [piece.velocity for piece in pieces]
@@ -219,8 +190,7 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
          "Your grenade bursts at an age of exactly 4 s (FUSE), but not at 4.5 s. Compare with >=, "
          "because a step seldom ends at exactly this age."),
         (201.0, 6.0,
-         "You call is_spent before you check the fuse, so this grenade disappears without a burst. "
-         "Check the fuse first."),
+         "You call is_spent first, so this grenade never bursts. Check the fuse first."),
     ):  # fmt: skip
         with calls(cause):
             shot = Shot("grenade", Particle(Vector3(0.0, 1.0, z)))

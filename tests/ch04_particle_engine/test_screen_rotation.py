@@ -110,16 +110,14 @@ def test_the_corners_of_a_square(rng: Random) -> None:
          "Start with the upper right corner, which is half a side from the center in x and in y. "
          "List the others in the direction from X toward Y."),
         (quarter, "math.pi / 2",
-         "After a quarter turn, each corner must be where the next one was. Rotate the square from "
-         "X toward Y by the angle."),
+         "After a quarter turn from X toward Y, each corner must be where the next one was."),
         (round(rng.uniform(0.2, 1.2), 3), "",
          "Rotate each corner about the center by the angle t. A corner at (a, b) relative to the "
          "center moves to (a cos t - b sin t, a sin t + b cos t)."),
     ):  # fmt: skip
         with calls(
             cause,
-            f"screen_corners(center=({x}, {y}), size={size}, angle={shown or angle}); x and y of "
-            "each of the four corners, in order",
+            f"screen_corners(({x}, {y}), size={size}, angle={shown or angle}); x, y of each corner",
         ):
             corners = screen_corners((x, y), size, angle)
             got = [coordinate for corner in corners for coordinate in corner]
@@ -144,10 +142,7 @@ def test_the_corners_of_a_square(rng: Random) -> None:
             "You list the corners in the opposite order. List them in the direction of rotation, "
             "which is from X toward Y.": [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
         }  # fmt: skip
-        start = (
-            "You start with another corner. Start with the one that is at the upper right at an "
-            "angle of 0, and continue from X toward Y."
-        )
+        start = "You start with another corner. Start at the upper right for an angle of 0."
         backward = {
             "You rotate the square from Y toward X. Rotate it from X toward Y.": square(-angle),
             **{

@@ -38,8 +38,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
     with calls(
         "Each update must move every firework by one time step. Call integrate exactly once for "
         "each particle, with the duration of the step.",
-        f"two fireworks at (0, 20, 0) with the velocity {v} m/s and 3 s of fuse left; "
-        f"show.update({h})",
+        f"two fireworks at (0, 20, 0) with velocity {v} and 3 s of fuse left; show.update({h})",
     ):
         show = updated(h, [fixed(1, 3.0, v)], [(1, 2, at(*start))])
     expect_exactly(len(show.fireworks), 2, then="; len(show.fireworks)")
@@ -52,10 +51,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         "You add the duration to the age, but the age counts down. Subtract it.": 3.0 + h,
         "You never change the age of a firework. Subtract the duration from it.": 3.0,
     }
-    once = (
-        "The age is the time that is left until the firework burns out. Subtract the duration from "
-        "it exactly once."
-    )
+    once = "The age is the time left until it burns out. Subtract the duration exactly once."
     for firework in show.fireworks:
         for name, got, wanted, slips, unit in (
             ("position", firework.particle.position, start + h * v, moved, "m"),
@@ -92,26 +88,17 @@ def why_no_payload() -> str:
     if not types(updated(0.0625, rules, start)):
         if updated(0.0625, rules, start, 1, "keep_old").dropped == 0:
             return "You don't light any payloads. When a firework burns out, light all of them."
-        return (
-            "You light payloads before you replace the list of fireworks, so the new fireworks are "
-            "lost. Replace the list first, and then light the payloads."
-        )
+        return "You light payloads before you replace the list, which loses them. Swap the two."
     rules = [fixed(1, 9.0, STILL, (2, 3)), fixed(2, 9.0, (0.0, 90.0, 0.0))]
     start = [(1, 1, at(0.0, -0.001, 0.0))]
     if types(updated(0.001, rules, start)) == [2, 2, 2]:
-        return (
-            "You move new fireworks in the step in which they are lit, so they burn out below the "
-            "ground at once. Light payloads after all fireworks have moved."
-        )
+        return "You move new fireworks in the step in which they are lit. Light payloads last."
     if updated(0.001, rules, start, 1, "keep_old").dropped:
         return (
             "You light the payload, but remove the new fireworks in the same update, because they "
             "start below the ground. Remove burned-out fireworks first, and light payloads last."
         )
-    return (
-        "You don't light the payload of a firework that falls below the ground. Light it just as "
-        "you do when a fuse has burned down."
-    )
+    return "Light the payload of a firework below the ground, too, as when a fuse has burned down."
 
 
 @pytest.mark.exercise("B4.6", asks="or if it is below the ground (y < 0)", read=READ)
@@ -151,8 +138,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         "much fuse is left.": [1],
         "You light payloads while the loop still moves the fireworks, so it reaches some of the "
         "new ones, which burn out at once. Light payloads after the loop.": [2, 2],
-        "You light only one of the three fireworks in the payload. Pass the payload's count to "
-        "self.light.": [2],
+        "You light only one of the three fireworks. Pass the payload's count to self.light.": [2],
     }
     why = named(left, about.cause, slips) if left else why_no_payload()
     expect_exactly(left, [2, 2, 2], then=TYPES, cause=why)
@@ -166,8 +152,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         slips,
         then="; the height y of the first new firework",
         unit="m",
-        cause="The fireworks of a payload must start where their parent burned out, even if that "
-        "is below the ground.",
+        cause="Payloads must start where their parent burned out, even below the ground.",
     )
 
 
@@ -196,8 +181,7 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
             then = f"; the {name} of a firework"
             expect_close(got, wanted, then=then, unit=unit, tolerance=1e-13, cause=cause)
         whole = (
-            "A new firework must still have its whole fuse, which starts to burn in the next step. "
-            "Light payloads after you have shortened all fuses."
+            "Light payloads after all fuses have got shorter, so that they keep their whole fuse."
         )
         expect_close(firework.age, 1.5, then="; the age of a new firework", cause=whole)
 
@@ -240,19 +224,13 @@ def test_burnt_out_fireworks_make_room_before_payloads_are_lit() -> None:
         show = updated(0.25, rules, births, 3, "keep_old")
     lit, why = types(show), about.cause
     if len(lit) > 3:
-        why = (
-            "Your update lights more fireworks than the show has slots. Call self.light for the "
-            "payloads, which keeps the number within the capacity."
-        )
+        why = "You light more fireworks than the show has slots. Call self.light for payloads."
     slips = {
         "You light only the payload of the last firework that burned out. Add the payloads of each "
         "one to your list of births instead of replacing the list.": [4, 4]
     }
     expect_exactly(lit, [3, 3, 4], then=TYPES, cause=named(lit, why, slips))
-    why = (
-        "The payloads contain six fireworks, but there are only three slots. Count the other three "
-        "in dropped."
-    )
+    why = "Six fireworks find only three slots. Count the other three in dropped."
     expect_exactly(show.dropped, 3, then="; show.dropped", cause=why)
 
 
@@ -265,8 +243,7 @@ def test_payloads_follow_the_policy_too() -> None:
     rules = [fixed(1, 0.1, UP, (3, 3)), fixed(2, 5.0), fixed(3, 5.0)]
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
         with calls(
-            "The policy for a full show applies to payloads too. Call self.light for them, which "
-            "follows the policy.",
+            "The policy for a full show applies to payloads too. Call self.light for them.",
             f'a show with 4 slots and the policy "{when_full}"; fireworks of types 1, 2 and 2; the '
             "first burns out, and its payload is 3 fireworks of type 3; the types of the burning "
             "fireworks",
@@ -292,10 +269,7 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
     got = [" ".join(str(firework[0]) for firework in lit) for lit in frames]
     why = about.cause
     if got[1] == "5 3 3 3 3":
-        why = (
-            "You light only the first payload of each rule, but a rule can have several. Light all "
-            "of them, in the order of the rule."
-        )
+        why = "You light only the first payload of each rule. Light all of them, in its order."
     expect_exactly(got, ["1 1 5", *["5 3 3 4 3 3 4"] * 2, "5 3 3 3 3 6 6"], cause=why)
 
 

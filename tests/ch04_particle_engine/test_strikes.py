@@ -69,10 +69,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     then = "; block.particle.velocity"
     expect_close(now, wanted, slips, then=then, unit="m/s", tolerance=1e-13)
     missing = "You don't count the hit. Add 1 to block.hits when the shot hits the block."
-    twice = (
-        "You add more than 1 to hits for one shot. Perhaps you count the hit both inside the loop "
-        "and after it."
-    )
+    twice = "You add more than 1 to hits for one shot, perhaps both inside the loop and after it."
     expect_exactly(block.hits, 1, then=HITS, cause=twice if block.hits > 1 else missing)
     expect_exactly(
         None if struck is None else (struck.hits, struck.particle.mass),
@@ -172,8 +169,7 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     with calls(
         "The check has moved the block onto the path, so the shot must hit it now. Read the "
         "block's current position in every call.",
-        "block.particle.position.x = 0.0, which moves it into the path; strike_first(start, p, "
-        "[block]); block.hits",
+        "block.particle.position.x = 0.0; strike_first(start, p, [block]); block.hits",
         more=True,
     ):
         block.particle.position.x = 0.0
@@ -199,10 +195,7 @@ def why_it_passes() -> str:
         )
     at.update(0.1)
     if thick.hits:
-        return (
-            "You call strike_first before integrate, so the path has no length yet. Call it after "
-            "the shot has moved, with a copy of the position that it had before."
-        )
+        return "You call strike_first before integrate, so the path has no length. Swap the two."
     return "Your update never hits a block. Call strike_first for each shot that has moved."
 
 
@@ -219,10 +212,7 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         at.fire("laser")
         for _ in range(3):
             at.update(0.05)
-    early = (
-        "After 0.15 s the shot has not reached the block yet. Don't remove it before it hits the "
-        "block."
-    )
+    early = "The shot has not reached the block yet. Don't remove it before it hits the block."
     expect_exactly(len(at.shots), 1, then=FLYING, cause=early)
     about(f"{scene}r.update(0.05) 5 times")
     for _ in range(2):
@@ -236,8 +226,7 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         block.particle.velocity.z,
         wanted,
         then="; the speed of the block in m/s",
-        cause="The block must gain the momentum that the shot has after its step. Call "
-        "strike_first after integrate.",
+        cause="The block must gain the momentum after the step. Call strike_first after integrate.",
     )
     with calls(
         "A block that is hit must start to move in the next step. In each update, move the targets "
@@ -286,8 +275,7 @@ def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
         r.update(0.5)
     expect_exactly(block.hits, 1, then=HITS)
     with calls(
-        "A block must stop a grenade like any other shot. Count the hit, and remove the grenade "
-        "from the list of shots."
+        "A block must stop a grenade too. Count the hit, and remove the grenade from the shots."
     ):
         block = TargetBlock(Vector3(0.0, 1.0, 8.0), size=(2.0, 9.0, 0.5), mass=35.0)
         r = BallisticRange([block])

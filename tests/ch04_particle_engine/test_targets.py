@@ -62,10 +62,7 @@ def expect_path(
 @pytest.mark.exercise("4.3b", asks="ask whether the path from the start to the end", read=READ)
 def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     z = round(rng.uniform(10.2, 11.4), 3)
-    cause = (
-        "Return the fraction of the path after which the shot reaches the near face of the block: "
-        "0 at the start of the path, 1 at its end."
-    )
+    cause = "Return the fraction of the path before the near face: 0 at its start, 1 at its end."
     with calls(cause):
         block = TargetBlock(Vector3(0.0, 1.0, z), size=(2.0, 2.0, 0.01), mass=10.0)
         got = hit_fraction(start=Vector3(0, 1, 10), end=Vector3(0.1, 1.1, 11.67), block=block)
@@ -85,20 +82,14 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     }
     if got is True:
         cause = "You return True for a hit. Return the fraction instead, and None for a miss."
-    ends = (
-        "You test only the ends of the path, but this path starts in front of the block and ends "
-        "behind it. Test the whole path."
-    )
+    ends = "You test only the ends of the path, but it passes through the block. Test all of it."
     expect_hit(got, f"{wanted:.6g}", ends)
     expect_close(got, wanted, cause=named(got, cause, slips), tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3b", asks="enters the block at the latest of the three entries", read=READ)
 def test_a_path_hits_the_box_where_it_enters() -> None:
-    cause = (
-        "The path enters the box once it is between the two faces on all three axes. Return the "
-        "largest of the three entry fractions."
-    )
+    cause = "Return the largest of the entry fractions of the three axes."
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
         ((1.5, 3.0, 17.0), (2.5, 5.0, 1.0), 0.5),
@@ -165,10 +156,7 @@ def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
 @pytest.mark.exercise("4.3b", asks="changes none of its arguments", read=READ)
 def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     first, last, center = vector(rng), vector(rng), vector(rng)
-    with calls(
-        "Your hit_fraction changes one of its arguments. Compute with plain numbers or with new "
-        "vectors instead."
-    ):
+    with calls("Your hit_fraction changes one of its arguments. Use plain numbers or new vectors."):
         start, end = Vector3(*first), Vector3(*last)
         block = TargetBlock(Vector3(*center), size=(1.0, 2.0, 3.0), mass=10.0)
         hit_fraction(start, end, block)
@@ -179,8 +167,7 @@ def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     cause = "A path that starts inside the block hits it at once. Return 0 for it."
     with calls(
         cause,
-        "three paths that start at the center of a block; the result of hit_fraction for each of "
-        "them",
+        "three paths that start at the center of a block; the results of hit_fraction",
     ):
         inside, other = Vector3(*center), Vector3(*(2.0 * center - last))
         answers = [hit_fraction(inside, there, block) for there in (end, end, other)]
@@ -195,19 +182,16 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
     behind = "so it misses. Return None if the whole box is behind the start."
     for start, end, wanted, cause in (
         ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), None,
-         "This path is parallel to Z and runs beside the box, at x = 3.5, so it never hits the "
-         "box. Return None."),
+         "This path is parallel to Z at x = 3.5, beside the box, so it misses. Return None."),
         ((2.9, 4.0, 1.0), (2.9, 4.0, 9.0), HIT,
-         "This path runs parallel to Z at x = 2.9, which is between the faces at x = 1 and x = 3, "
-         "so it hits the box."),
+         "This path is parallel to Z at x = 2.9, between x = 1 and x = 3, so it hits the box."),
         ((1.1, 4.0, 1.0), (1.1, 4.0, 9.0), HIT,
          "This path hits the box, because x = 1.1 is between the faces at x = 1 and x = 3. If you "
          "compare its distance from the center with half a side, use the absolute value."),
         ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), None,
          "This path runs at y = 1.5, below the box, so it misses. Return None."),
         ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), None,
-         "This path ends at z = 2.9, just before the box, which begins at z = 3. Return None for "
-         "a fraction above 1."),
+         "This path ends at z = 2.9, before the box begins. Return None for a fraction above 1."),
         ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), None,
          f"This path starts behind the box and leads away from it, {behind}"),
         ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), None, f"This path leads away from the box, {behind}"),
@@ -217,14 +201,8 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
 
 @pytest.mark.exercise("4.3b", asks="If the latest entry comes after the earliest exit", read=READ)
 def test_a_path_past_a_corner_misses() -> None:
-    beside = (
-        "This path is never between the two faces on X and the two faces on Z at the same time. "
-        "It misses the box, so return None."
-    )
-    through = (
-        "A part of this path is between the two faces on X, on Y and on Z at the same time, so "
-        "the path hits the box."
-    )
+    beside = "This path is never between the faces on X and on Z at the same time. Return None."
+    through = "A part of this path is between the faces on all three axes, so it hits the box."
     expect_path((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), None, beside)
     expect_path((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), HIT, through)
     expect_path((4.0, 4.0, 4.0), (2.0, 4.0, 1.0), None, beside)
@@ -232,15 +210,11 @@ def test_a_path_past_a_corner_misses() -> None:
 
 @pytest.mark.exercise("4.3b", asks="only touches the block counts as a hit", read=READ)
 def test_a_touch_and_a_start_inside_count_as_hits() -> None:
-    along = (
-        "This path runs along a face of the box. A touch counts as a hit, so return the fraction "
-        "at which it first touches the face."
-    )
+    along = "A touch counts as a hit. Return the fraction at which the path first touches the face."
     at_once = "inside the box, so it hits the box at once. Return 0."
     for start, end, wanted, cause in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0,
-         "You don't count a path that ends exactly on a face of the box as a hit. A touch counts, "
-         "so return 1."),
+         "You don't count a path that ends exactly on a face as a hit. A touch counts: return 1."),
         ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, along),
         ((1.0, 4.0, 1.0), (1.0, 4.0, 9.0), 0.25, along),
         ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0,

@@ -52,10 +52,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
     rate = round(rng.uniform(1.0, 9.0), 3)
     _, wheel = wheel_of(center, radius, rate)
     for angle in (0.0, round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(2.0, 6.0), 3)):
-        cause = (
-            "The nozzle must be on the rim of the wheel. Return the position center + radius (cos "
-            "a, sin a, 0), where a is the wheel's angle from the X axis."
-        )
+        cause = "The position must be center + radius (cos a, sin a, 0) with a = wheel.angle."
         with calls(
             cause,
             f"a wheel with its center at {center}, a radius of {radius} m and a rate of {rate} "
@@ -75,10 +72,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         }  # fmt: skip
         why = named(xyz(nozzle.position), cause, slips)
         if xyz(wheel.center) != center:
-            why = (
-                "You change the center of the wheel. Add the spoke to it in a new vector, because "
-                "+= changes the vector itself."
-            )
+            why = "You change the center of the wheel, as += does. Compute a new vector."
         wanted = center + radius * out
         expect_close(
             nozzle.position, wanted, then=".position", unit="m", tolerance=1e-13, cause=why
@@ -90,10 +84,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             "You use the rate of the wheel, in rad/s, as the speed of the nozzle. Multiply the "
             "rate by the radius to get the speed in m/s.": rate * along,
         }
-        right = (
-            "The nozzle must move at right angles to the spoke, from X toward Y. Its speed is rate "
-            "x radius."
-        )
+        right = "The nozzle moves perpendicular to the spoke, from X toward Y, at rate x radius."
         expect_close(
             nozzle.velocity,
             rate * radius * along,
@@ -120,8 +111,7 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     with calls(
         "The speed of the sparks is rate x radius minus jet. It is negative here, because the jet "
         "is faster than the rim.",
-        f"a wheel with a radius of 2 m, a rate of {rate} rad/s and a jet of {jet} m/s; "
-        "wheel.nozzle().velocity",
+        f"a wheel with radius 2 m, rate {rate} rad/s and jet {jet} m/s; wheel.nozzle().velocity",
     ):
         got = wheel_of(MIDDLE, 2.0, rate, jet=jet)[1].nozzle().velocity
     slips = {
@@ -172,30 +162,17 @@ def why_another_number(counts: list[int], per_second: float, h: float, cause: st
         "Round down with math.floor.": math.ceil(per_second * 2.0),
     }
     if any(after < earlier for earlier, after in itertools.pairwise(counts)):
-        return (
-            "Sparks disappear while the wheel rotates. Don't move the sparks or update the show in "
-            "the update of the wheel, which only lights them."
-        )
+        return "Sparks disappear while the wheel rotates. Don't update the show in its update."
     if last == 0:
         if probes.sparks_of_a_wheel(per_second, 2.0, 1)[-1] == 0:
             return (
-                "You light no sparks. Either you don't add the duration to the time of the wheel, "
-                "or you don't pass the sparks that are due to show.light."
+                "You light no sparks. Change the wheel's time, and pass the sparks to show.light."
             )
-        return (
-            "You round the number of sparks down in every step, and each step is too short for a "
-            "whole spark. Carry the fraction over to the next step."
-        )
+        return "You round down in every step. Carry the fraction of a spark over to the next step."
     if last == frames == 128:
-        return (
-            "You light one spark in every step. The number of sparks must depend on how much time "
-            "has passed, not on how many steps it took."
-        )
+        return "You light one spark in every step. The number must depend on the time."
     if last == frames:
-        return (
-            "You light only one spark in a step in which several are due. Pass the number of "
-            "sparks that are due to show.light."
-        )
+        return "You light only one spark in a step. Pass the number that is due to show.light."
     return named(last, cause, slips) if frames > 1 else cause
 
 
@@ -213,10 +190,7 @@ def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
             counts = probes.sparks_of_a_wheel(per_second, h, frames)
             why = why_another_number(counts, per_second, h, about.cause)
         expect_exactly(counts[-1], math.floor(per_second * 2.0), cause=why)
-        carry = (
-            "The number of sparks is wrong after some of the steps. If a step ends with a fraction "
-            "of a spark, carry that fraction over to the next step."
-        )
+        carry = "If a step ends with a fraction of a spark, carry it over to the next step."
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
         expect_exactly(counts, wanted, then=", after each update", cause=carry)
 
@@ -235,8 +209,11 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     expect_exactly(len(show.fireworks), 2, then="; the number of sparks lit")
     angle = 0.25 * rate
     slips = {
-        "You light the sparks before the wheel has rotated. Change the angle first, and then light "
-        "the sparks at the nozzle.": MIDDLE + 2.0 * spoke(0.0)
+        "You light the sparks before the wheel has rotated. Change the angle first.": (
+            2.0,
+            5.0,
+            0.0,
+        )
     }
     for spark in show.fireworks:
         expect_exactly(spark.type, 7, then="; the type of a spark")
@@ -258,15 +235,9 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
         show, wheel = wheel_of(MIDDLE, capacity=3, sparks_per_second=10.5)
         wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
-    why = (
-        "The wheel throws 10 sparks in 1 s. Count all of them in wheel.thrown, even those that "
-        "found no free slot."
-    )
+    why = "Count all 10 sparks of the first second in wheel.thrown, even those without a free slot."
     if wheel.thrown == 3:
-        why = (
-            "Your wheel counts only the sparks that got one of the 3 slots, so it throws the "
-            "others again later. Also count the sparks that found no free slot."
-        )
+        why = "You count only sparks that got a slot. Also count those that found none."
     expect_exactly(wheel.thrown, 10, then="; wheel.thrown", cause=why)
     with calls(
         "The wheel throws 15 sparks in 1.5 s. It already threw 10 of them in the first second, so "
@@ -277,8 +248,5 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
         show.update(10.0)
         wheel.update(0.5)
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
-    five = (
-        "The show must drop 7 of the first 10 sparks and 2 of the last 5. Check that your second "
-        "update tries to light exactly 5."
-    )
+    five = "The show must drop 7 of the first 10 sparks and 2 of the 5 of the second update."
     expect_exactly(show.dropped, 7 + 2, then="; show.dropped", cause=five)

@@ -79,6 +79,16 @@ def flight(names: Sequence[str], duration: float, frames: int) -> list[list[Any]
     return seen
 
 
+def landing(name: str, duration: float) -> tuple[float, float]:
+    """Fire a shot and return the time and the z at which it reaches y = 0, within a frame."""
+    seen = [shots[0] for shots in flight([name], duration, round(6.0 / duration)) if shots]
+    if not seen:
+        return 0.0, 0.0
+    _, (_, y, z), (_, vy, vz) = seen[-1]
+    left = -y / vy  # until the ground, in the frame that removes the shot
+    return len(seen) * duration + left, z + vz * left
+
+
 def burst(
     position: Components,
     velocity: Components,
@@ -153,21 +163,20 @@ def played(
     capacity: int = 500,
     when_full: str = "keep_old",
     seed: int = 1,
-) -> list[list[Any]]:
-    """Launch fireworks; return type, age, position and velocity of each, at first and each frame.
+) -> tuple[list[list[int]], list[Any]]:
+    """Launch fireworks; return the types that burn after each frame, and the fireworks at the end.
 
-    The oldest firework is the first.
+    The oldest is the first. Of each one at the end, return type, age, position and velocity.
     """
     show = show_of(rules, capacity, when_full, seed)
     for type in launches:
         show.launch(type)
     seen = []
-    for frame in range(frames + 1):
-        if frame:
-            show.update(duration)
-        lit = [(firework.type, firework.age, firework.particle) for firework in show.fireworks]
-        seen.append([(type, age, xyz(p.position), xyz(p.velocity)) for type, age, p in lit])
-    return seen
+    for _ in range(frames):
+        show.update(duration)
+        seen.append(types(show))
+    lit = [(firework.type, firework.age, firework.particle) for firework in show.fireworks]
+    return seen, [(type, age, xyz(p.position), xyz(p.velocity)) for type, age, p in lit]
 
 
 def endless(leaves: dict[int, list[int]]) -> list[int] | str:

@@ -1,4 +1,4 @@
-"""Aiming and firing: mini-project 4.3, first part, and build task B4.2."""
+"""A slower bullet, B4.1, aiming, 4.3a, and firing, B4.2."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import pytest
 
 from calls import calls
 from ch04_particle_engine.ballistics import BallisticRange, aim
+from ch04_particle_engine.scaling import muzzle_energy, slowed_gravity, slowed_mass
 from draw import Triple
 from expect import about, expect_close, expect_exactly, named, xyz
 
@@ -22,6 +23,7 @@ TABLE = {
     "grenade": (0.6, (0.0, 12.0, 12.0), (0.0, -10.0, 0.0), 0.9),
 }
 AIM, FIRE = "the docstring of aim", "the docstring of fire"
+BULLET = "book 4.1.1; errata.md"
 QUARTER = math.pi / 2.0
 X, Y, Z = Triple((1.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0)), Triple((0.0, 0.0, 1.0))
 
@@ -39,17 +41,87 @@ def aimed(speed: float, azimuth: float, elevation: float) -> Triple:
     return speed * math.cos(elevation) * level + speed * math.sin(elevation) * Y
 
 
+# B4.1 A slower bullet
+
+
+@pytest.mark.exercise("B4.1", asks="the kinetic energy of a shot, m v^2 / 2", read=BULLET)
+def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
+    drawn = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
+    for mass, speed in ((0.005, 500.0), drawn):
+        with calls("The kinetic energy of the bullet is m v^2 / 2."):
+            got = muzzle_energy(mass=mass, speed=speed)
+        slips = {
+            "You leave out the factor 1/2.": mass * speed**2,
+            "You don't square the speed.": mass * speed / 2.0,
+            "You square the mass as well.": (mass * speed) ** 2 / 2.0,
+            "You divide the speed by 2 before you square it.": mass * (speed / 2.0) ** 2,
+        }
+        expect_close(got, mass * speed**2 / 2.0, slips, unit="J")
+
+
+@pytest.mark.exercise(
+    "B4.1",
+    asks="a slowed shot the kinetic energy of the real shot",
+    read="book 4.1.1; the docstring in scaling.py, which defines the factor (E-19)",
+)
+def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
+    cause = "Multiply the mass by the square of the factor, because the energy depends on v^2."
+    for mass, factor in (
+        (0.005, 20.0),
+        (round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)),
+        (round(rng.uniform(2.0, 90.0), 3), 0.25),
+    ):
+        with calls(
+            cause,
+            f"slowed_mass(mass={mass}, factor={factor}); the kinetic energy of a shot with this "
+            f"mass at {500.0 / factor:.6g} m/s",
+        ):
+            slow = slowed_mass(mass, factor)
+        slips = {
+            "You multiply the mass by the factor, which keeps the momentum the same.":
+                mass * factor,
+            "You divide the mass by the square of the factor, as in the book's footnote (E-19).":
+                mass / factor**2,
+            "You divide the mass by the factor.": mass / factor,
+            "You leave the mass unchanged, so the slower shot has too little energy.": mass,
+        }  # fmt: skip
+        energy = 0.5 * slow * (500.0 / factor) ** 2
+        expect_close(energy, 0.5 * mass * 500.0**2, unit="J", cause=named(slow, cause, slips))
+
+
+@pytest.mark.exercise("B4.1", asks="a slowed shot the trajectory of the real shot", read=BULLET)
+def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
+    cause = "Divide gravity by factor^2, because the drop grows with the square of the time."
+    for gravity, factor in (
+        (10.0, 20.0),
+        (-round(rng.uniform(2.0, 20.0), 3), round(rng.uniform(2.0, 9.0), 3)),
+        (9.81, 0.5),
+    ):
+        with calls(
+            cause,
+            f"slowed_gravity(gravity={gravity}, factor={factor}); how far a shot at "
+            f"{500.0 / factor:.6g} m/s drops over 100 m with this gravity",
+        ):
+            weak = slowed_gravity(gravity, factor)
+        slips = {
+            "You divide gravity by the factor only once, as in the book (E-2).": gravity / factor,
+            "You leave gravity unchanged, so the slow shot drops too far.": gravity,
+            "You multiply gravity by the factor.": gravity * factor,
+            "You multiply gravity by factor^2.": gravity * factor**2,
+        }
+        drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
+        expect_close(drop, 0.5 * gravity * 0.2**2, unit="m", cause=named(weak, cause, slips))
+
+
 # 4.3a Aiming
 
 
 @pytest.mark.exercise("4.3a", asks="is the horizontal angle from Z toward X", read=AIM)
 def test_the_axes_of_aiming(rng: Random) -> None:
     speed, small = round(rng.uniform(2.0, 90.0), 3), math.radians(QUARTER)
-    degrees = "You convert the angles with math.radians, but they are already in radians."
+    degrees = "You use math.radians, but they are already in radians. Don't convert the angles."
     vertical = "You measure the elevation from the vertical. Measure it from the ground."
-    swapped = (
-        "You have swapped Y and Z. The upward part, speed x sin(elevation), is the Y component."
-    )
+    swapped = "You have swapped Y and Z. The upward part, speed x sin(elevation), is Y."
     length = "and its length must be the speed."
     for azimuth, elevation, shown, wanted, cause, slips in (
         (0.0, 0.0, "azimuth=0.0, elevation=0.0", Z,
@@ -108,9 +180,7 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
 @pytest.mark.parametrize("name", TABLE)
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
-    with calls(
-        "Append exactly one Shot to self.shots, with the name of the type and the particle."
-    ):
+    with calls("Append exactly one Shot to self.shots, with its type's name and its particle."):
         r = BallisticRange()
         r.fire(name)
     fired = types_of(r)
@@ -155,9 +225,7 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
 def test_shots_are_in_the_order_of_firing_and_share_nothing(rng: Random) -> None:
     names = rng.sample(sorted(TABLE), 3)
     names.append(names[0])
-    cause = (
-        "Append each new shot to the end of self.shots, so that they stay in the order of firing."
-    )
+    cause = "Append each new shot to the end of self.shots, so that they stay in firing order."
     fired = "; ".join(f'r.fire("{name}")' for name in names)
     with calls(cause, f"r = BallisticRange(); {fired}"):
         r = BallisticRange()
@@ -188,9 +256,7 @@ def test_an_azimuth_rotates_the_shot_and_keeps_its_elevation(rng: Random) -> Non
     azimuth = round(rng.uniform(0.3, 1.2), 3)
     unaimed = "You ignore the azimuth. Pass it to aim."
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
-        with calls(
-            "The azimuth must rotate the type's velocity about Y. Keep its speed and Y component."
-        ):
+        with calls("The azimuth must rotate the velocity about Y. Keep its speed and Y component."):
             r = BallisticRange()
             r.fire(name, azimuth=azimuth)
             got = r.shots[-1].particle.velocity

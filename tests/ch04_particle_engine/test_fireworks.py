@@ -16,6 +16,7 @@ from draw import vector
 from expect import expect_between, expect_close, expect_exactly
 
 READ = "the docstring of make_firework"
+DRAWN, PARENT = f"{READ}; book 4.2.2", f"{READ}; book 4.2.3"
 MANY = 400  # draws. Their mean is within 5 standard deviations of the middle
 
 
@@ -47,9 +48,7 @@ def expect_even(name: str, drawn: list[float], low: float, high: float, cause: s
         expect_count(inside, 0.25, then, cause)
 
 
-@pytest.mark.exercise(
-    "B4.4", asks="are drawn uniformly between the rule's limits", read=f"{READ}; book 4.2.2"
-)
+@pytest.mark.exercise("B4.4", asks="are drawn uniformly between the rule's limits", read=DRAWN)
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     with calls(
@@ -64,7 +63,7 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     if all(age == round(age) for age in ages):
         cause = "All of your ages are whole numbers of seconds. Draw them with random.uniform."
     elif max(ages) > 1.4 and min(ages) >= 0.5:
-        cause = "You draw some ages above max_age. Multiply a fraction by max_age - min_age."
+        cause = f"You draw some ages above max_age. {draw}"
     elif min(ages) < 0.5:
         cause = f"You draw some ages below min_age. {draw}"
     elif min(ages) == max(ages):
@@ -72,9 +71,7 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     expect_even("the ages", ages, 0.5, 1.4, cause)
 
 
-@pytest.mark.exercise(
-    "B4.4", asks="rule's limits, independently of each other", read=f"{READ}; book 4.2.2"
-)
+@pytest.mark.exercise("B4.4", asks="rule's limits, independently of each other", read=DRAWN)
 def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None:
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
@@ -112,9 +109,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         )
 
 
-@pytest.mark.exercise(
-    "B4.4", asks="at one of LAUNCH_PLACES, chosen at random", read=f"{READ}; book 4.2.3"
-)
+@pytest.mark.exercise("B4.4", asks="at one of LAUNCH_PLACES, chosen at random", read=PARENT)
 def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> None:
     seed = rng.randrange(10**6)
     cause = "A firework without a parent starts at one of the LAUNCH_PLACES, with y = 0 and z = 0."
@@ -133,9 +128,7 @@ def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> No
         expect_count(places.count((x, 0.0, 0.0)), 1.0 / 3.0, then, cause)
 
 
-@pytest.mark.exercise(
-    "B4.4", asks="the velocity of the parent is added", read=f"{READ}; book 4.2.3"
-)
+@pytest.mark.exercise("B4.4", asks="the velocity of the parent is added", read=PARENT)
 def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), vector(rng), vector(rng), vector(rng)
     with calls(

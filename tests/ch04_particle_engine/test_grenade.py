@@ -45,7 +45,7 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
         }
         expect_close(p.position, (x, 0.0, 3.0), slips, then="; p.position", unit="m")
         unmoved = "You move the grenade up, but leave its velocity unchanged. Assign a new vector."
-        slow = f"A grenade must bounce even if it moves down at {-vy} m/s, that is, if vy < 0."
+        slow = f"Your grenade doesn't bounce if it moves down at {-vy} m/s. It must for any vy < 0."
         slips = {
             "You reverse the Y component of the velocity without making it smaller. Also multiply "
             "it by BOUNCE, which is 0.5.": (0.8 * vx, -vy, 0.8 * vz),
@@ -70,9 +70,7 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
 def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
-        with calls(
-            f"You let a grenade bounce at y = {y}. Let it bounce only below the ground (y < 0)."
-        ):
+        with calls(f"You let a grenade bounce at y = {y}. It must bounce only if y < 0."):
             p = Particle(position=Vector3(1.0, y, 3.0), velocity=Vector3(*v))
             bounce(p)
         expect_unchanged("p.position", p.position, (1.0, y, 3.0))
@@ -168,9 +166,7 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     x, v = vector(rng), vector(rng)
     cause = "Normalize each direction and multiply it by FRAGMENT_SPEED, which is 15 m/s."
     left_out = "You leave out the velocity of the grenade. Add it to that of each fragment."
-    with calls(
-        cause, f"p = Particle(position=Vector3{x}, velocity=Vector3{v}); pieces = fragments(p)"
-    ):
+    with calls(cause, f"p = Particle(Vector3{x}, velocity=Vector3{v}); pieces = fragments(p)"):
         velocities = [Triple(piece[5:8]) for piece in probes.burst(x, v, 1.0)]
     for velocity in velocities:
         why = left_out if abs(abs(velocity) - 15.0) < 1e-9 else cause

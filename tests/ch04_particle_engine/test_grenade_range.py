@@ -120,9 +120,7 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
 
 
 @pytest.mark.exercise(
-    "4.1",
-    asks="replace each grenade by the shots",
-    read="the docstrings of update and is_spent",
+    "4.1", asks="replace each grenade by the shots", read="the docstrings of update and is_spent"
 )
 def test_other_shots_fly_on_and_spent_fragments_are_removed() -> None:
     at = thrown(
@@ -150,9 +148,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
         shot = Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
         left = len(grenade_after(shot))
     expect_exactly(left, 0)
-    with calls(
-        "This grenade is in flight, and its fuse still burns. Return a list of only the grenade."
-    ):
+    with calls("This grenade is in flight and its fuse burns. Return a list of only the grenade."):
         shot = Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
         shot.age = 2.0
         left = grenade_after(shot)

@@ -12,7 +12,7 @@ from calls import calls
 from ch04_particle_engine import probes
 from expect import expect_between, expect_exactly, expect_that
 
-ENDLESS = "the docstring of endless_types"
+READ = "the docstring of endless_types"
 OWN = "the docstring of own_types; book 4.2.2"
 ROUND = "Your search goes round the cycle without end. Remember which types you have visited."
 
@@ -31,9 +31,7 @@ def words(leaves: dict[int, list[int]]) -> str:
     return f"rules in which {start}{last}; endless_types(rules)"
 
 
-@pytest.mark.exercise(
-    "B4.7", asks="the types of firework that light themselves again", read=ENDLESS
-)
+@pytest.mark.exercise("B4.7", asks="the types of firework that light themselves again", read=READ)
 def test_rules_that_end_have_no_endless_types() -> None:
     for leaves in (
         {1: []},
@@ -41,9 +39,7 @@ def test_rules_that_end_have_no_endless_types() -> None:
         {1: [2, 3], 2: [4], 3: [4], 4: []},  # type 4 is reached twice but never leads back
         {4: [], 3: [4], 2: [4], 1: [3, 2]},
     ):
-        cause = (
-            "No type is endless here, because each chain of payloads ends. Return an empty list."
-        )
+        cause = "No type is endless here, because each chain ends. Return an empty list."
         with calls(cause, words(leaves)):
             got = probes.endless(leaves)
         if isinstance(got, str):
@@ -78,7 +74,7 @@ def why_wrong(got: Any, wanted: list[int], cause: str) -> str:
     return cause
 
 
-@pytest.mark.exercise("B4.7", asks="light themselves again, directly", read=ENDLESS)
+@pytest.mark.exercise("B4.7", asks="light themselves again, directly", read=READ)
 def test_a_type_that_lights_itself_is_endless(rng: Random) -> None:
     type = rng.randrange(2, 9)
     cause = f"Type {type} lights itself, so it is endless. Include it in the result."
@@ -87,7 +83,7 @@ def test_a_type_that_lights_itself_is_endless(rng: Random) -> None:
     expect_exactly(got, [type], cause=why_wrong(got, [type], cause) if got else cause)
 
 
-@pytest.mark.exercise("B4.7", asks="Return the types in ascending order", read=ENDLESS)
+@pytest.mark.exercise("B4.7", asks="Return the types in ascending order", read=READ)
 def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
     ring = rng.sample(range(1, 90), 40)
     for leaves, wanted, cause in (
@@ -110,7 +106,7 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
         expect_exactly(got, wanted, cause=why_wrong(got, wanted, cause))
 
 
-@pytest.mark.exercise("B4.7", asks="remember which types you have visited", read=ENDLESS)
+@pytest.mark.exercise("B4.7", asks="remember which types you have visited", read=READ)
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)} | {60: [], 61: []}
     with calls(

@@ -16,7 +16,7 @@ from ch04_particle_engine.targets import TargetBlock, strike_first
 from draw import Triple, number, vector
 from expect import about, expect_close, expect_exactly, expect_unchanged, named, scoped
 
-STRIKE = "the docstring of strike_first"
+READ = "the docstring of strike_first"
 UPDATE = "the docstring of update"
 HITS, FLYING = "; block.hits", "; the number of shots in flight"
 
@@ -33,9 +33,7 @@ def fly(blocks: list[Any], start: float = 0.0) -> tuple[Any, tuple[int, ...]]:
     return struck, tuple(block.hits for block in blocks)
 
 
-@pytest.mark.exercise(
-    "4.3c", asks="receives the momentum of the particle along X and Z", read=STRIKE
-)
+@pytest.mark.exercise("4.3c", asks="receives the momentum of the particle along X and Z", read=READ)
 def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> None:
     v, mass = vector(rng), round(rng.uniform(0.5, 2.0), 3)
     before = Triple((number(rng), 1.5, number(rng)))
@@ -79,7 +77,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     )
 
 
-@pytest.mark.exercise("4.3c", asks="an immovable block does not move at all", read=STRIKE)
+@pytest.mark.exercise("4.3c", asks="an immovable block does not move at all", read=READ)
 def test_an_immovable_block_counts_a_hit_and_stays(rng: Random) -> None:
     v = vector(rng)
     with calls(
@@ -94,7 +92,7 @@ def test_an_immovable_block_counts_a_hit_and_stays(rng: Random) -> None:
     expect_exactly(block.hits, 1, then=HITS, cause=counts)
 
 
-@pytest.mark.exercise("4.3c", asks="Let a shot hit the first target on its path", read=STRIKE)
+@pytest.mark.exercise("4.3c", asks="Let a shot hit the first target on its path", read=READ)
 def test_only_the_first_block_on_the_path_is_hit() -> None:
     cause = "Hit only the block for which hit_fraction is smallest."
     with calls(
@@ -119,7 +117,7 @@ def test_only_the_first_block_on_the_path_is_hit() -> None:
     expect_close(speeds, (0.0, 0.0, 10.0, 0.0), then="; the speed along Z of each block")
 
 
-@pytest.mark.exercise("4.3c", asks="it hits the one that comes first in the list", read=STRIKE)
+@pytest.mark.exercise("4.3c", asks="it hits the one that comes first in the list", read=READ)
 def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     cause = "The long block begins earlier on the path. Compare the results of hit_fraction."
     with calls(
@@ -141,7 +139,7 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     expect_exactly(hits, (1, 0))
 
 
-@pytest.mark.exercise("4.3c", asks="already starts inside the block, the result is 0", read=STRIKE)
+@pytest.mark.exercise("4.3c", asks="already starts inside the block, the result is 0", read=READ)
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     with calls(
         "The shot must hit only the second block, for which hit_fraction returns 0. Test for a "
@@ -153,7 +151,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     expect_exactly(hits, (0, 1))
 
 
-@pytest.mark.exercise("4.3c", asks="Return None if the shot misses every target", read=STRIKE)
+@pytest.mark.exercise("4.3c", asks="Return None if the shot misses every target", read=READ)
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     with calls(
         "There is no block on the path of this shot. Return None, and don't count a hit.",
@@ -195,7 +193,10 @@ def why_it_passes() -> str:
         )
     at.update(0.1)
     if thick.hits:
-        return "You call strike_first before integrate, so the path has no length. Swap the two."
+        return (
+            "You call strike_first before integrate, so the path has no length yet. Call it after "
+            "the shot has moved, with a copy of the position that it had before."
+        )
     return "Your update never hits a block. Call strike_first for each shot that has moved."
 
 
@@ -274,9 +275,7 @@ def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
         r.fire("laser", elevation=-0.1)
         r.update(0.5)
     expect_exactly(block.hits, 1, then=HITS)
-    with calls(
-        "A block must stop a grenade too. Count the hit, and remove the grenade from the shots."
-    ):
+    with calls("A block must stop a grenade too. Count the hit, and remove the grenade."):
         block = TargetBlock(Vector3(0.0, 1.0, 8.0), size=(2.0, 9.0, 0.5), mass=35.0)
         r = BallisticRange([block])
         r.fire("grenade", elevation=0.0)

@@ -18,9 +18,7 @@ READ = "the docstring of hit_fraction"
 # A box from (1, 2, 3) to (3, 6, 9): numbers that are exact in binary.
 CENTER = SIZE = (2.0, 4.0, 6.0)
 HIT = "a fraction from 0 to 1"
-LARGEST = (
-    "Return the largest of the three, because the path must be between the faces on all three axes."
-)
+LARGEST = "Return the largest, because the path must be between the faces on all three axes."
 ROUNDED = 1e-12  # some roundings of numbers up to 20, divided by at least 1
 
 
@@ -165,10 +163,7 @@ def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     expect_unchanged("block.particle.position", block.particle.position, center)
     # Where the first answer counts, so that this is no check of doing nothing.
     cause = "A path that starts inside the block hits it at once. Return 0 for it."
-    with calls(
-        cause,
-        "three paths that start at the center of a block; the results of hit_fraction",
-    ):
+    with calls(cause, "three paths from the center of a block; the results of hit_fraction"):
         inside, other = Vector3(*center), Vector3(*(2.0 * center - last))
         answers = [hit_fraction(inside, there, block) for there in (end, end, other)]
     if any(isinstance(answer, (int, float)) and answer < 0.0 for answer in answers):

@@ -23,17 +23,10 @@ MIDDLE = Triple((0.0, 5.0, 0.0))
 ROUNDED = 1e-12  # some roundings of numbers up to 30, and of a sine
 
 
-def wheel_of(
-    center: Components,
-    radius: float = 1.0,
-    rate: float = 2.0,
-    sparks_per_second: float = 10.0,
-    jet: float = 0.0,
-    capacity: int = 500,
-) -> tuple[Any, Any]:
-    """Return a show with one kind of spark, and a wheel."""
+def wheel_of(center: Components, *numbers: float, capacity: int = 500) -> tuple[Any, Any]:
+    """Return a show with one kind of spark, and a wheel. Its radius is the first of the numbers."""
     show = probes.show_of([fixed(7, 9.0, STILL)], capacity, "keep_old", 1)
-    return show, CatherineWheel(show, 7, Vector3(*center), radius, rate, sparks_per_second, jet)
+    return show, CatherineWheel(show, 7, Vector3(*center), *numbers)
 
 
 def spoke(angle: float) -> Triple:
@@ -50,7 +43,7 @@ def tangent(angle: float) -> Triple:
 def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
     center, radius = vector(rng), round(rng.uniform(0.5, 3.0), 3)
     rate = round(rng.uniform(1.0, 9.0), 3)
-    _, wheel = wheel_of(center, radius, rate)
+    _, wheel = wheel_of(center, radius, rate, 10.0)
     for angle in (0.0, round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(2.0, 6.0), 3)):
         cause = "The position must be center + radius (cos a, sin a, 0) with a = wheel.angle."
         with calls(
@@ -84,7 +77,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             "You use the rate of the wheel, in rad/s, as the speed of the nozzle. Multiply the "
             "rate by the radius to get the speed in m/s.": rate * along,
         }
-        right = "The nozzle moves perpendicular to the spoke, from X toward Y, at rate x radius."
+        right = "It must move perpendicular to the spoke, from X toward Y, at rate x radius."
         expect_close(
             nozzle.velocity,
             rate * radius * along,
@@ -113,7 +106,7 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
         "is faster than the rim.",
         f"a wheel with radius 2 m, rate {rate} rad/s and jet {jet} m/s; wheel.nozzle().velocity",
     ):
-        got = wheel_of(MIDDLE, 2.0, rate, jet=jet)[1].nozzle().velocity
+        got = wheel_of(MIDDLE, 2.0, rate, 10.0, jet)[1].nozzle().velocity
     slips = {
         "You add the speed of the jet to the speed of the rim. Subtract it, because the sparks "
         "leave the nozzle against the motion of the rim.": (0.0, 2.0 * rate + jet, 0.0),
@@ -131,7 +124,7 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
         f"a wheel with its center at (0, 5, 0), a radius of 1 m and a rate of {rate} rad/s; "
         f"wheel.update({h}) twice; wheel.nozzle().position",
     ):
-        _, wheel = wheel_of(MIDDLE, 1.0, rate)
+        _, wheel = wheel_of(MIDDLE, 1.0, rate, 10.0)
         wheel.update(h)
         wheel.update(h)
         got = wheel.nozzle().position
@@ -165,9 +158,7 @@ def why_another_number(counts: list[int], per_second: float, h: float, cause: st
         return "Sparks disappear while the wheel rotates. Don't update the show in its update."
     if last == 0:
         if probes.sparks_of_a_wheel(per_second, 2.0, 1)[-1] == 0:
-            return (
-                "You light no sparks. Change the wheel's time, and pass the sparks to show.light."
-            )
+            return "You light no sparks. Change the wheel's time, and pass them to show.light."
         return "You round down in every step. Carry the fraction of a spark over to the next step."
     if last == frames == 128:
         return "You light one spark in every step. The number must depend on the time."
@@ -232,7 +223,7 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
         "show.light, which doesn't exceed the capacity.",
         "a show with 3 free slots; a wheel that throws 10.5 sparks per second; wheel.update(1.0)",
     ):
-        show, wheel = wheel_of(MIDDLE, capacity=3, sparks_per_second=10.5)
+        show, wheel = wheel_of(MIDDLE, 1.0, 2.0, 10.5, capacity=3)
         wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
     why = "Count all 10 sparks of the first second in wheel.thrown, even those without a free slot."

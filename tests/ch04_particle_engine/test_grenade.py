@@ -92,7 +92,7 @@ def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> No
             p = Particle(position=Vector3(1.0, -0.5, 3.0), velocity=Vector3(*v))
             bounce(p)
         expect_close(p.position, (1.0, 0.0, 3.0), then="; p.position", unit="m")
-        up = "You change a velocity that doesn't point down. Do so only if Y is negative."
+        up = "You change a velocity that doesn't point down. Change it only if vy < 0."
         expect_unchanged("p.velocity", p.velocity, v, cause=up)
 
 

@@ -55,7 +55,7 @@ def why_it_bursts() -> str:
         shot.age = 5.0
         left = grenade_after(shot)
     if len(left) < 2:
-        return "You compare the age the wrong way round. It bursts if its age is FUSE or more."
+        return "You compare the age the wrong way round. Burst the grenade at FUSE (4 s) or more."
     return "Your grenade bursts whatever its age is. Let it burst only if that is FUSE or more."
 
 
@@ -99,7 +99,7 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     at = thrown(cause, BURST_FRAME)
     types = types_of(at)
     if types == ["grenade"] and late[:1] == ["fragment"]:
-        cause = "It bursts only when its age is above FUSE. Use >=, so that it bursts at FUSE, too."
+        cause = "Your grenade bursts only when its age is above FUSE. Use >= to compare them."
     if types == ["grenade"] * 12:
         cause = "The 12 shots still have the type grenade. Give each of them the type fragment."
     if "grenade" in types and "fragment" in types:

@@ -278,7 +278,10 @@ def test_a_click_in_a_full_show_counts_too() -> None:
     "P4.1", asks="no rocket is left or too many clicks have missed", read="the docstring of is_over"
 )
 def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
-    both = "You require both conditions, but one alone must end the game (MISSES_ALLOWED is 5)."
+    both = (
+        "You end the game only if no rocket is left and more than five clicks have missed "
+        "(MISSES_ALLOWED). Either condition alone must end the game."
+    )
     for burning, lit, misses, over, cause in (
         ("a rocket", (ROCKET,), 0, False,
          "One rocket still burns and no click has missed, so the game is not over. Return False."),

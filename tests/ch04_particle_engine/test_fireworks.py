@@ -143,7 +143,7 @@ def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) ->
     added = "You leave out the velocity of the parent. Add it to the velocity from the rule."
     then = ".particle.velocity"
     expect_close(first[5:8], v + own, slips, then=then, unit="m/s", cause=added)
-    changed = "Your function changes the velocity of the parent. Add the two in a new vector."
+    changed = "Your function changes the parent's velocity. Add the two velocities in a new vector."
     then = ", called 3 times; the velocity of the third firework"
     expect_close(third[5:8], v + own, then=then, unit="m/s", cause=changed)
 

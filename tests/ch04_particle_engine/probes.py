@@ -17,7 +17,6 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, fireworks
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.catherine_wheel import CatherineWheel
-from ch04_particle_engine.closed_form import burst_positions
 from ch04_particle_engine.display import Display
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import (
@@ -36,6 +35,15 @@ State = tuple[Components, Components]
 # type, smallest and largest age, smallest and largest velocity, damping, payloads as (type, count)
 RuleData = tuple[int, float, float, Components, Components, float, Sequence[tuple[int, int]]]
 
+UP, STILL = (0.0, 9.0, 0.0), (0.0, 0.0, 0.0)
+# The book's first rule, without its payload.
+FIRST: RuleData = (1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ())
+
+
+def fixed(type: int, age: float, velocity: Components = UP, *payloads: tuple[int, int]) -> RuleData:
+    """Return a rule without anything random and without damping."""
+    return (type, age, age, velocity, velocity, 1.0, payloads)
+
 
 def rule(data: RuleData) -> FireworkRule:
     """Return the rule with these numbers."""
@@ -49,67 +57,36 @@ def show_of(rules: Sequence[RuleData], capacity: int, when_full: str, seed: int)
     return FireworksShow([rule(data) for data in rules], capacity, seed, when_full)
 
 
+def types(show: FireworksShow) -> list[int]:
+    """Return the types of the fireworks that burn, oldest first."""
+    return [firework.type for firework in show.fireworks]
+
+
 def xyz(v: Vector3) -> Components:
     return v.x, v.y, v.z
 
 
-def shot_after(name: str, duration: float, frames: int) -> State:
-    """Fire a shot, update it for some frames, and return its position and velocity."""
-    at = BallisticRange()
-    at.fire(name)
-    shot = at.shots[0]
-    for _ in range(frames):
-        at.update(duration)
-    return xyz(shot.particle.position), xyz(shot.particle.velocity)
-
-
-def frames_in_flight(name: str, duration: float, most: int) -> int:
-    """Fire a shot and return the number of the frame that drops it, or most + 1 if none does."""
-    at = BallisticRange()
-    at.fire(name)
-    for frame in range(1, most + 1):
-        at.update(duration)
-        if len(at.shots) == 0:
-            return frame
-    return most + 1
-
-
-def landing(name: str, duration: float) -> tuple[float, float]:
-    """Fire a shot and return the time and the z at which it reaches y = 0, within a frame."""
-    at = BallisticRange()
-    at.fire(name)
-    time = 0.0
-    for _ in range(round(6.0 / duration)):
-        p, v = xyz(at.shots[0].particle.position), xyz(at.shots[0].particle.velocity)
-        at.update(duration)
-        if len(at.shots) == 0:
-            left = -p[1] / v[1]
-            return time + left, p[2] + v[2] * left
-        time += duration
-    return time, p[2]
-
-
-def shots_over(names: Sequence[str], duration: float, frames: int) -> list[list[str]]:
-    """Fire shots together and return the types in flight after each frame."""
+def flight(names: Sequence[str], duration: float, frames: int) -> list[list[Any]]:
+    """Fire shots together; return type, position and velocity of each one after each frame."""
     at = BallisticRange()
     for name in names:
         at.fire(name)
     seen = []
     for _ in range(frames):
         at.update(duration)
-        seen.append([shot.type for shot in at.shots])
+        shots = [(shot.type, shot.particle) for shot in at.shots]
+        seen.append([(type, xyz(p.position), xyz(p.velocity)) for type, p in shots])
     return seen
 
 
-def heights_of(name: str, duration: float, frames: int) -> list[float]:
-    """Fire a shot and return the height of the first shot in flight after each frame."""
-    at = BallisticRange()
-    at.fire(name)
-    heights = []
-    for _ in range(frames):
-        at.update(duration)
-        heights += [shot.particle.position.y for shot in at.shots[:1]]
-    return heights
+def landing(name: str, duration: float) -> tuple[float, float]:
+    """Fire a shot and return the time and the z at which it reaches y = 0, within a frame."""
+    seen = [shots[0] for shots in flight([name], duration, round(6.0 / duration)) if shots]
+    if not seen:
+        return 0.0, 0.0
+    _, (_, y, z), (_, vy, vz) = seen[-1]
+    left = -y / vy  # until the ground, in the frame that removes the shot
+    return len(seen) * duration + left, z + vz * left
 
 
 def burst(
@@ -146,32 +123,18 @@ def lit(
     return made
 
 
-def places_of_launches(data: RuleData, type: int, count: int) -> list[tuple[float, float]]:
-    """Launch fireworks and return the different x and y at which they start, sorted."""
-    show = show_of([data], count, "keep_old", 1)
-    for _ in range(count):
-        show.launch(type)
-    places = [firework.particle.position for firework in show.fireworks]
-    return sorted({(place.x, place.y) for place in places})
-
-
-def births_after(first: RuleData, second: RuleData, when_full: str) -> list[tuple[int, int]]:
+def births_after(show: FireworksShow) -> list[tuple[int, int]]:
     """Light births and return what is then in the list that was passed."""
-    show = show_of([first, second], 4, when_full, 1)
     births: list[tuple[int, int, Particle | None]] = [(1, 2, None), (2, 3, None)]
     show.light(births)
     return [(type, count) for type, count, _ in births]
 
 
-def many_births(
-    first: RuleData, second: RuleData, capacity: int, when_full: str, births: int, count: int
-) -> tuple[list[int], int, int]:
-    """Light births of types 1 and 2, half of each; return how many burn, are dropped and made."""
-    show = show_of([first, second], capacity, when_full, 1)
+def many_births(show: FireworksShow, births: int, count: int) -> tuple[list[int], int]:
+    """Light births of types 1 and 2, half of each; return what burns and how many were made."""
     with counted(fireworks, "make_firework") as made:
         show.light([(1 if i < births // 2 else 2, count, None) for i in range(births)])
-    types = [firework.type for firework in show.fireworks]
-    return [types.count(1), types.count(2)], show.dropped, len(made)
+    return types(show), len(made)
 
 
 @contextmanager
@@ -191,39 +154,29 @@ def counted(module: Any, name: str) -> Iterator[list[None]]:
         setattr(module, name, function)
 
 
-def sparks(
+def played(
     rules: Sequence[RuleData],
     launches: Sequence[int],
-    capacity: int,
-    when_full: str,
-    seed: int,
     duration: float,
     frames: int,
-) -> list[list[int]]:
-    """Launch fireworks and return the types that burn after each frame, oldest first."""
+    *,
+    capacity: int = 500,
+    when_full: str = "keep_old",
+    seed: int = 1,
+) -> tuple[list[list[int]], list[Any]]:
+    """Launch fireworks; return the types that burn after each frame, and the fireworks at the end.
+
+    The oldest is the first. Of each one at the end, return type, age, position and velocity.
+    """
     show = show_of(rules, capacity, when_full, seed)
     for type in launches:
         show.launch(type)
     seen = []
     for _ in range(frames):
         show.update(duration)
-        seen.append([firework.type for firework in show.fireworks])
-    return seen
-
-
-def show_after(
-    rules: Sequence[RuleData], launches: Sequence[int], seed: int, duration: float, frames: int
-) -> list[list[float]]:
-    """Launch fireworks, update the show, and return type, age, position and velocity of each."""
-    show = show_of(rules, 500, "keep_old", seed)
-    for type in launches:
-        show.launch(type)
-    for _ in range(frames):
-        show.update(duration)
-    return [
-        [f.type, f.age, *xyz(f.particle.position), *xyz(f.particle.velocity)]
-        for f in show.fireworks
-    ]
+        seen.append(types(show))
+    lit = [(firework.type, firework.age, firework.particle) for firework in show.fireworks]
+    return seen, [(type, age, xyz(p.position), xyz(p.velocity)) for type, age, p in lit]
 
 
 def endless(leaves: dict[int, list[int]]) -> list[int] | str:
@@ -231,9 +184,8 @@ def endless(leaves: dict[int, list[int]]) -> list[int] | str:
 
     If the search never comes to an end, return what stopped it.
     """
-    still = (0.0, 0.0, 0.0)
     rules = [
-        rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
+        rule(fixed(type, 1.0, STILL, *((other, 1) for other in after)))
         for type, after in leaves.items()
     ]
     lines = 0
@@ -286,8 +238,7 @@ def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
 
 def sparks_of_a_wheel(sparks_per_second: float, duration: float, frames: int) -> list[int]:
     """Turn a wheel and return the number of sparks after each frame."""
-    still = (0.0, 0.0, 0.0)
-    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 20000, "keep_old", 1)
+    show = show_of([fixed(7, 90.0, STILL)], 20000, "keep_old", 1)
     wheel = CatherineWheel(show, 7, Vector3(0, 5, 0), 1.0, 2.0, sparks_per_second)
     counts = []
     for _ in range(frames):
@@ -313,29 +264,20 @@ def stepped(
     return xyz(particle.position), xyz(particle.velocity)
 
 
-def speeds_after(
+def burst_counted(
     start: float, speeds: list[float], acceleration: float, damping: float, time: float
-) -> list[float]:
-    """Compute the positions of a burst and return what is then in the list of speeds."""
-    burst_positions(start, speeds, acceleration, damping, time)
-    return speeds
-
-
-def calls_of_drag_factors(
-    start: float, speeds: list[float], acceleration: float, damping: float, time: float
-) -> tuple[list[float], int]:
-    """Return the positions of a burst, and how many times drag_factors was called for them."""
+) -> tuple[list[float], list[float], int]:
+    """Return the positions of a burst, the speeds after it, and the calls of drag_factors."""
     with counted(closed_form, "drag_factors") as calls:
         positions = closed_form.burst_positions(start, speeds, acceleration, damping, time)
-    return [*positions], len(calls)
+    return [*positions], speeds, len(calls)
 
 
-STILL = (0.0, 0.0, 0.0)
 # Type 1 is a rocket that leaves three sparks of type 2. Type 3 is another rocket.
 RULES: list[RuleData] = [
-    (1, 2.0, 2.0, STILL, STILL, 1.0, ((2, 3),)),
-    (2, 5.0, 5.0, STILL, STILL, 1.0, ()),
-    (3, 1.0, 1.0, STILL, STILL, 1.0, ((2, 1),)),
+    fixed(1, 2.0, STILL, (2, 3)),
+    fixed(2, 5.0, STILL),
+    fixed(3, 1.0, STILL, (2, 1)),
 ]
 
 

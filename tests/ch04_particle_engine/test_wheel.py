@@ -9,322 +9,235 @@ from typing import Any
 
 import pytest
 
+from calls import calls
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine import probes
 from ch04_particle_engine.catherine_wheel import CatherineWheel
-from draw import Components, components
-from expect import about, blame, expect_close, expect_exactly, expect_unchanged, xyz
+from ch04_particle_engine.probes import STILL, fixed
+from draw import Components, Triple, vector
+from expect import about, expect_close, expect_exactly, expect_unchanged, named, xyz
 
-STILL = (0.0, 0.0, 0.0)
-SPARK: probes.RuleData = (7, 9.0, 9.0, STILL, STILL, 1.0, ())
+NOZZLE, UPDATE = "the docstring of nozzle", "the docstring of update"
+MIDDLE = Triple((0.0, 5.0, 0.0))
 
 ROUNDED = 1e-12  # some roundings of numbers up to 30, and of a sine
 
 
-def wheel_of(
-    center: Components,
-    radius: float = 1.0,
-    rate: float = 2.0,
-    sparks_per_second: float = 10.0,
-    jet: float = 0.0,
-    capacity: int = 500,
-) -> tuple[Any, Any]:
-    """Return a show with one kind of spark, and a wheel."""
-    show = probes.show_of([SPARK], capacity, "keep_old", 1)
-    return show, CatherineWheel(show, 7, Vector3(*center), radius, rate, sparks_per_second, jet)
+def wheel_of(center: Components, *numbers: float, capacity: int = 500) -> tuple[Any, Any]:
+    """Return a show with one kind of spark, and a wheel. Its radius is the first of the numbers."""
+    show = probes.show_of([fixed(7, 9.0, STILL)], capacity, "keep_old", 1)
+    return show, CatherineWheel(show, 7, Vector3(*center), *numbers)
 
 
-@pytest.mark.exercise("4.4", asks="with a velocity perpendicular to the spoke")
+def spoke(angle: float) -> Triple:
+    """Return the direction from the center of a wheel to its nozzle."""
+    return Triple((math.cos(angle), math.sin(angle), 0.0))
+
+
+def tangent(angle: float) -> Triple:
+    """Return the direction in which the rim of a wheel moves at its nozzle."""
+    return Triple((-math.sin(angle), math.cos(angle), 0.0))
+
+
+@pytest.mark.exercise("4.4", asks="with a velocity perpendicular to the spoke", read=NOZZLE)
 def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
-    center, about.read = components(rng), "the docstring of nozzle"
-    radius, rate = round(rng.uniform(0.5, 3.0), 3), round(rng.uniform(1.0, 9.0), 3)
-    _, wheel = wheel_of(center, radius, rate)
+    center, radius = vector(rng), round(rng.uniform(0.5, 3.0), 3)
+    rate = round(rng.uniform(1.0, 9.0), 3)
+    _, wheel = wheel_of(center, radius, rate, 10.0)
     for angle in (0.0, round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(2.0, 6.0), 3)):
-        about.call = (
+        cause = "The position must be center + radius (cos a, sin a, 0) with a = wheel.angle."
+        with calls(
+            cause,
             f"a wheel with its center at {center}, a radius of {radius} m and a rate of {rate} "
-            f"rad/s; wheel.angle = {angle}; wheel.nozzle()"
-        )
-        wheel.angle = angle
-        nozzle = wheel.nozzle()
-        x, y = math.cos(angle), math.sin(angle)
-        about.cause = (
-            "The nozzle must be on the rim of the wheel. Return the position center + radius (cos "
-            "a, sin a, 0), where a is the wheel's angle from the X axis."
-        )
-        wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
-        got = xyz(nozzle.position)
-        origin = (
+            f"rad/s; wheel.angle = {angle}; wheel.nozzle()",
+        ):
+            wheel.angle = angle
+            nozzle = wheel.nozzle()
+        out, along = spoke(angle), tangent(angle)
+        slips = {
             "You leave out the center of the wheel, so the nozzle rotates around the origin. Add "
-            "the center to its position."
-        )
-        degrees = "The angle of the wheel is in radians already. Don't convert it."
-        small = math.radians(angle)
-        mistakes = [
-            ((radius * x, radius * y, 0.0), origin),
-            (
-                (center[0] + x, center[1] + y, center[2]),
-                "You leave out the radius. Multiply the cosine and the sine by it.",
-            ),
-            (
-                (center[0] + radius * y, center[1] + radius * x, center[2]),
-                "You have swapped the sine and the cosine. The X axis takes the cosine.",
-            ),
-            (
-                (
-                    center[0] + radius * math.cos(small),
-                    center[1] + radius * math.sin(small),
-                    center[2],
-                ),
-                degrees,
-            ),
-        ]
-        blame(got, mistakes)
+            "the center to its position.": radius * out,
+            "You leave out the radius. Multiply the cosine and the sine by it.": center + out,
+            "You have swapped the sine and the cosine. The X axis takes the cosine.":
+                center + radius * Triple((out[1], out[0], 0.0)),
+            "The angle of the wheel is in radians already. Don't convert it.":
+                center + radius * spoke(math.radians(angle)),
+        }  # fmt: skip
+        why = named(xyz(nozzle.position), cause, slips)
         if xyz(wheel.center) != center:
-            about.cause = (
-                "You change the center of the wheel. Add the spoke to it in a new vector, because "
-                "+= changes the vector itself."
-            )
-        expect_close(got, wanted, then=".position", unit="m", tolerance=1e-13)
-        about.cause = (
-            "The nozzle moves at right angles to the spoke, in the direction from X toward Y. Its "
-            "speed is rate x radius."
+            why = "You change the center of the wheel, as += does. Compute a new vector."
+        wanted = center + radius * out
+        expect_close(
+            nozzle.position, wanted, then=".position", unit="m", tolerance=1e-13, cause=why
         )
-        speed = rate * radius
-        wanted = (0.0 - speed * y, speed * x, 0.0)
-        got = xyz(nozzle.velocity)
-        mistakes = [
-            (
-                (speed * x, speed * y, 0.0),
-                "Your nozzle moves along the spoke, away from the center. Make its velocity "
-                "perpendicular to the spoke.",
-            ),
-            (
-                (speed * y, 0.0 - speed * x, 0.0),
-                "Your nozzle moves in the wrong direction along the rim. The wheel rotates from X "
-                "toward Y, so flip the sign of the velocity.",
-            ),
-            (
-                (0.0 - rate * y, rate * x, 0.0),
-                "You use the rate of the wheel, in rad/s, as the speed of the nozzle. Multiply the "
-                "rate by the radius to get the speed in m/s.",
-            ),
-        ]
-        blame(got, mistakes)
-        expect_close(got, wanted, then=".velocity", unit="m/s", tolerance=ROUNDED)
-    about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
-    about.cause = (
+        slips = {
+            "Your nozzle moves along the spoke, away from the center.": rate * radius * out,
+            "Your nozzle moves in the wrong direction along the rim. The wheel rotates from X "
+            "toward Y, so flip the sign of the velocity.": -rate * radius * along,
+            "You use the rate of the wheel, in rad/s, as the speed of the nozzle. Multiply the "
+            "rate by the radius to get the speed in m/s.": rate * along,
+        }
+        right = "It must move perpendicular to the spoke, from X toward Y, at rate x radius."
+        expect_close(
+            nozzle.velocity,
+            rate * radius * along,
+            slips,
+            then=".velocity",
+            unit="m/s",
+            tolerance=ROUNDED,
+            cause=right,
+        )
+    with calls(
         "Your nozzle method returned the same particle twice, or two particles that share a "
-        "vector. Create a new particle in every call."
-    )
-    one, other = wheel.nozzle(), wheel.nozzle()
-    before = xyz(other.position)
-    one.position.x = 99.0
-    expect_unchanged("other.position", xyz(other.position), before)
-
-
-@pytest.mark.exercise("4.4", asks="is the speed of the rim minus jet")
-def test_the_jet_goes_against_the_rim(rng: Random) -> None:
-    about.read = "the docstring of nozzle"
-    rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
-    about.call = (
-        f"a wheel with a radius of 2 m, a rate of {rate} rad/s and a jet of {jet} m/s; "
-        "wheel.nozzle().velocity"
-    )
-    about.cause = (
-        "The speed of the sparks is rate x radius minus jet. It is negative here, because the jet "
-        "is faster than the rim."
-    )
-    _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
-    got = xyz(wheel.nozzle().velocity)
-    mistakes = [
-        (
-            (0.0, 2.0 * rate + jet, 0.0),
-            "You add the speed of the jet to the speed of the rim. Subtract it, because the sparks "
-            "leave the nozzle against the motion of the rim.",
-        ),
-        (
-            (0.0, 2.0 * rate, 0.0),
-            "You ignore the jet. Subtract its speed from the speed of the rim, which is rate x "
-            "radius.",
-        ),
-    ]
-    blame(got, mistakes)
-    expect_close(got, (0.0, 2.0 * rate - jet, 0.0), unit="m/s", tolerance=ROUNDED)
-
-
-@pytest.mark.exercise("4.4", asks="Rotate the wheel for duration s")
-def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
-    about.read = "the docstring of update"
-    rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
-    about.call = (
-        f"a wheel with its center at (0, 5, 0), a radius of 1 m and a rate of {rate} rad/s; "
-        f"wheel.update({h}) twice; wheel.nozzle().position"
-    )
-    about.cause = (
-        "Your wheel rotates by the wrong angle. Add rate x duration to its angle in every update."
-    )
-    _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
-    wheel.update(h)
-    wheel.update(h)
-    angle = 2.0 * rate * h
-    wanted = (math.cos(angle), 5.0 + math.sin(angle), 0.0)
-    got = xyz(wheel.nozzle().position)
-    still = "You don't rotate the wheel. Add rate x duration to its angle in every update."
-    mistakes = [((1.0, 5.0, 0.0), still)]
-    for turned, words in (
-        (
-            rate * h,
-            "After two updates, your wheel has rotated by the angle of one. Add to the angle in "
-            "each update instead of replacing it.",
-        ),
-        (
-            2.0 * h,
-            "You add the duration to the angle. Multiply it by the rate first, which says how many "
-            "radians the wheel rotates per second.",
-        ),
+        "vector. Create a new particle in every call.",
+        "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position",
     ):
-        mistakes.append(((math.cos(turned), 5.0 + math.sin(turned), 0.0), words))
-    blame(got, mistakes)
-    expect_close(got, wanted, unit="m", tolerance=ROUNDED)
+        one, other = wheel.nozzle(), wheel.nozzle()
+        before = xyz(other.position)
+        one.position.x = 99.0
+    expect_unchanged("other.position", other.position, before)
 
 
-@pytest.mark.exercise("4.4", asks="does not depend on the length of the steps")
+@pytest.mark.exercise("4.4", asks="is the speed of the rim minus jet", read=NOZZLE)
+def test_the_jet_goes_against_the_rim(rng: Random) -> None:
+    rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
+    with calls(
+        "The speed of the sparks is rate x radius minus jet. It is negative here, because the jet "
+        "is faster than the rim.",
+        f"a wheel with radius 2 m, rate {rate} rad/s and jet {jet} m/s; wheel.nozzle().velocity",
+    ):
+        got = wheel_of(MIDDLE, 2.0, rate, 10.0, jet)[1].nozzle().velocity
+    slips = {
+        "You add the speed of the jet to the speed of the rim. Subtract it, because the sparks "
+        "leave the nozzle against the motion of the rim.": (0.0, 2.0 * rate + jet, 0.0),
+        "You ignore the jet. Subtract its speed from the speed of the rim, which is rate x "
+        "radius.": (0.0, 2.0 * rate, 0.0),
+    }
+    expect_close(got, (0.0, 2.0 * rate - jet, 0.0), slips, unit="m/s", tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("4.4", asks="Rotate the wheel for duration s", read=UPDATE)
+def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
+    rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
+    with calls(
+        "Add rate x duration to the angle of the wheel in every update.",
+        f"a wheel with its center at (0, 5, 0), a radius of 1 m and a rate of {rate} rad/s; "
+        f"wheel.update({h}) twice; wheel.nozzle().position",
+    ):
+        _, wheel = wheel_of(MIDDLE, 1.0, rate, 10.0)
+        wheel.update(h)
+        wheel.update(h)
+        got = wheel.nozzle().position
+    slips = {
+        "You don't rotate the wheel.": MIDDLE + spoke(0.0),
+        "After two updates, your wheel has rotated by the angle of one. Add to the angle in each "
+        "update instead of replacing it.": MIDDLE + spoke(rate * h),
+        "You add the duration to the angle. Multiply it by the rate first, which says how many "
+        "radians the wheel rotates per second.": MIDDLE + spoke(2.0 * h),
+    }
+    expect_close(got, MIDDLE + spoke(2.0 * rate * h), slips, unit="m", tolerance=ROUNDED)
+
+
+def why_another_number(counts: list[int], per_second: float, h: float, cause: str) -> str:
+    """Return why a wheel has lit the wrong number of sparks in 2 s."""
+    frames, last = len(counts), counts[-1]
+    wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
+    again = due = 0
+    for whole in wanted:
+        if whole > due:
+            again, due = again + whole - due, whole - due
+    slips = {
+        "Each step throws all sparks since the start again. Either you never change thrown, or you "
+        "don't subtract it to get the number of sparks that are due.": sum(wanted),
+        "You replace thrown by the sparks of the last step. Add them to it, because thrown counts "
+        "all sparks since the start.": again,
+        "You light a spark that is not due yet, because you round up or to the nearest number. "
+        "Round down with math.floor.": math.ceil(per_second * 2.0),
+    }
+    if any(after < earlier for earlier, after in itertools.pairwise(counts)):
+        return "Sparks disappear while the wheel rotates. Don't update the show in its update."
+    if last == 0:
+        if probes.sparks_of_a_wheel(per_second, 2.0, 1)[-1] == 0:
+            return "You light no sparks. Change the wheel's time, and pass them to show.light."
+        return "You round down in every step. Carry the fraction of a spark over to the next step."
+    if last == frames == 128:
+        return "You light one spark in every step. The number must depend on the time."
+    if last == frames:
+        return "You light only one spark in a step. Pass the number that is due to show.light."
+    return named(last, cause, slips) if frames > 1 else cause
+
+
+@pytest.mark.exercise("4.4", asks="does not depend on the length of the steps", read=UPDATE)
 def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
-    about.read = "the docstring of update"
     per_second = rng.randrange(20, 60) + 0.37
     # Sums of frames that are exact in binary, so that no whole spark lies on a rounding.
     for h, frames in ((1.0 / 64.0, 128), (1.0 / 4.0, 8), (2.0, 1)):
-        about.call = (
-            f"a wheel that throws {per_second} sparks per second; wheel.update({h}), called "
-            f"{frames} times, 2 s in total; the number of sparks lit"
-        )
-        counts = probes.sparks_of_a_wheel(per_second, h, frames)
-        about.cause = (
+        with calls(
             "The number of sparks must not depend on the length of the steps. After t seconds it "
-            "is sparks_per_second x t, rounded down."
-        )
-        again = last = 0
-        for i in range(frames):
-            due = math.floor(per_second * h * (i + 1)) - last
-            if due > 0:
-                again, last = again + due, due
-        every = sum(math.floor(per_second * h * (i + 1)) for i in range(frames))
-        mistakes = [
-            (
-                every,
-                "Each step throws all sparks since the start again. Either you never change "
-                "thrown, or you don't subtract it to get the number of sparks that are due.",
-            ),
-            (
-                again,
-                "You replace thrown by the sparks of the last step. Add them to it, because thrown "
-                "counts all sparks since the start.",
-            ),
-            (
-                math.ceil(per_second * 2.0),
-                "You light a spark that is not due yet, because you round up or to the nearest "
-                "number. Round down with math.floor.",
-            ),
-        ]
-        if frames > 1:
-            blame(counts[-1], mistakes)
-        if counts[-1] == frames == 128:
-            about.cause = (
-                "You light one spark in every step. The number of sparks must depend on how much "
-                "time has passed, not on how many steps it took."
-            )
-        elif counts[-1] == frames:
-            about.cause = (
-                "You light only one spark in a step in which several are due. Pass the number of "
-                "sparks that are due to show.light."
-            )
-        if any(after < earlier for earlier, after in itertools.pairwise(counts)):
-            about.cause = (
-                "Sparks disappear while the wheel rotates. Don't move the sparks or update the "
-                "show in the update of the wheel, which only lights them."
-            )
-        if counts[-1] == 0:
-            about.cause = (
-                "You round the number of sparks down in every step, and each step is too short for "
-                "a whole spark. Carry the fraction over to the next step."
-            )
-            if probes.sparks_of_a_wheel(per_second, 2.0, 1)[-1] == 0:
-                about.cause = (
-                    "You light no sparks. Either you don't add the duration to the time of the "
-                    "wheel, or you don't pass the sparks that are due to show.light."
-                )
-        expect_exactly(counts[-1], math.floor(per_second * 2.0))
-        about.cause = (
-            "The number of sparks is wrong after some of the steps. If a step ends with a fraction "
-            "of a spark, carry that fraction over to the next step."
-        )
+            "is sparks_per_second x t, rounded down.",
+            f"a wheel that throws {per_second} sparks per second; wheel.update({h}), called "
+            f"{frames} times, 2 s in total; the number of sparks lit",
+        ):
+            counts = probes.sparks_of_a_wheel(per_second, h, frames)
+            why = why_another_number(counts, per_second, h, about.cause)
+        expect_exactly(counts[-1], math.floor(per_second * 2.0), cause=why)
+        carry = "If a step ends with a fraction of a spark, carry it over to the next step."
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
-        expect_exactly(counts, wanted, then=", after each update")
+        expect_exactly(counts, wanted, then=", after each update", cause=carry)
 
 
-@pytest.mark.exercise("4.4", asks="All sparks of a step start where the nozzle is")
+@pytest.mark.exercise("4.4", asks="All sparks of a step start where the nozzle is", read=UPDATE)
 def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
-    about.read = "the docstring of update"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
-    about.call = (
-        f"a wheel with its center at (0, 5, 0), a radius of 2 m and a rate of {rate} rad/s; its "
-        f"jet of {jet} m/s throws 10.5 sparks per second; wheel.update(0.25)"
-    )
-    about.cause = (
+    with calls(
         "The sparks must start at the nozzle. Pass the particle that nozzle returns at the end of "
-        "the step as their parent."
-    )
-    show, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, 10.5, jet)
-    wheel.update(0.25)
+        "the step as their parent.",
+        f"a wheel with its center at (0, 5, 0), a radius of 2 m and a rate of {rate} rad/s; its "
+        f"jet of {jet} m/s throws 10.5 sparks per second; wheel.update(0.25)",
+    ):
+        show, wheel = wheel_of(MIDDLE, 2.0, rate, 10.5, jet)
+        wheel.update(0.25)
     expect_exactly(len(show.fireworks), 2, then="; the number of sparks lit")
-    x, y = math.cos(0.25 * rate), math.sin(0.25 * rate)
-    speed = 2.0 * rate - jet
+    angle = 0.25 * rate
+    slips = {
+        "You light the sparks before the wheel has rotated. Change the angle first.": (
+            2.0,
+            5.0,
+            0.0,
+        )
+    }
     for spark in show.fireworks:
         expect_exactly(spark.type, 7, then="; the type of a spark")
-        got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
-        before = (
-            "You light the sparks before the wheel has rotated. Change the angle first, and then "
-            "light the sparks at the nozzle."
-        )
-        blame(got, [((2.0, 5.0, 0.0), before)])
-        expect_close(got, wanted, then="; the position of a spark", unit="m", tolerance=ROUNDED)
-        got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
-        expect_close(got, wanted, then="; the velocity of a spark", unit="m/s", tolerance=ROUNDED)
+        for name, got, wanted, wrong, unit in (
+            ("position", spark.particle.position, MIDDLE + 2.0 * spoke(angle), slips, "m"),
+            ("velocity", spark.particle.velocity, (2.0 * rate - jet) * tangent(angle), {}, "m/s"),
+        ):
+            then = f"; the {name} of a spark"
+            expect_close(got, wanted, wrong, then=then, unit=unit, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("4.4", asks="as thrown even if the show has no room")
+@pytest.mark.exercise("4.4", asks="as thrown even if the show has no room", read=UPDATE)
 def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
-    about.call = (
-        "a show with 3 free slots; a wheel that throws 10.5 sparks per second; wheel.update(1.0)"
-    )
-    about.cause = (
-        "The wheel throws 10 sparks in 1 s, but the show has room for only 3. Pass all of them "
-        "to show.light, which doesn't exceed the capacity."
-    )
-    about.read = "the docstring of update"
-    show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
-    wheel.update(1.0)
+    with calls(
+        "The wheel throws 10 sparks in 1 s, but the show has room for only 3. Pass all of them to "
+        "show.light, which doesn't exceed the capacity.",
+        "a show with 3 free slots; a wheel that throws 10.5 sparks per second; wheel.update(1.0)",
+    ):
+        show, wheel = wheel_of(MIDDLE, 1.0, 2.0, 10.5, capacity=3)
+        wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
-    about.cause = (
-        "The wheel throws 10 sparks in 1 s. Count all of them in wheel.thrown, even those that "
-        "found no free slot."
-    )
+    why = "Count all 10 sparks of the first second in wheel.thrown, even those without a free slot."
     if wheel.thrown == 3:
-        about.cause = (
-            "Your wheel counts only the sparks that got one of the 3 slots, so it throws the "
-            "others again later. Also count the sparks that found no free slot."
-        )
-    expect_exactly(wheel.thrown, 10, then="; wheel.thrown")
-    show.update(10.0)
-    wheel.update(0.5)
-    about.call += "; show.update(10.0), after which no spark burns; wheel.update(0.5)"
-    about.cause = (
-        "The wheel throws 15 sparks in 1.5 s. It already threw 10 of them in the first second, "
-        "so it must throw 5 more now."
-    )
+        why = "You count only sparks that got a slot. Also count those that found none."
+    expect_exactly(wheel.thrown, 10, then="; wheel.thrown", cause=why)
+    with calls(
+        "The wheel throws 15 sparks in 1.5 s. It already threw 10 of them in the first second, so "
+        "it must throw 5 more now.",
+        "show.update(10.0), after which no spark burns; wheel.update(0.5)",
+        more=True,
+    ):
+        show.update(10.0)
+        wheel.update(0.5)
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
-    about.cause = (
-        "The show must drop 7 of the first 10 sparks and 2 of the last 5. Check that your second "
-        "update tries to light exactly 5."
-    )
-    expect_exactly(show.dropped, 7 + 2, then="; show.dropped")
+    five = "The show must drop 7 of the first 10 sparks and 2 of the 5 of the second update."
+    expect_exactly(show.dropped, 7 + 2, then="; show.dropped", cause=five)

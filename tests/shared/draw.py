@@ -70,18 +70,6 @@ def unit_vector(rng: Random) -> Triple:
     return drawn / abs(drawn)
 
 
-def components(rng: Random) -> Components:
-    """Draw three components. Zero would hide mistakes, so each is well away from it."""
-    return number(rng), number(rng), number(rng)
-
-
-def direction(rng: Random) -> Components:
-    """Draw a vector whose length is 1 within rounding."""
-    x, y, z = components(rng)
-    length = math.hypot(x, y, z)
-    return x / length, y / length, z / length
-
-
 def rounded(a: Iterable[float]) -> str:
     """Show a vector or other numbers with at most 6 digits, where more do not matter."""
     return f"({', '.join(f'{component:.6g}' for component in a)})"

@@ -25,6 +25,7 @@ from compared import difference
 # Correct answers that were computed in another order differ by a few rounding errors, each about
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
+EXACT = 1e-9  # of a likely mistake, relative to its largest number
 LONGEST_LIST = 12  # such as a Matrix4; of a longer list, only a part is shown
 NAN = (
     "Your code accepted NaN. Every comparison with NaN is False, so x < 0.0 does not find it. "
@@ -202,43 +203,6 @@ def expect_error(
     _complain(came, error.__name__)
 
 
-def expect_finite_numbers(
-    name: str,
-    function: Callable[..., Any],
-    good: Sequence[int],
-    bad: Sequence[tuple[int, float]],
-    **words: Unpack[Words],
-) -> None:
-    """Expect a function to refuse NaN, infinities and texts for each of its arguments.
-
-    ``good`` holds whole numbers that it must accept. ``bad`` lists further values to refuse, as
-    pairs of an argument's index and a number. If ``name`` has fields, such as "f({}, {})", it is
-    the whole call.
-    """
-    __tracebackhide__ = True
-    fields = ", ".join("{}" for _ in good)
-    valid = "is not valid here, so raise ValueError. The functions in arguments.py check a number "
-    valid += "and raise the error for you."
-    numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
-    refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
-    refused += [(place, "1.0", TypeError) for place in range(len(good))]
-    for place, value, error in refused:
-        shown = "NaN" if value is math.nan else repr(value)
-        cause = f"{shown} {valid}"
-        if error is TypeError:
-            cause = "A string is not a number, even if it looks like one, so raise TypeError."
-        arguments = [*good]
-        arguments[place] = value
-        expect_error(
-            lambda arguments=arguments: function(*arguments),
-            error,
-            allowed=lambda: function(*good),
-            call=(name if "{" in name else f"{name}({fields})").format(*map(repr, arguments)),
-            cause=cause,
-            read=about.but(words)[2],
-        )
-
-
 @scoped
 def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     """Expect v to be the same object as before, so that a change of one shows in the other."""
@@ -251,57 +215,25 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     expect_close(v.x, 99.0)
 
 
-def blame(
-    got: Any,
-    mistakes: Sequence[tuple[float | Sequence[float], str]] | Mapping[str, float | Sequence[float]],
-    tolerance: float = 1e-9,
-) -> None:
-    """If a known mistake gives exactly the numbers in got, make it the likely cause.
-
-    ``mistakes`` is a list as in cause_of, or a mapping from slips to numbers as in named.
-    """
-    if isinstance(mistakes, Mapping):
-        about.cause = named(got, about.cause, mistakes)
-    else:
-        about.cause = cause_of(got, mistakes, about.cause, tolerance)
-
-
-def cause_of(
-    got: Any,
-    mistakes: Sequence[tuple[float | Sequence[float], str]],
-    otherwise: str,
-    tolerance: float = 1e-9,
-) -> str:
-    """Return the cause of the first mistake that gives exactly the numbers in got.
-
-    If no mistake gives them, return ``otherwise``. Each mistake is a pair of the numbers that it
-    gives and its cause. "Exactly" means within the tolerance, relative to the largest number.
-    Rounding errors are far smaller, and two mistakes almost never come that close to each other.
-    """
-    seen = _as_tuple(got.value if isinstance(got, NoVector) else got)
-    for gives, cause in mistakes:
-        numbers = _as_tuple(gives)
-        near = tolerance * (max(map(abs, numbers)) or 1.0)
-        if _are_numbers(seen, len(numbers)) and all(
-            abs(one - other) <= near for one, other in zip(seen, numbers, strict=True)
-        ):
-            about.recognized = cause
-            return cause
-    return otherwise
-
-
 def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
     """Return the slip that gives exactly the numbers in got, or the cause if there is none.
 
     A slip is a phrase that "This is" completes, or one sentence or more. The cause follows a single
-    sentence. Two sentences already say what to do.
+    sentence. Two sentences already say what to do. "Exactly" means within EXACT, relative to the
+    largest number. Rounding errors are far smaller, and two slips almost never come that close.
     """
-    mistakes = []
+    seen = _as_tuple(got.value if isinstance(got, NoVector) else got)
     for slip, gives in slips.items():
-        words = slip if slip.endswith(".") else f"This is {slip}."
-        is_one = not re.search(r"\. [A-Z]", words)
-        mistakes.append((gives, f"{words} {cause}" if is_one else words))
-    return cause_of(got, mistakes, cause)
+        numbers = _as_tuple(gives)
+        near = EXACT * (max(map(abs, numbers)) or 1.0)
+        if _are_numbers(seen, len(numbers)) and all(
+            abs(one - other) <= near for one, other in zip(seen, numbers, strict=True)
+        ):
+            words = slip if slip.endswith(".") else f"This is {slip}."
+            is_one = not re.search(r"\. [A-Z]", words)
+            about.recognized = f"{words} {cause}" if is_one else words
+            return about.recognized
+    return cause
 
 
 def _as_tuple(value: Any) -> tuple[Any, ...]:

@@ -11,7 +11,7 @@ from random import Random
 from typing import Any
 
 import expect
-from draw import Components, components, number, positive_number, rounded
+from draw import Components, number, positive_number, rounded, vector
 from expect import NoVector, is_plain
 
 Quad = tuple[float, float, float, float]
@@ -120,7 +120,7 @@ def determinant(m: Sequence[float]) -> float:
 
 def draw_turn(rng: Random) -> tuple[Components, float]:
     """Draw an axis of any length and an angle from 0.3 to 2.8."""
-    return components(rng), positive_number(rng, 0.3, 2.8)
+    return vector(rng), positive_number(rng, 0.3, 2.8)
 
 
 def draw_quad(rng: Random) -> Quad:
@@ -147,7 +147,7 @@ def draw_mirror(rng: Random) -> Nine:
 
 def draw_slight_turn(rng: Random) -> Nine:
     """Draw the matrix of a small rotation, so that a wrong determinant is still positive."""
-    return matrix_of(quad(components(rng), positive_number(rng, 0.3, 0.6)))
+    return matrix_of(quad(vector(rng), positive_number(rng, 0.3, 0.6)))
 
 
 def named(

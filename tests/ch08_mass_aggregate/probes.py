@@ -154,17 +154,6 @@ def depths_of(count: int, floors: Sequence[float]) -> list[Any]:
     return [contact.penetration for contact in found]
 
 
-def started(bodies: Sequence[Body], force: Components) -> dict[str, Any]:
-    """Add a force to each body and start a frame; return accumulators and states."""
-    particles = particles_of(bodies)
-    world = ParticleWorld(particles)
-    for particle in particles:
-        particle.add_force(Vector3(*force))
-    world.start_frame()
-    after = [xyz(particle.force_accumulator) for particle in particles]
-    return {"after": after, "states": states(particles)}
-
-
 def told_frame(duration: float) -> list[tuple[str, float]]:
     """Let a step pass in a world that writes down what it is asked for, and does not do."""
     diary = []
@@ -175,35 +164,6 @@ def told_frame(duration: float) -> list[tuple[str, float]]:
 
     Told([Particle()]).step(duration)
     return diary
-
-
-def appended(duration: float) -> list[tuple[Components, Components]]:
-    """Append particles and a ground to a world after its first frame; return states after another.
-
-    The first falls freely in both frames, the second comes in time for one, the third lies on the
-    ground, which comes with it.
-    """
-    down = Vector3(0.0, -10.0, 0.0)
-    first, second, third = (Particle(acceleration=down) for _ in range(3))
-    world = ParticleWorld([first])
-    world.step(duration)
-    world.particles.append(second)
-    world.particles.append(third)
-    world.contact_generators.append(Floor([third], 0.0, []))
-    world.step(duration)
-    return states([first, second, third])
-
-
-def rained(count: int, duration: float, frames: int) -> list[float]:
-    """Let many balls fall on the ground at once; return their heights."""
-    balls = [
-        Particle(Vector3(float(i), 0.25), acceleration=Vector3(0.0, -10.0, 0.0))
-        for i in range(count)
-    ]
-    world = ParticleWorld(balls, [Floor(balls, 0.0, [])])
-    for _ in range(frames):
-        world.step(duration)
-    return [ball.position.y for ball in balls]
 
 
 def advanced(
@@ -232,19 +192,6 @@ def advanced(
             steps = -1
         rows.append((steps, clock.left, clock.dropped))
     return {"made": made, "rows": rows}
-
-
-def refused_time(duration: float, time: Any) -> tuple[str, float, int]:
-    """Advance by a time that is none; return the error's name, what is left, and the steps made."""
-    made: list[float] = []
-    clock = FixedStep(made.append, duration)
-    clock.advance(0.25 * duration)
-    error = "no error"
-    try:
-        clock.advance(time)
-    except (ValueError, TypeError) as raised:
-        error = type(raised).__name__
-    return error, clock.left, len(made)
 
 
 def bounced(elapsed: Sequence[float], duration: float) -> tuple[Components, Components]:

@@ -6,7 +6,6 @@ The autograder runs it beside the student, so nothing in here is secret, and not
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import trebuchet
@@ -14,27 +13,11 @@ from ch08_mass_aggregate.probes import Components, xyz
 from ch08_mass_aggregate.scene_probes import rods
 
 
-def machine(numbers: Sequence[float]) -> Any:
-    design = trebuchet.Design(*numbers)
-    return trebuchet.Trebuchet(design)
-
-
 def beam(numbers: Sequence[float]) -> tuple[list[tuple[int, int, float]], list[Components]]:
     """Return the rods of a trebuchet's beam, and where pivot, counterweight and tip are."""
-    made = machine(numbers)
+    made = trebuchet.Trebuchet(trebuchet.Design(*numbers))
     particles = [made.pivot, made.weight, made.tip]
     return rods(made.beam(), particles), [xyz(particle.position) for particle in particles]
-
-
-def lets_go(numbers: Sequence[float], flights: Sequence[tuple[float, Components]]) -> list[Any]:
-    """Return whether a trebuchet lets go of a projectile at a height above the pivot, and fast."""
-    made = machine(numbers)
-    seen = []
-    for height, velocity in flights:
-        made.projectile.position.y = trebuchet.PIVOT_HEIGHT + height
-        made.projectile.velocity = Vector3(*velocity)
-        seen.append(made.lets_go())
-    return seen
 
 
 def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int, bool, int]:
@@ -46,7 +29,7 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
     it may put the projectile on the "ground", or let go of it, "up" or "down", at a place and a
     speed that are given, the counterweight 4 m lower.
     """
-    made = machine(numbers)
+    made = trebuchet.Trebuchet(trebuchet.Design(*numbers))
     times: list[float] = []
     resolved = 0
     step = made.world.step

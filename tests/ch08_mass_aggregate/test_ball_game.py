@@ -13,7 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate.ball_game import BallGame
 from ch08_mass_aggregate.scene_probes import played, ruled
 from draw import positive_number
-from expect import about, expect_close, expect_exactly, expect_that, named
+from expect import expect_close, expect_exactly, expect_that, named
 
 RULES = "the docstrings of Rules, landed and fell"
 LANDINGS = "the docstrings of Landings and Landings.contacts"
@@ -43,8 +43,7 @@ def expect_all(*rows: tuple[str, Any, Any, str]) -> None:
 def test_a_row_counts_once(rng: Random) -> None:
     rows = rng.randint(5, 9)
     a, b = rng.sample(range(1, rows - 1), 2)  # other checks have the first and the last row
-    once = "Only the first landing on a row scores POINTS, so check self.visited before you add "
-    once += "points."
+    once = "Only the first landing on a row scores POINTS, so check self.visited before that."
     seen = play(rows, [a, a, b, a, b], once)
     scores, visited = [score for score, *_ in seen], seen[-1][2]
     every = "even on a row that is already in visited" if visited else "because visited stays empty"
@@ -56,10 +55,8 @@ def test_a_row_counts_once(rng: Random) -> None:
     })  # fmt: skip
     expect_all(
         ("the score after each call", scores, [10, 10, 20, 20, 20], why),
-        ("rules.visited", visited, sorted((a, b)), "self.visited lacks the rows that were hit. Add "
-         "each row to it in landed."),
-        ("rules.lives", seen[-1][1], 3, "A landing costs a life. Only a fall should, so don't "
-         "change lives in landed."),
+        ("rules.visited", visited, sorted((a, b)), "Add each row that was hit to self.visited."),
+        ("rules.lives", seen[-1][1], 3, "A landing costs no life. Only a fall does."),
     )  # fmt: skip
 
 
@@ -77,21 +74,18 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
         "visited. Add the row first, and then BONUS for each life that is left."
     )
     if seen[rows][0] == points and ruled(rows, order)[-1][0] != points:
-        missing = "You remove rows from visited after a fall, so the game is never won. Don't "
-        missing += "change visited in fell."
+        missing = "You remove rows from visited in fell, so the game is never won. Don't do that."
     elif not won and list(visited) == [*range(rows)]:
         missing = NO_WIN
     low = "You leave out the POINTS for the last row. Add both these POINTS and the bonus."
     if seen[1][0] < seen[0][0]:
         low = "You take points away for a fall. A fall costs a life, but no points."
     elif before > points - 10:
-        low = "Your game counts as won before the last row is visited. It is won only when every "
-        low += "row is in visited."
+        low = "Your game counts as won before the last row is in visited. That is too early."
     lives = "A fall doesn't cost a life. Take one away in fell."
     if seen[1][1] < 3:
         lives = "You add the bonus for all three lives, although one of them is lost."
-    bonus = "The row that wins the game scores POINTS, and also BONUS, which is 50, for each life "
-    bonus += "that is left."
+    bonus = "The row that wins scores POINTS, and BONUS, which is 50, for each life left."
     why = named(seen[rows][0], bonus, {
         missing: points, "You add the bonus only once.": points + 50, lives: points + 150,
         low: score - 10,
@@ -154,8 +148,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
          "a landing. Set row to None unless the separating velocity is negative."),
         (before, -depth, 0.0, None, "The ball touches the deck but is at rest, so this is not a "
          "landing. Set row only if the separating velocity is below 0, which it is not here."),
-        (before, depth, -speed, None, "The ball doesn't touch the deck, so it hasn't landed. Set "
-         "row to None when there is no contact."),
+        (before, depth, -speed, None, "Without a contact, set row to None."),
     ):  # fmt: skip
         with calls(cause):
             game = BallGame()
@@ -167,9 +160,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         lost = "Return exactly the contacts that self.deck.contacts() finds."
         if not count:
             lost = f"The ball falls through the bridge, because you return no contacts. {lost}"
-        expect_all(
-            ("the number of contacts", count, 2 if above < 0.0 else 0, lost),
-        )
+        expect_all(("the number of contacts", count, 2 if above < 0.0 else 0, lost))
         expect_that(first == wanted, f"{first}", f"{wanted}", then="; landings.row")
         with calls(
             "You keep the row of the earlier landing, or you set row without a contact. Set row to "
@@ -199,8 +190,7 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     x, speed = round(rng.uniform(-3.0, 3.0), 3), round(rng.uniform(-2.0, 2.0), 3)
     frame, mass = round(rng.uniform(0.005, 0.03), 4), positive_number(rng)
     with calls(
-        "The push is wrong. Add a force of direction * PUSH * mass along X between start_frame and "
-        "run_physics.",
+        "Add a force of direction * PUSH * mass along X between start_frame and run_physics.",
         f"a game with game.direction = {direction}; its ball of {mass} kg is at ({x}, 9, 0) m and "
         f"moves at ({speed}, 0, 0) m/s; three calls to game.step({frame}); the velocity of the "
         "ball",
@@ -217,8 +207,8 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     slips = {
         f"The ball moved as in steps of 1/60 s, not {frame} s. Pass the duration to run_physics.":
             (after(push, speed, FRAME), after(-9.81, 0.0, FRAME), 0.0),
-        "The velocity of the ball doesn't change. Call self.world.run_physics(duration) after the "
-        "push.": (speed, 0.0, 0.0),
+        "The ball's velocity doesn't change. Call self.world.run_physics after the push.":
+            (speed, 0.0, 0.0),
     }  # fmt: skip
     if direction:
         slips |= {
@@ -236,20 +226,17 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
 @pytest.mark.exercise("P8.1b", asks="Make the ball jump by setting", read=STEP)
 def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
     for row in (rng.randint(1, 4), 0):
-        (seen,) = dropped(
-            row,
-            1,
+        why = (
             "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
-            "and set the ball's vertical velocity to JUMP.",
+            "and set the ball's vertical velocity to JUMP."
         )
+        (seen,) = dropped(row, 1, why)
         if seen["score"] == 10:
-            about.cause = "The landing scores, but the ball doesn't jump. Set its velocity along Y "
-            about.cause += "to JUMP, which is 6 m/s."
+            why = "The landing scores, but the ball doesn't jump. Set its velocity along Y to JUMP."
         elif row == 0:
-            about.cause = "You ignore a landing on row 0, because Python treats 0 as false in `if "
-            about.cause += "row`. Write `if row is not None` instead."
+            why = "You ignore a landing on row 0, as 0 is false. Write `if row is not None`."
         name = "; the ball's velocity along Y"
-        expect_close(seen["velocity"][1], 6.0, then=name, unit="m/s", tolerance=1e-12)
+        expect_close(seen["velocity"][1], 6.0, then=name, unit="m/s", tolerance=1e-12, cause=why)
         expect_all(
             ("the score", seen["score"], 10, "The ball jumps, but the landing doesn't score. Call "
              "self.rules.landed(row) when landings.row is not None."),
@@ -280,13 +267,12 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     x = round(rng.uniform(8.0, 9.0), 3)
     beside = f"a game in which the ball is beside the bridge, at ({x}, 0.6, 0) m, and moves at "
     beside += "(3, -9, 0) m/s; "
-    with calls(
+    missed = (
         "The ball has reached the ground, but you don't take a life. Call self.rules.fell() in "
-        "this case.",
-        f"{beside}game.step(1/60)",
-    ):
+    )
+    missed += "this case."
+    with calls(missed, f"{beside}game.step(1/60)"):
         seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
-    missed = about.cause
     expect_all(
         ("the number of lives that are left", seen["lives"], 2, missed),
         ("the visited rows, which were 2 and 4", seen["visited"], [2, 4], "A fall changes the "
@@ -312,20 +298,17 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
             seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
         expect_exactly(seen["lives"], lives)
     with calls(
-        "The ball keeps moving after the game is over. Return from step at once if self.rules.over "
-        "is true.",
+        "The ball keeps moving after the game is over. Return at once if self.rules.over.",
         f"{beside}one life is left; game.step(1/60), three times",
     ):
         seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then="; the number of lives that are left")
     expect_stopped(seen)
-    about.cause = (
-        "You put the ball back although no lives are left. Put it back only if the game is not "
-        "over."
-    )
+    why = "You put the ball back although no lives are left. Do so only until the game is over."
     x = seen[-1]["place"][0]
     name = "; the final position of the ball along X"
-    expect_that(x > 7.0, f"{x:.3g} m", "more than 7 m, which is beside the bridge", then=name)
+    beside = "more than 7 m, which is beside the bridge"
+    expect_that(x > 7.0, f"{x:.3g} m", beside, then=name, cause=why)
 
 
 def expect_stopped(seen: list[dict[str, Any]]) -> None:

@@ -58,8 +58,7 @@ class Bond:
 
     def expect_forces(self, seen: Any, force: float, cause: str, swapped: str = "") -> None:
         on_a, on_b = force * self.way, -force * self.way
-        both = "Your update_force pulls both ends in each call. It is called once for each end, so "
-        both += "pull only the particle that is passed."
+        both = "Your update_force pulls both ends in each call. Pull only the one that is passed."
         slips = {
             both: (*(2.0 * on_a), *on_b) if self.order == "ab" else (*on_a, *(2.0 * on_b)),
             swapped: (*ZERO, *ZERO) if swapped else (math.nan,) * 6,
@@ -79,8 +78,7 @@ class Bond:
 def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
     bond = Bond(rng)
     rest, limit = bond.rest, bond.limit
-    why = "If the bond holds, let the spring self._to_b act on a, and the spring self._to_a act on "
-    why += "b."
+    why = "If the bond holds, let self._to_b act on a, and self._to_a on b."
     for length in (0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + bond.most)):
         (seen,) = bond.at([length], why)
         for name, now, before in (
@@ -89,8 +87,7 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         ):
             expect_kept(f"{name}.position", now, before)
         bond.expect_forces(seen, bond.pull(length), why, SWAPPED)
-        why_not = "This bond is not too long, so it must not break. Change holds only if the bond "
-        why_not += "breaks or heals."
+        why_not = "This bond is not too long. Change holds only if the bond breaks or heals."
         expect_exactly(seen[2], True, then="; bond.holds", cause=why_not)
 
 
@@ -109,8 +106,7 @@ def test_a_bond_breaks_and_heals(rng: Random, order: str) -> None:
         "broken": (EARLY, broken),
         "heals": ("Your broken bond doesn't heal although it is shorter than rest_length. Set "
                   "holds to True in this case.",
-                  "Your bond heals, but it adds no force in the same call. Update holds before you "
-                  "add the force."),
+                  "Your bond heals, but it exerts no force at once. Update holds first."),
         "holds": ("Your bond breaks again too early. Let it hold until it is longer than "
                   "break_length.", "The force of your bond is wrong after it has healed."),
     }  # fmt: skip
@@ -146,8 +142,7 @@ def test_a_bond_exactly_at_its_limits(rng: Random) -> None:
     bond.most = bond.rest + 0.25 * rng.randint(2, 5)
     # Quarters of a meter from the origin are not rounded.
     bond.origin, bond.way = ZERO, Triple((1.0, 0.0, 0.0))
-    why = "Your bond breaks at exactly break_length. It should break only if it is longer than "
-    why += "that."
+    why = "Your bond breaks at exactly break_length. Let it break only at a greater length."
     seen = bond.at([bond.most, bond.most + 1e-6, bond.rest + 1e-6, bond.rest], why)
     got = tuple(holds for _, _, holds, *_ in seen)
     why = {
@@ -190,8 +185,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     of_square = {
         "You didn't square the distances. Square each of them before you take their mean.":
             2.0**0.25,
-        "You divide by the total mass, but you don't multiply the squared distances by the masses.":
-            math.sqrt(8.0 / 12.0),
+        "You divide by the total mass, but you don't multiply the squared distances by the masses. "
+        "Do both.": math.sqrt(8.0 / 12.0),
         "You return the mean of the squared distances, in m^2. Take its square root to get a "
         "length.": 2.0,
         summed.format("the squared distances"): math.sqrt(8.0),

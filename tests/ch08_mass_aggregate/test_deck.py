@@ -21,7 +21,7 @@ NEAREST = "the docstring of Deck.nearest"
 DECK = "book 8.2.1, and the docstring of Deck.contacts"
 UP = (0.0, 1.0, 0.0)
 FIRST = "If two rows are equally near, return the first one."
-ENDS = "Your deck {}. It ends half a SPACING, which is 1 m, beyond its outermost rows."
+ENDS = "Your deck {}. It should end half a SPACING, which is 1 m, beyond its outermost rows."
 TOUCHES = "Return two contacts even if the ball just touches the deck and their penetration is 0."
 Rows = list[tuple[Components, Components]]
 
@@ -54,10 +54,7 @@ def nearest(rows: Rows, x: float, cause: str) -> Any:
         f"m; a ball at x = {x:.6g} m; deck.nearest(), which returns (row, height)",
     ):
         ends = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in rows]
-        got = Deck(Particle(Vector3(x, 9.0, 0.5)), 0.5, ends, 0.0).nearest()
-    now = [end.position for row in ends for end in row]
-    expect_all_kept("the position of end {} of the rows", now, [end for row in rows for end in row])
-    return got
+        return Deck(Particle(Vector3(x, 9.0, 0.5)), 0.5, ends, 0.0).nearest()
 
 
 def contacts(
@@ -80,6 +77,10 @@ def contacts(
 def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     rows = draw_rows(rng, 4)
     points = middles(rows)
+    with calls("Work on copies of the positions.", "a deck of a single row; deck.nearest()"):
+        a, b = (Particle(Vector3(*place)) for place in rows[0])
+        Deck(Particle(), 0.5, [(a, b)], 0.0).nearest()
+    expect_all_kept("the position of end {} of the row", (a.position, b.position), rows[0])
     for i, ((x, y), (u, v)) in reversed([*enumerate(pairwise(points))]):
         for share in (0.25, 0.4, 0.75):
             at = x + share * (u - x)
@@ -136,8 +137,7 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         why = named(got, level, slips)
         expect_close(got, (float(i), heights[i]), cause=why, tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
-        alone = "A single row is both the first and the last one, so the deck extends 1 m beyond "
-        alone += "it on both sides."
+        alone = "The deck extends 1 m beyond a single row on both sides."
         expect_close(nearest(rows[:1], x, alone), (0.0, heights[0]), tolerance=1e-12)
 
 
@@ -156,8 +156,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     for at in (first - 1.001, last + 1.001):
         got = nearest(rows, at, f"{ENDS.format('extends too far')} Return None here.")
         expect_that(got is None, str(got), "None, because the deck ends there")
-        none = "There is no deck below the ball, so nearest() returns None. Return an empty list "
-        none += "from contacts() in this case."
+        none = "If nearest() returns None, return an empty list from contacts()."
         count = len(contacts(rows, at, 1.0, none, 0.3))
         expect_exactly(count, 0, then="; the number of contacts", unit="contacts")
 
@@ -169,15 +168,13 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     radius, c = positive_number(rng, 0.2, 0.8), positive_number(rng, 0.1, 0.9)
     at, height = x + 0.75 * (u - x), y + 0.75 * (v - y)
     for depth in (0.3, 0.01, 0.0):
-        why = "The ball rests on the nearest row, so return one contact for each end of that row. "
-        why += "In both, the ball is the particle and the end is the other."
+        why = "Return a contact for each end of the nearest row, with the ball as the particle."
         center = height + radius - (depth or 1e-13)  # rounding must not lift it off
         got = contacts(rows, at, center, why, radius, c)
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
-            why = "You return no contacts although the ball touches the deck. The penetration is "
-            why += "height + radius - y: either the radius is missing, or the sign is wrong."
-            why = why if depth else f"The ball just touches the deck. {TOUCHES}"
+            why = "Either the radius is missing, or the sign is wrong: use height + radius - y."
+            why = why if depth else TOUCHES
         elif ends in ([(0, 3)], [(0, 4)]):
             why = "You return a contact for only one end of the nearest row. Return one for each."
         elif ends == [(3, 0), (4, 0)]:
@@ -188,8 +185,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_exactly(ends, [(0, 3), (0, 4)], then=name, cause=why)
         deep = "The penetration is how far the lowest point of the ball is below the deck."
         slips = {
-            "You divide the penetration between the two contacts. Give each of them the full "
-            "penetration.": 0.5 * depth,
+            "You divide the penetration between the two contacts.": 0.5 * depth,
             "You left out the radius of the ball.": depth - radius,
         }
         for _, _, normal, restitution, penetration in list(got):
@@ -209,8 +205,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_exactly(len(got), 2, then="; the number of contacts", unit="contacts")
         expect_close(got, (4.5 - low,) * 2, then="; the penetration of each", unit="m")
     for lift, count, cause in (
-        (radius + 1e-6, 0, "The ball is above the deck and doesn't touch it, so there should be no "
-                           "contact."),
+        (radius + 1e-6, 0, "The ball doesn't touch the deck, so there is no contact."),
         (1e-6 - radius, 2, "The top of the ball is still above the deck, so the ball has not "
                            "fallen through yet and is still in contact."),
         (-1e-6 - radius, 0, "Your contacts lift up a ball that has fallen through the deck. Return "

@@ -22,7 +22,7 @@ G = 9.81  # m/s^2
 ZERO, UP = Triple((0.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0))
 # Velocities and impulses are below 200, and are rounded in about twenty operations.
 NEAR = 1e-11
-NO_OTHER = " Here other is None, so leave out its velocity vb and 1/mb."
+NO_OTHER = " Here other is None, so leave out vb and 1/mb."
 Body = tuple[float, Triple]  # mass, velocity
 
 
@@ -63,7 +63,7 @@ def test_the_sliding_velocity_is_along_the_surface(rng: Random, pair: bool) -> N
             "You subtract the normal itself. Multiply it by v . n first.": v - n,
             "You return the part along the normal. Subtract it from v.": n * (v @ n),
             "You add the part along the normal instead of subtracting it.": v + n * (v @ n),
-            "You leave out the velocity of other.": a[1] - n * (a[1] @ n),
+            "You leave out the velocity of other. Use va - vb.": a[1] - n * (a[1] @ n),
             "You compute vb - va. The relative velocity is va - vb.": -wanted,
         }
         expect_close(got, wanted, slips, unit="m/s", tolerance=NEAR)
@@ -105,10 +105,9 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
         )
         wanted = way * -min(mu * j, stop)
         slips = {
-            "Your friction pushes the particle in the direction in which it slides. It must point "
-            "against the sliding.": -wanted,
+            "Your friction points along the sliding. It must point against the sliding.": -wanted,
             f"{too_much} Return the smaller one of the two.": way * -max(mu * j, stop),
-            "You leave out the coefficient of friction.": way * -min(j, stop),
+            "You leave out the coefficient of friction. Multiply by mu.": way * -min(j, stop),
             "You multiply both impulses by mu. Only the normal impulse is multiplied by it.":
                 way * -mu * min(j, stop),
             "You use the whole relative velocity. Friction acts only along the surface, so use "
@@ -119,8 +118,8 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
             "sliding_velocity().": v * -min(mu * j, fast / inverse) / fast,
             "You multiply by the sliding velocity. Multiply by its direction, a unit vector.":
                 v * -mu * j,
-            "You compare an impulse with a velocity. The impulse that stops the sliding is the "
-            "sliding speed divided by 1/ma + 1/mb.": way * -min(mu * j, speed),
+            "You compare an impulse with a velocity. Divide the sliding speed by 1/ma + 1/mb.":
+                way * -min(mu * j, speed),
             "You use only the mass of particle. If other can move too, the impulse that stops the "
             "sliding is s / (1/ma + 1/mb).": way * -min(mu * j, a[0] * speed),
             "You multiply the speed by 1/ma + 1/mb. Divide by it.":
@@ -135,10 +134,8 @@ def test_when_there_is_no_friction(rng: Random) -> None:
     (mass, v), size = draw_body(rng), positive_number(rng)
     for a, b, mu, j, cause in (
         ((mass, v), None, 0.0, size, "With mu = 0 there is no friction, so return a zero vector."),
-        ((mass, ZERO), None, 0.5, size, "A body that does not slide gets no impulse. Don't divide "
-                                        "by its speed of 0."),
-        ((mass, -3.0 * UP), None, 0.5, size, "The body moves only along the normal, so it does not "
-                                             "slide. Return a zero vector."),
+        ((mass, ZERO), None, 0.5, size, "Don't divide by a sliding speed of 0."),
+        ((mass, -3.0 * UP), None, 0.5, size, "The body moves only along the normal."),
         ((mass, v), (mass, v), 0.5, size, "Both bodies move together, so they do not slide."),
         ((math.inf, v), (math.inf, ZERO), 0.5, size, "Neither body can move, so 1/ma + 1/mb is 0. "
          "Return a zero vector instead of dividing by it."),

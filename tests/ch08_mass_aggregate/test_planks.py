@@ -35,13 +35,11 @@ def at_right_angle(rng: Random, way: Triple) -> Triple:
 
 
 def nearest(point: Triple, a: Triple, b: Triple, cause: str) -> Any:
-    """Return the point of a segment that is nearest to a point."""
+    """Return the point of a segment that is nearest to a point, and the three vectors."""
     with calls(cause):
         p, q, r = Vector3(*point), Vector3(*a), Vector3(*b)
         got = nearest_on_segment(point=p, a=q, b=r)
-    for name, v, old in (("point", p, point), ("a", q, a), ("b", r, b)):
-        expect_kept(name, v, old)
-    return expect_vector(got)
+    return expect_vector(got), p, q, r
 
 
 @pytest.mark.exercise("G8.2", asks="Find the point of the line segment", read=NEAREST)
@@ -52,15 +50,18 @@ def test_the_nearest_point_between_the_ends(rng: Random) -> None:
         along = way * (share * length)
         b, wanted = a + way * length, a + along
         project = "Project point - a onto b - a, and start from a: a + (b - a) t."
-        got = nearest(wanted + at_right_angle(rng, way) * distance, a, b, project)
+        point = wanted + at_right_angle(rng, way) * distance
+        got, *vectors = nearest(point, a, b, project)
+        for name, v, old in zip(("point", "a", "b"), vectors, (point, a, b), strict=True):
+            expect_kept(name, v, old)
         slips = {
             "You return the vector from a to the nearest point. Add a.": along,
             "You measure the projection from b instead of a.": b - along,
             "You add the projection to b. It starts at a.": b + along,
             "You return b although the nearest point is between the ends. Either you don't divide "
             "by the squared length of b - a, or you swapped min and max.": b,
-            "You return the nearer end of the segment. The nearest point may also be between the "
-            "ends.": a if share < 0.5 else b,
+            "You return the nearer end. The nearest point may also be between the ends.":
+                a if share < 0.5 else b,
             "You divide by the length of b - a. Divide by its square to get t.":
                 a + way * (min(1.0, share * length) * length),
         }  # fmt: skip
@@ -73,9 +74,8 @@ def test_the_nearest_point_beyond_an_end_is_the_end(rng: Random) -> None:
         a, way, length = vector(rng), unit_vector(rng), positive_number(rng, 1.0, 5.0)
         b, there = a + way * length, a + way * (share * length)
         point = there + at_right_angle(rng, way) * positive_number(rng, 0.5, 3.0)
-        end = "Beyond an end of the segment, the nearest point is that end. Limit t to the range "
-        end += "from 0 to 1."
-        got = nearest(point, a, b, end)
+        end = "Beyond an end, that end is the nearest point. Limit t to the range from 0 to 1."
+        got, *_ = nearest(point, a, b, end)
         wanted, other, name = (a, b, "a") if share < 0.0 else (b, a, "b")
         slips = {
             f"You return the nearest point of the infinite line. The segment ends at {name}, so "
@@ -88,9 +88,8 @@ def test_the_nearest_point_beyond_an_end_is_the_end(rng: Random) -> None:
 @pytest.mark.exercise("G8.2", asks="the segment is a single point", read=NEAREST)
 def test_a_segment_may_be_a_single_point(rng: Random) -> None:
     a, point = vector(rng), vector(rng)
-    single = "If a and b are equal, the squared length of b - a is 0. Don't divide by it, but "
-    single += "return a copy of a."
-    expect_close(nearest(point, a, a, single), a, unit="m", tolerance=0.0)
+    single = "If a and b are equal, don't divide by |b - a|^2, but return a copy of a."
+    expect_close(nearest(point, a, a, single)[0], a, unit="m", tolerance=0.0)
 
 
 @pytest.mark.exercise("G8.2", asks="Return a new vector", read=NEAREST)
@@ -160,8 +159,7 @@ def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
         })  # fmt: skip
         # The normal is a difference of coordinates, divided by a distance of at least 0.4 m.
         expect_close(seen, normal, then="; the normal", cause=why, tolerance=1e-11)
-        why = "The penetration is the radius minus the distance from the ball's center to the "
-        why += "nearest point of the plank."
+        why = "The penetration is the radius minus the distance to the nearest point."
         why = named(penetration, why, {
             "You return the distance itself. Subtract it from the radius.": distance,
             "You swapped the radius and the distance.": distance - radius,
@@ -185,8 +183,7 @@ def test_which_planks_a_ball_touches(rng: Random) -> None:
          "line goes through the ball, but the segment doesn't."),
         (1.0, 4.5, 0.5, 1.5, [(0, 2), (0, 4)], "The ball is between two planks and touches both. "
          "Return a contact for each, in the order of the planks."),
-        (1.0, 4.0, 0.5, 0.5, [], "The ball is in the gap between two planks, and touches neither "
-         "of them."),
+        (1.0, 4.0, 0.5, 0.5, [], "The ball is in the gap between two planks."),
         (0.0, 3.75, 0.0, 0.5, [(0, 1)], "Both ends are equally near to the ball. Return a contact "
          "with the first one."),
     ):  # fmt: skip

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import combinations
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -13,14 +15,14 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.scene_probes import rods
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform, balancing_mass, rods_of
-from draw import number, positive_number
+from draw import Components, number, positive_number
 from expect import (
-    about,
     expect_between,
     expect_close,
     expect_error,
     expect_exactly,
     expect_that,
+    named,
     xyz,
 )
 from rigidity import changed, motions
@@ -41,8 +43,7 @@ G, FRAME = 9.81, 1.0 / 60.0
 @pytest.mark.exercise("B8.6", asks="it can tilt but not move in any other way", read=RODS)
 def test_a_platform_can_only_tilt() -> None:
     with calls(
-        "Each rod must join two different particles, both among the six that are passed in. Its "
-        "length is a number.",
+        "Each rod must join two different particles, both among the six that are passed in.",
         "rods_of(six particles at PLACES)",
     ):
         particles = [Particle(Vector3(*p), mass=m) for p, m in zip(PLACES, MASSES, strict=True)]
@@ -57,24 +58,17 @@ def test_a_platform_can_only_tilt() -> None:
         rest = [a - share * b for a, b in zip(motion, tilt, strict=True)]
         if math.hypot(*rest) > 1e-9:
             i, j = changed(PLACES, rest)
-            why = (
-                f"The distance between particles {i} and {j} can still change, so the platform can "
-                "bend. Join these two particles with a rod."
-            )
+            why = f"The distance between particles {i} and {j} can still change, so the platform "
+            why += "can bend. Join these two particles with a rod."
             if joined and min(map(min, joined)) > 1:
-                why = (
-                    "No rod joins the platform to its pivot. Leave out a rod only if both of its "
-                    "ends are immovable, not if one of them is."
-                )
-            name = (
-                f", which joins the pairs {', '.join(f'{i}-{j}' for i, j in joined)}; the "
-                "platform's degrees of freedom, not counting the tilt"
-            )
+                why = "No rod joins the platform to its pivot. Leave out a rod only if both of its "
+                why += "ends are immovable, not if one of them is."
+            name = f", which joins the pairs {', '.join(f'{i}-{j}' for i, j in joined)}; the "
+            name += "platform's degrees of freedom, not counting the tilt"
             expect_exactly(len(left) - 1, 0, then=name, cause=why)
-    about.cause = (
-        "Your rods lock the platform. Remove those that keep it from tilting about its pivot."
-    )
-    expect_exactly(len(left), 1, then="; the platform's degrees of freedom, including the tilt")
+    why = "Your rods lock the platform. Remove those that keep it from tilting about its pivot."
+    name = "; the platform's degrees of freedom, including the tilt"
+    expect_exactly(len(left), 1, then=name, cause=why)
 
 
 @pytest.mark.exercise("B8.6", asks="is the current distance between its ends", read=RODS)
@@ -90,19 +84,24 @@ def test_rods_have_the_right_length(rng: Random) -> None:
     expect_all_kept("the position of particle {}", [p.position for p in particles], places)
     none = "Your list of rods is empty. Put the rods that join the particles into it."
     expect_that(len(made) > 0, "no rods", "at least one rod", cause=none)
-    if len(made) > 1 and len({length for *_, length in made}) == 1:
-        about.cause = (
-            "You give all rods the same length. Make each rod as long as the current distance "
-            "between its two ends."
-        )
+    same = len(made) > 1 and len({length for *_, length in made}) == 1
+    why = f"You give all rods the same length. {LENGTH}" if same else LENGTH
     old = (
         "You compute the length of the rod from PLACES, but the particles are somewhere else. Use "
-        "their current positions."
     )
+    old += "their current positions."
     for i, j, length in made:
-        wanted, slips = math.dist(places[i], places[j]), {old: math.dist(PLACES[i], PLACES[j])}
-        name = f"; the length of the rod from particle {i} to particle {j}"
-        expect_close(length, wanted, slips, then=name, unit="m", tolerance=1e-12)
+        cause = named(length, why, {old: math.dist(PLACES[i], PLACES[j])})
+        expect_rod(places, i, j, length, cause)
+
+
+def expect_rod(places: Sequence[Components], i: int, j: int, length: Any, cause: str) -> None:
+    """Expect a rod to be as long as its ends are apart."""
+    name, wanted = (
+        f"; the length of the rod from particle {i} to {j}",
+        math.dist(places[i], places[j]),
+    )
+    expect_close(length, wanted, then=name, unit="m", tolerance=1e-12, cause=cause)
 
 
 @pytest.mark.exercise("B8.7", asks="Compute the mass in kg that you must place", read=BALANCE)
@@ -114,13 +113,11 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
         got = balancing_mass(masses=[1.0] * 4, places=[-3.0, -3.0, 4.0, 4.0], x=-3.0)
     slips = {
         "Your mass has the wrong sign. It should be -(sum of mass times position) / x.": -2.0 / 3.0,
-        "You ignore the signs of the positions. Keep them, because positions to the left of the "
-        "pivot are negative.": 14.0 / 3.0,
+        "You ignore the signs of the positions. Left of the pivot, they are negative.": 14.0 / 3.0,
         "You multiply by g, which is in all torques alike. Leave it out.": 2.0 / 3.0 * G,
         "You return the sum of mass times position, which is not a mass yet. Divide it by -x.": 2.0,
         "You return minus the sum of mass times position. Divide it by x to get a mass.": -2.0,
-        "You return the mass that balances the platform at the other end. Divide by x, which is -3 "
-        "m.": 0.5,
+        "You return the mass that balances the platform at the other end. Divide by x.": 0.5,
     }
     expect_close(got, 2.0 / 3.0, slips, unit="kg")
     masses, places = ([draw(rng) for _ in range(4)] for draw in (positive_number, number))
@@ -163,8 +160,7 @@ def test_rejects_what_cannot_be_balanced() -> None:
         ([1.0, 2.0], [1.0, -2.0], -3.0, SINKS.format("left")),
         ([1.0], [0.5], 0.25, SINKS.format("right")),
         ([1.0], [-0.5], -0.25, SINKS.format("left")),
-        ([1.0, 2.0], [-1.0, 2.0], 0.0, "A mass at the pivot exerts no torque, so it can't balance "
-                                       "anything."),
+        ([1.0, 2.0], [-1.0, 2.0], 0.0, "A mass at the pivot exerts no torque."),
     ):  # fmt: skip
         expect_error(
             lambda masses=masses, places=places, x=x: balancing_mass(masses, places, x),
@@ -201,8 +197,8 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
                 ends(1.0, right, left),
             "You give each particle the whole load of its end.":
                 ends(1.0, 2.0 * left, 2.0 * right),
-            "You leave out the particles' own mass. Add MASS to the load that each particle "
-            "carries.": ends(0.0, left, right),
+            "You leave out the particles' own mass. Add MASS to the load of each.":
+                ends(0.0, left, right),
             "You halve the particles' own mass too. Add MASS to half of the load of the end.":
                 ends(0.5, left, right),
         }  # fmt: skip
@@ -220,12 +216,9 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
             }  # fmt: skip
         wanted = ends(1.0, left, right)
         expect_close(got[2:], wanted, slips, then=four, unit="kg", tolerance=1e-12)
-        about.cause = (
-            "You also change the masses of the pivot, which must stay immovable. Change only the "
-            "masses of the ends."
-        )
+        why = "You also change the masses of the pivot, which must stay immovable."
         name = "; the masses of the pivot's two particles"
-        expect_exactly(got[:2], [math.inf, math.inf], then=name, unit="kg")
+        expect_exactly(got[:2], [math.inf, math.inf], then=name, unit="kg", cause=why)
         for first, load, now in ((7.0, mass, wanted), (3.0, 0.0, [1.0] * 4)):
             with calls(
                 "You add the new weight to the old one. A new weight replaces the old one, also if "
@@ -259,48 +252,36 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
         for low in (left[1] < right[1], side != "too light")
     )
     expect_that(seen == wanted, seen, wanted)
-    about.cause = (
-        "The length of your platform changes, because its rods have no effect. Add the rods to the "
-        "world's contact generators."
-    )
-    name = "; its distance from the right end"
-    expect_close(math.dist(left, right), 7.0, then=name, unit="m", tolerance=0.01)
+    why = "Your platform changes its length. Add its rods to world.contact_generators."
+    name, long = "; its distance from the right end", math.dist(left, right)
+    expect_close(long, 7.0, then=name, unit="m", tolerance=0.01, cause=why)
 
 
 @pytest.mark.exercise("8.1", asks="Give each of the pivot's two particles", read=FREE)
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     six = "; the masses of all particles, of which the first two are the pivot"
-    with calls("You don't change the mass of the pivot. Set the mass of both particles to MASS."):
-        platform = TiltingPlatform()
-        platform.free_pivot()
-    particles = platform.particles
-    masses = [particle.mass for particle in particles]
-    if masses[:2].count(math.inf) == 1:
-        about.cause = "You free only one particle of the pivot. Set the mass of both to MASS."
-    elif math.inf not in masses[:2]:
-        about.cause = (
-            "The mass of each particle should be MASS, which is 1 kg. Set the masses of the pivot "
-            "to it, and leave the others alone."
-        )
-    expect_close(masses, [1.0] * 6, then=six, unit="kg", tolerance=1e-12)
-    call = about.call
-    with calls(
-        "Your free_pivot() changes the load that the ends carry. Change only the masses of the two "
-        "particles of the pivot."
-    ):
-        loaded = TiltingPlatform()
-        loaded.particles[4].mass = loaded.particles[5].mass = 4.5
-        loaded.free_pivot()
-    got = [particle.mass for particle in loaded.particles]
-    expect_close(got, [1.0, 1.0, 1.0, 1.0, 4.5, 4.5], then=six, unit="kg", tolerance=1e-12)
-    about(
-        call,
-        cause="Your free_pivot() moves a particle. It should only change masses and add a rod, "
-        "because the next step moves the platform.",
+    why = (
+        "Set the mass of both particles of the pivot to MASS, which is 1 kg, and leave the masses "
     )
+    why += "of the others alone."
+    for load, wanted in ((1.0, [1.0] * 6), (4.5, [1.0, 1.0, 1.0, 1.0, 4.5, 4.5])):
+        with calls(why):
+            platform = TiltingPlatform()
+            platform.particles[4].mass = platform.particles[5].mass = load
+            platform.free_pivot()
+        masses = [particle.mass for particle in platform.particles]
+        free = masses[:2].count(math.inf)
+        slip = ("", "You free only one particle of the pivot. ", "You don't change the mass of the "
+                "pivot. ")[free]  # fmt: skip
+        expect_close(masses, wanted, then=six, unit="kg", tolerance=1e-12, cause=slip + why)
+    particles = platform.particles
+    moved = (
+        "Your free_pivot() moves a particle. It should only change masses and add a rod, because "
+    )
+    moved += "the next step moves the platform."
     for i, place in enumerate(PLACES):
-        name = f"; the position of particle {i}"
-        expect_close(particles[i].position, place, then=name, unit="m", tolerance=0.0)
+        name, got = f"; the position of particle {i}", particles[i].position
+        expect_close(got, place, then=name, unit="m", tolerance=0.0, cause=moved)
     in_list = rods(platform.rods, particles)
     generators = [some for some in platform.world.contact_generators if hasattr(some, "length")]
     for where, made in (
@@ -308,27 +289,19 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         ("world.contact_generators", rods(generators, particles)),
     ):
         joined = [(i, j) for i, j, _ in made]
-        axle = f"{where} has no rod between the pivot's two particles. Add it there too."
-        seen, wanted_rod = "no rod joins particles 0 and 1", "a rod joins particles 0 and 1"
-        name = f"; the rods in {where}"
-        expect_that((0, 1) in joined, seen, wanted_rod, then=name, cause=axle)
+        why = f"{where} has no rod between the pivot's two particles. Add it there too."
+        seen, wanted = "no rod joins particles 0 and 1", "a rod joins particles 0 and 1"
+        expect_that((0, 1) in joined, seen, wanted, then=f"; the rods in {where}", cause=why)
         # Six motions of a rigid body go where 0 is held, 2 moves along its way there, and 1 in a
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
-        about.cause = (
-            f"Some rods are missing from {where}. Keep all of the old rods, and append the new one."
-        )
-        name = (
-            "; the number of independent ways to deform the platform without changing the length "
-            f"of a rod in {where}"
-        )
-        expect_exactly(len(left), 0, then=name, unit="ways")
-    about.cause = LENGTH
+        why = f"Some rods are missing from {where}. Keep the old ones, and append the new one."
+        name = "; the number of independent ways to deform the platform without changing the "
+        name += f"length of a rod in {where}"
+        expect_exactly(len(left), 0, then=name, unit="ways", cause=why)
     for i, j, length in in_list:
-        slips = {"You make the new rod as long as the platform.": 7.0}
-        name = f"; the length of the rod from particle {i} to particle {j}"
-        wanted = math.dist(PLACES[i], PLACES[j])
-        expect_close(length, wanted, slips, then=name, unit="m", tolerance=1e-12)
+        slip = {"You make the new rod as long as the platform.": 7.0}
+        expect_rod(PLACES, i, j, length, named(length, LENGTH, slip))
 
 
 @pytest.mark.exercise("8.1", asks="The pivot can then slide", read=FREE)
@@ -347,19 +320,17 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         got, wanted = (math.fsum(place[axis] for place in some) / 6.0 for some in (after, PLACES))
         # The impulses of rods are equal and opposite, to rounding, however many there are.
         expect_close(got, wanted, then=f"; {name} of the center of mass", unit="m", tolerance=1e-9)
-    about.cause = (
-        "Your platform changes its shape, so a rod is missing or has the wrong length. Together "
-        "the rods should keep every distance between two particles the same."
-    )
     off = max(
         abs(math.dist(after[i], after[j]) - math.dist(PLACES[i], PLACES[j]))
         for i, j in combinations(range(6), 2)
     )
     # A hundred iterations leave 0.4 mm with this time step.
-    expect_between(off, 0.0, 0.01, then="; the largest change of a distance", unit="m")
-    about.cause = (
-        "The platform falls to the right, so its pivot should slide to the left along the ground. "
-        "Check that both particles of the pivot can move."
-    )
-    moved = after[0][0] - PLACES[0][0]
-    expect_between(moved, -math.inf, -0.01, then="; how far the pivot moves along X", unit="m")
+    for name, got, low, high, cause in (
+        ("the largest change of a distance", off, 0.0, 0.01, "Your platform changes its shape, so "
+         "a rod is missing or has the wrong length. Together the rods should keep every distance "
+         "between two particles the same."),
+        ("how far the pivot moves along X", after[0][0] - PLACES[0][0], -math.inf, -0.01, "The "
+         "platform falls to the right, so its pivot should slide to the left along the ground. "
+         "Check that both particles of the pivot can move."),
+    ):  # fmt: skip
+        expect_between(got, low, high, then=f"; {name}", unit="m", cause=cause)

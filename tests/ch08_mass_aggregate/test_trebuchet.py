@@ -14,7 +14,7 @@ from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate.trebuchet import Design, Trebuchet
 from ch08_mass_aggregate.trebuchet_probes import beam, my_design, throw
 from draw import positive_number
-from expect import about, expect_between, expect_close, expect_exactly, expect_that
+from expect import expect_between, expect_close, expect_exactly, expect_that, named
 from lever import thrown
 from rigidity import motions
 
@@ -46,40 +46,29 @@ def shown(design: Sequence[float]) -> str:
 @pytest.mark.exercise("P8.2a", asks="any set of rods that makes the beam rigid", read=BEAM)
 def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
-    with calls(
-        "Your rods join other particles too. Each rod must join two of these: the pivot, the "
-        "counterweight and the tip.",
-        f"design = {shown(design)}; Trebuchet(design).beam()",
-    ):
+    why = "Each rod must join two of these: the pivot, the counterweight and the tip."
+    with calls(why, f"design = {shown(design)}; Trebuchet(design).beam()"):
         rods, places = beam(design)
     joined = [(i, j) for i, j, _ in rods]
     strange = sum(min(pair) < 0 or pair[0] == pair[1] for pair in joined)
     expect_exactly(strange, 0, then="; the rods that join something else", unit="rods")
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
-    missing = [pair for pair in ((1, 2), (0, 2), (0, 1)) if pair not in joined]
-    why = about.cause
-    if missing:
-        i, j = missing[0]
-        why = (
-            f"No rod joins the {PARTS[i]} and the {PARTS[j]}, so the beam can bend. Join each pair "
-            "of the three particles with a rod, so that the rods form a triangle."
-        )
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        if (i, j) not in joined:
+            why = (
+                f"No rod joins the {PARTS[i]} and the {PARTS[j]}, so the beam can bend. Join each "
+                "pair of the three particles with a rod, so that the rods form a triangle."
+            )
     name = "; whether these rods make the beam rigid"
     expect_that(not left, "the beam can bend", "the beam is rigid", then=name, cause=why)
-    about.cause = (
-        "Your rod has the wrong length. Make it as long as the current distance between its two "
-        "ends."
-    )
-    straight = (
-        "Your rod has the length short_arm + long_arm, but this beam is bent at the pivot. Use the "
-        "current distance between the rod's two ends."
-    )
+    current = "Make your rod as long as the current distance between its two ends."
+    straight = "Your rod has the length short_arm + long_arm, but this beam is bent at the pivot."
     for i, j, length in rods:
         name = f"; the length of the rod from the {PARTS[i]} to the {PARTS[j]}"
+        why = named(length, current, {straight: design[1] + design[2]})
         wanted = math.dist(places[i], places[j])
-        slips = {straight: design[1] + design[2]}
-        expect_close(length, wanted, slips, then=name, unit="m", tolerance=1e-12)
+        expect_close(length, wanted, then=name, unit="m", tolerance=1e-12, cause=why)
 
 
 def lets_go(design: Sequence[float], height: float, vx: float, vy: float, cause: str) -> Any:
@@ -133,15 +122,12 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     for above, velocity, wanted, cause in (
         (height, flight(angle + 0.1), False, steep),
         (height, flight(angle - 0.1), True, lower),
-        (0.01, lowest, True, "The projectile is above the pivot, so the sling should let go. It "
-                             "doesn't matter how far above."),
-        (height, flight(-50.0), True, "A projectile that flies downward is below the release angle "
-                                      "too, so the sling should let go."),
+        (0.01, lowest, True, "It doesn't matter how far above the pivot the projectile is."),
+        (height, flight(-50.0), True, "A downward flight is below the release angle, too."),
         (height, flight(180.0 - angle), False, forward),
         (height, flight(-150.0), False, forward),
         (height, (0.0, -speed), False, forward),
-        (height, (0.25, -speed), True, "The projectile flies forward, so the sling should let go. "
-                                       "Count any v.x above 0 as forward."),
+        (height, (0.25, -speed), True, "Count any v.x above 0 as forward."),
         (0.0, lowest, False, high),
         (-height, lowest, False, high),
     ):  # fmt: skip
@@ -195,34 +181,31 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     slips = {
         "You leave out the projectile's potential energy.": kinetic / lost,
         "You leave out the projectile's kinetic energy.": potential / lost,
-        "You use the projectile's mass to compute the lost energy. Use the counterweight's mass, "
-        "because the counterweight falls.": wanted * weight / 5.0,
+        "You use the projectile's mass for the lost energy, but the counterweight falls.": wanted
+        * weight
+        / 5.0,
         "Your fraction is upside down.": 1.0 / wanted,
-        "Your share is a percentage. Return a fraction, where 1 means that the projectile gets all "
-        "of the energy.": 100.0 * wanted,
+        "Your share is a percentage. Return a fraction, where 1 means all of the energy.": 100.0
+        * wanted,
     }
-    name = "; the share (energy gained by the projectile / energy lost by the counterweight)"
-    about.cause = (
+    why = (
         "Divide the energy that the projectile has gained by the energy that the counterweight has "
         "lost. The projectile gains m v^2 / 2 plus m g times its rise, and the counterweight loses "
         "M g times its fall."
     )
-    expect_close(share, wanted, slips, then=name, tolerance=1e-9)
+    name = "; the share (energy gained by the projectile / energy lost by the counterweight)"
+    expect_close(share, wanted, then=name, tolerance=1e-9, cause=named(share, why, slips))
+    why = "trebuchet.flies is still False after the throw. Call self.step(STEP), which removes the "
+    why += "sling and sets flies when the sling lets go."
+    expect_exactly(flies, True, then="; whether trebuchet.flies is True then", cause=why)
     with calls(
-        "A projectile that is already flying downward lands sooner, so its range is shorter. Keep "
-        "the sign of v_y in the formula.",
+        "A projectile that flies downward lands sooner. Keep the sign of v_y in the formula.",
         f"design = {shown(design)}; the sling lets go of the projectile at (2, 8, 0) m with "
         "velocity (30, -10, 0) m/s; Trebuchet(design).throw().range",
     ):
         got = throw(design, "down")[0]
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     expect_close(got, wanted, unit="m", tolerance=1e-9)
-    about(
-        f"trebuchet = Trebuchet({shown(design)}); trebuchet.throw(); trebuchet.flies",
-        cause="trebuchet.flies is still False after the throw. Call self.step(STEP), which removes "
-        "the sling and sets flies when the sling lets go.",
-    )
-    expect_exactly(flies, True)
 
 
 @pytest.mark.exercise("P8.2a", asks="until the sling releases the projectile", read=THROW)
@@ -253,44 +236,36 @@ def test_a_throw_agrees_with_lagrange(
 def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
     both = "; the range in m and the share of the energy that the projectile gets"
-    with calls(
-        "You compute a throw although the sling never lets go. If self.flies is still False after "
-        "TIME_LIMIT, return Throw(0.0, 0.0).",
-        f"Trebuchet({shown(design)}).throw() in a world where nothing moves",
-    ):
+    limit = "If self.flies is still False after TIME_LIMIT, which is 4 s, stop and return "
+    limit += "Throw(0.0, 0.0). With a STEP of 1/250 s, this takes 1000 steps."
+    with calls(limit, f"Trebuchet({shown(design)}).throw() in a world where nothing moves"):
         got = throw(design, "nothing")
-    expect_close(got[:2], (0.0, 0.0), then=both, tolerance=0.0)
-    about.cause = (
-        "Your throw stops at the wrong time. It should stop after TIME_LIMIT, which is 4 s, so "
-        "with a STEP of 1/250 s it takes 1000 steps."
-    )
+    never = f"You compute a throw although the sling never lets go. {limit}"
+    expect_close(got[:2], (0.0, 0.0), then=both, tolerance=0.0, cause=never)
     # One more or less if the time is added up with rounding.
-    expect_close(got[2], 1000.0, then="; the number of steps", unit="steps", tolerance=1.0)
+    steps = "; the number of steps"
+    expect_close(got[2], 1000.0, then=steps, unit="steps", tolerance=1.0)
+    ground = "The projectile hits the ground while it is still in the sling. Check after each step "
+    ground += "whether the projectile's height is 0 or less, and return Throw(0.0, 0.0) at once."
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
     with calls(
-        "The projectile hits the ground while it is still in the sling. Stop when the projectile's "
-        "height is 0 or less, and return Throw(0.0, 0.0).",
+        ground,
         f"Trebuchet({shown(heavy)}).throw(), where the counterweight is so light that the "
         "projectile sinks to the ground",
     ):
-        got = throw(heavy, "first")
+        got, at_once = throw(heavy, "first"), throw(design, "ground")
     expect_close(got[:2], (0.0, 0.0), then=both, tolerance=0.0)
-    on_ground = throw(design, "ground")
-    if got[2] >= 100 and on_ground[2] == 1:
-        about.cause = (
-            "You stop only if the height is exactly 0, but a step takes the projectile from above "
-            "the ground to below it. Stop when the projectile's height is 0 or less."
-        )
+    exact = "You stop only if the height is exactly 0, but a step takes the projectile from above "
+    exact += "the ground to below it. Stop when the projectile's height is 0 or less."
+    why = exact if got[2] >= 100 and at_once[2] == 1 else ground
     # It is there after 0.13 s.
-    name = "; the number of steps that throw() takes"
-    expect_that(got[2] < 100, f"{got[2]} steps", "fewer than 100 steps", then=name)
-    about(
+    expect_that(got[2] < 100, f"{got[2]} steps", "fewer than 100 steps", then=steps, cause=why)
+    with calls(
+        ground,
         f"Trebuchet({shown(design)}).throw(); the projectile is on the ground after one step; the "
         "range, the share and the number of steps",
-        cause="The projectile hits the ground while it is still in the sling. Check its height "
-        "after each step, and return Throw(0.0, 0.0) at once.",
-    )
-    expect_close(on_ground[:3], (0.0, 0.0, 1.0), tolerance=0.0)
+    ):
+        expect_close(at_once[:3], (0.0, 0.0, 1.0), tolerance=0.0)
 
 
 def better(design: Sequence[float], distance: float) -> str:
@@ -316,27 +291,22 @@ def better(design: Sequence[float], distance: float) -> str:
     ("meters", "percent"), [(60, 40), (80, 50)], ids=["a good one", "a better one"]
 )
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
-    with calls(
-        "my_design must return a Design. Create one from your five numbers, in the order of its "
-        "attributes.",
-        "my_design()",
-    ):
+    why = "my_design must return a Design. Create one from your five numbers."
+    with calls(why, "my_design()"):
         design = my_design()
     expect_that(not isinstance(design, str), str(design), "a Design")
-    about.call = f"my_design(), which is {shown(design)}"
-    heavy = "Your counterweight is too heavy. Choose one of at most 400 kg."
-    expect_between(design[0], 0.0, 400.0, then="; the counterweight", unit="kg", cause=heavy)
-    about.cause = (
-        "The arms of your trebuchet are too long. Together, they must be at most 5 m long."
-    )
-    name = "; the total length of the arms"
-    expect_between(design[1] + design[2], 0.0, 5.0, then=name, unit="m", tolerance=1e-9)
     distance, share = thrown(*design)
     enough = distance >= meters and share >= 0.01 * percent
     more = "" if enough else better(design, distance)
-    about.cause = f"Your design throws only {distance:.1f} m.{more}"
-    name = "; the range of its throw, computed with Lagrange's equations"
-    expect_between(distance, meters, math.inf, then=name, unit="m")
-    about.cause = f"Only {share:.0%} of the energy reaches the projectile.{more}"
-    name = "; the share of the energy that reaches the projectile"
-    expect_between(share, 0.01 * percent, math.inf, then=name)
+    for name, got, low, high, unit, cause in (
+        ("the counterweight", design[0], 0.0, 400.0, "kg",
+         "Your counterweight is too heavy. Choose one of at most 400 kg."),
+        ("the total length of the arms", design[1] + design[2], 0.0, 5.0 + 1e-9, "m",
+         "The arms of your trebuchet are too long. Together, they must be at most 5 m long."),
+        ("the range of its throw, computed with Lagrange's equations", distance, meters, math.inf,
+         "m", f"Your design throws only {distance:.1f} m.{more}"),
+        ("the share of the energy that reaches the projectile", share, 0.01 * percent, math.inf,
+         "", f"Only {share:.0%} of the energy reaches the projectile.{more}"),
+    ):  # fmt: skip
+        call = f"my_design(), which is {shown(design)}; {name}"
+        expect_between(got, low, high, call=call, unit=unit, cause=cause)

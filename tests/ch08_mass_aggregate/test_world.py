@@ -44,21 +44,16 @@ def test_energy_is_kinetic_plus_potential(rng: Random) -> None:
     bodies = [draw_body(rng) for _ in range(3)]
     parts = [0.5 * m * (v @ v) - m * (a @ p) for p, v, a, m in bodies]
     fall, run, rise = Triple((0.0, -10.0, 0.0)), Triple((4.0, 0.0, 0.0)), Triple((0.0, 3.0, 0.0))
-    both = "The energy is the sum of m v^2 / 2 and m g y. Here the kinetic energy is 16 J and the "
-    both += "potential energy is 60 J."
+    both = "The energy is the sum of m v^2 / 2 and m g y, which are 16 J and 60 J here."
     got = energy([(rise, run, fall, 2.0)], both)
     slips = {
         "You return the kinetic energy alone.": 16.0,
         "You return the potential energy alone.": 60.0,
-        "Your potential energy has the wrong sign. It is minus the mass times the scalar product "
-        "of acceleration and position.": -44.0,
-        "You use 9.81 m/s^2 for gravity, but this particle accelerates at 10 m/s^2. Use "
-        "particle.acceleration instead.": 74.86,
-        "Your kinetic energy is twice as large as it should be, so you probably left out the "
-        "factor 1/2. It is m v^2 / 2.": 92.0,
-        "You leave the mass out of both energies. Multiply each of them by the mass.": 38.0,
-        "You leave the mass out of the potential energy. Multiply the scalar product of "
-        "acceleration and position by the mass.": 46.0,
+        "Your potential energy has the wrong sign. It is -m a . p.": -44.0,
+        "You use 9.81 m/s^2 instead of particle.acceleration, which is 10 m/s^2 here.": 74.86,
+        "Your kinetic energy is twice as large, as if you left out the factor 1/2.": 92.0,
+        "You leave the mass out of both energies.": 38.0,
+        "You leave the mass out of the potential energy, which is -m a . p.": 46.0,
     }
     expect_close(got, 76.0, slips, unit="J")
     first = "Your loop returns after the first particle. Return the sum after the loop."
@@ -80,8 +75,7 @@ def test_immovable_particles_have_no_energy(rng: Random) -> None:
     p, v, a, m = draw_body(rng)
     both = [(p, v, a, m), (vector(rng), ZERO, vector(rng), math.inf)]
     stops = "Your loop stops at the immovable particle. Skip it and continue with the next one."
-    skip = "You count the immovable particle, whose mass is infinite. Skip every particle whose "
-    skip += "inverse_mass is 0."
+    skip = "You count the immovable particle. Skip every particle whose inverse_mass is 0."
     for some in (both, both[::-1]):
         got, wanted = energy(some, skip), 0.5 * m * (v @ v) - m * (a @ p)
         expect_close(got, wanted, {stops: 0.0}, unit="J", tolerance=1e-10)
@@ -93,8 +87,7 @@ def test_immovable_particles_have_no_energy(rng: Random) -> None:
 def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     bodies, force = [draw_body(rng) for _ in range(3)], vector(rng)
     bodies.insert(1, (vector(rng), ZERO, ZERO, math.inf))
-    why = "Call clear_forces() for every particle, with the parentheses, because without them "
-    why += "Python doesn't call the method."
+    why = "Call clear_forces() for every particle, with the parentheses."
     with calls(
         f"start_frame doesn't clear any forces. {why}",
         "a world of four particles, of which particles[1] is immovable; "
@@ -112,8 +105,7 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     why = f"start_frame doesn't clear {'any forces' if len(kept) == 4 else 'all forces'}. {why}"
     if kept == [1]:
         why = "You skip the immovable particle. Call clear_forces() for it too."
-    only = "Your start_frame changes the position or the velocity of a particle. It should only "
-    only += "call clear_forces() for each particle."
+    only = "Your start_frame changes the position or the velocity. Only call clear_forces()."
     for i, (place, velocity, *_) in enumerate(bodies):
         for name, wanted, unit, cause in (
             ("force_accumulator", ZERO, "N", why),
@@ -144,13 +136,11 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     only = f"You return the contacts of only {len(got) // count} of the 3 floors that touch the "
     only += f"particles. {every}"
     why = named(len(got), f"You return {len(got)} contacts. {why}", {
-        "Your loop ends after the first floor, which touches no particle. Continue with the other "
-        "floors.": 0,
+        "Your loop ends after the first floor. Continue with the other floors.": 0,
         only: len(got) if len(got) in (count, 2 * count) else -1,
     })  # fmt: skip
     expect_exactly(len(got), 3 * count, unit="contacts", cause=why)
-    order = "Your contacts are in the wrong order. Go through contact_generators from first to "
-    order += "last, and append the contacts of each."
+    order = "Your contacts are in the wrong order. Go through contact_generators in order."
     runs = [round(depth, 9) for depth in got[::count]]
     name = "; the penetrations at the floors that touch particles, in list order"
     expect_exactly(runs, [0.0, low - 1.0, high - 1.0], then=name, unit="m", cause=order)
@@ -195,11 +185,11 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
             "You call update_forces yourself, so the registry's forces act twice. Pass "
             "update_forces to the integrator, but don't call it.":
                 v + h * (a + (hand + 2.0 * pull) / m),
-            "run_physics clears the force that was added after start_frame. Only start_frame "
-            "should clear forces.": v + h * (a + pull / m),
+            "Your run_physics clears a force. Only start_frame should clear forces.":
+                v + h * (a + pull / m),
             "Only the acceleration has an effect, and all forces are lost.": v + h * a,
-            "You move the particles twice, with the integrator and with integrate(). Call only the "
-            "integrator.": velocity + h * a,
+            "You move the particles twice. Call only the integrator, not integrate().":
+                velocity + h * a,
         }  # fmt: skip
         explicit = "Your world takes an explicit Euler step, as particle.integrate does. Call "
         explicit += f"self.integrator instead, which is {integrator} here."
@@ -250,8 +240,7 @@ def test_a_step_clears_earlier_forces(rng: Random) -> None:
 @pytest.mark.parametrize("integrator", ["semi_implicit_euler", "runge_kutta_4"])
 def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> None:
     h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
-    once = "Call self.integrator exactly once in each step. Pass it all particles and the whole "
-    once += "duration."
+    once = "Call self.integrator once in each step, with all particles and the duration."
     with calls(
         once,
         "two particles with one force generator each, in a world with "
@@ -289,8 +278,7 @@ def test_contacts_are_found_after_the_motion(rng: Random) -> None:
         bodies = [(place, v, ZERO, 1.0) for place in places]
         done = frame(bodies, "run_physics", h, floors=[0.0])
     (place, velocity), (_, other) = done["states"]
-    inside = "The particle stays inside the floor, because you don't resolve the contacts. Pass "
-    inside += "them to self.resolver.resolve_contacts."
+    inside = "The particle stays inside the floor, because you don't resolve the contacts."
     if any(row[0] == "contacts" and row[2][0] == places[0] for row in done["diary"]):
         inside = "You collect the contacts before the particles move, so you miss the one with the "
         inside += "floor. Collect them after the integrator has moved the particles."
@@ -309,8 +297,7 @@ def test_contacts_are_found_after_the_motion(rng: Random) -> None:
 def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     h, (low, high) = 0.125, sorted(float(rng.randint(2, 9)) for _ in range(2))
     bodies = [(Triple((float(i), 1.0, 0.0)), ZERO, ZERO, 1.0) for i in range(3)]
-    once = "Collect all contacts in one list, and pass this list to resolve_contacts in a single "
-    once += "call."
+    once = "Collect all contacts in one list, and pass it to a single resolve_contacts."
     with calls(
         once,
         f"three particles at a height of 1 m; floors at heights of {low:g} and {high:g} m; "
@@ -321,8 +308,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     name = "; the number of calls to resolve_contacts"
     expect_exactly(len(made), 1, then=name, unit="calls", cause=once)
     _, duration, depths = made[0]
-    whole = f"You pass {duration} s to resolve_contacts, but the step takes {h} s. Pass the whole "
-    whole += "duration."
+    whole = f"You pass {duration} s to resolve_contacts. Pass the whole duration."
     then = "; the duration passed to resolve_contacts"
     expect_close(duration, h, then=then, unit="s", tolerance=1e-13 * (high - 1.0), cause=whole)
     wrong = "You pass the wrong contacts to the resolver. Pass those of all generators."
@@ -334,8 +320,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     each = "Call contacts() of each generator exactly once in a step."
     expect_exactly(asked, [low, high], then=then, cause=each)
     with calls(
-        "You call the resolver although there are no contacts. Call resolve_contacts only if the "
-        "list of contacts is not empty.",
+        "You call the resolver although there are no contacts. Check for that first.",
         f"three particles at a height of 1 m, above a floor at 0.5 m; world.run_physics({h})",
     ):
         diary = frame(bodies, "run_physics", h, floors=[0.5], record=True)["diary"]

@@ -38,24 +38,6 @@ def number_of(particle: Any, particles: Sequence[Particle]) -> int:
     return next((i for i, other in enumerate(particles) if other is particle), -2)
 
 
-def bridge_links(places: Sequence[Components]) -> list[Told]:
-    """Return what contacts the links of a bridge have when its planks are at these places.
-
-    A contact of two planks is told from the one with the lower number.
-    """
-    rows = bridge.make_rows()
-    planks = [end for row in rows for end in row]
-    links = bridge.links_of(rows)
-    for plank, place in zip(planks, places, strict=True):
-        plank.position = Vector3(*place)
-    found = []
-    for a, b, (x, y, z), c, depth in told([c for link in links for c in link.contacts()], planks):
-        if 0 <= b < a:
-            a, b, x, y, z = b, a, -x, -y, -z
-        found.append((a, b, (x, y, z), c, depth))
-    return found
-
-
 def hung_bridge(frames: int, duration: float) -> list[Components]:
     """Let a bridge without a ball hang, by chapters 6 and 7 alone; return where its planks are."""
     rows = bridge.make_rows()
@@ -75,37 +57,6 @@ def rods(made: Any, particles: Sequence[Particle]) -> list[tuple[int, int, float
         i, j = sorted((number_of(rod.a, particles), number_of(rod.b, particles)))
         found.append((i, j, rod.length))
     return found
-
-
-def bonded(
-    lengths: Sequence[float],
-    stiffness: float,
-    rest_length: float,
-    limit: float,
-    share: float,
-    break_length: float,
-    way: Components,
-    swap: bool,
-    origin: Components,
-) -> list[tuple[Components, Components, bool, Components, Components]]:
-    """Pull the ends of a bond to these distances, one after the other.
-
-    Return the force on a, that on b, whether it holds, and where both are, at each distance. With
-    ``swap`` b is asked first.
-    """
-    a, b = Particle(Vector3(*origin)), Particle()
-    bond = blob.Bond(a, b, stiffness, rest_length, limit, share, break_length)
-    seen = []
-    for length in lengths:
-        b.position = a.position + Vector3(*way) * length
-        for particle in (b, a) if swap else (a, b):
-            particle.clear_forces()
-            bond.update_force(particle, 0.1)
-        forces, places = ([xyz(v) for v in some] for some in (
-            (a.force_accumulator, b.force_accumulator), (a.position, b.position)
-        ))  # fmt: skip
-        seen.append((*forces, bool(bond.holds), *places))
-    return seen
 
 
 def settled_blob(frames: int, duration: float) -> tuple[list[Components], list[Components]]:
@@ -136,23 +87,6 @@ def settled_blob(frames: int, duration: float) -> tuple[list[Components], list[C
         for contact in ground.contacts():
             contact.resolve(duration)
     return before, [xyz(particle.position) for particle in made]
-
-
-def ruled(rows: int, events: Sequence[int]) -> list[tuple[int, int, list[int], bool, bool]]:
-    """Tell rules what happened: a row landed on, or -1 for a fall.
-
-    Return score, lives, visited rows, won and over after each.
-    """
-    rules = ball_game.Rules(rows)
-    seen = []
-    for event in events:
-        if event < 0:
-            rules.fell()
-        else:
-            rules.landed(event)
-        visited = sorted(rules.visited)
-        seen.append((rules.score, rules.lives, visited, bool(rules.won), bool(rules.over)))
-    return seen
 
 
 def played(

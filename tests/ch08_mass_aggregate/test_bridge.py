@@ -8,7 +8,10 @@ from random import Random
 import pytest
 
 from calls import calls
-from ch08_mass_aggregate.scene_probes import bridge_links, hung_bridge
+from ch02_vectors.vector import Vector3
+from ch08_mass_aggregate.bridge import links_of
+from ch08_mass_aggregate.bridge_plan import make_rows
+from ch08_mass_aggregate.scene_probes import hung_bridge, told
 from draw import Components, positive_number
 from expect import expect_between, expect_close, expect_exactly, named
 
@@ -30,6 +33,17 @@ def span(places: list[Components], i: int, j: int) -> float:
     return math.dist(places[i], places[j] if j >= 0 else ANCHORS[i])
 
 
+def links_at(places: list[Components]) -> list[tuple[int, int, float, float]]:
+    """Return the ends, restitution and penetration of each contact with the planks there."""
+    rows = make_rows()
+    planks = [end for row in rows for end in row]
+    links = links_of(rows)
+    for plank, place in zip(planks, places, strict=True):
+        plank.position = Vector3(*place)
+    found = told([contact for link in links for contact in link.contacts()], planks)
+    return [(*((b, a) if 0 <= b < a else (a, b)), c, depth) for a, b, _, c, depth in found]
+
+
 @pytest.mark.exercise("B8.4", asks="joins each end to the end on the same side", read=LINKS)
 @pytest.mark.parametrize("which", JOINED)
 def test_links_join_the_right_ends(rng: Random, which: str) -> None:
@@ -41,7 +55,7 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row 1, and so "
         "on; the ends are moved so far apart that every link is stretched",
     ):
-        links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
+        links = [(i, j, depth) for i, j, _, depth in links_at(places)]
     join, name, length = {
         "rod": ("Join the two ends of each row with one Rod of length WIDTH.",
                 "pairs (i, i + 1) of ends", "WIDTH"),
@@ -86,46 +100,37 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
 
 @pytest.mark.exercise("B8.4", asks="All cables have a restitution of 0", read=LINKS)
 def test_links_act_at_the_right_lengths() -> None:
-    why = (
-        "At the start only the cables from row to row should report a contact, because they are "
-        "stretched by 0.1 m. The rods have the right length, and the anchored cables are slack."
-    )
+    why = "At the start only the cables from row to row should report a contact, because they are "
+    why += "stretched by 0.1 m. The rods have the right length, and the anchored cables are slack."
     with calls(why, "links_of(make_rows()), with the planks where they start"):
-        links = sorted((i, j) for i, j, *_ in bridge_links(START))
+        links = sorted((i, j) for i, j, *_ in links_at(START))
     if [pair for pair in links if pair[1] == pair[0] + 1] == [(i, i + 1) for i in range(0, 12, 2)]:
         why = "You join the two ends of each row with a Cable, which only pulls. Use a Rod."
     wanted = [(i, i + 2) for i in range(10)]
     expect_exactly(links, wanted, then="; the ends of all contacts", cause=why)
     slack = "The cables are slack here, and the rods have the right length. Check your lengths."
     with calls(slack, "links_of(make_rows()); all planks are pushed together along X"):
-        count = len(bridge_links([(0.8 * x, 4.5, z) for x, _, z in START]))
+        count = len(links_at([(0.8 * x, 4.5, z) for x, _, z in START]))
     only = "which can only pull, instead of rods."
     why = named(count, slack, {
         f"Your links from row to row push the planks apart. Use Cables, {only}": 10,
         f"Your links to the anchors push the planks away. Make them AnchoredCables, {only}": 12,
-        "Your links from row to row and to the anchors push the planks. Make them cables, "
-        f"{only}": 22,
+        "Your links to other rows and anchors push the planks. Make them cables, {only}": 22,
     })  # fmt: skip
     expect_exactly(count, 0, then="; the number of contacts", unit="contacts", cause=why)
-    with calls(
-        "Every link is too long here, so each one should have a contact: 6 for the rods, 10 for "
-        "the cables and 12 for the anchored cables.",
-        "links_of(make_rows()); all planks are pulled apart",
-    ):
-        found = bridge_links([(1.5 * x, 1.0, 1.5 * z) for x, _, z in START])
+    likely = "Every link should have a contact here: 6 rods, 10 cables and 12 anchored cables."
+    with calls(likely, "links_of(make_rows()); all planks are pulled apart"):
+        found = links_at([(1.5 * x, 1.0, 1.5 * z) for x, _, z in START])
     expect_exactly(len(found), 28, then="; the number of contacts", unit="contacts")
     why = "You give some links a restitution. Leave this argument out, so that they don't bounce."
-    got = sorted({c for _, _, _, c, _ in found})
+    got = sorted({c for _, _, c, _ in found})
     expect_close(got, (0.0,), then="; the restitutions of the contacts", cause=why, tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.4", asks="joins each end to its anchor", read=LINKS)
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
-    with calls(
-        "The anchored cables have to carry the bridge. Give each end of each row an AnchoredCable "
-        "of length support_length(row number).",
-        "the bridge, 1.5 s after it was released, at 60 steps per second",
-    ):
+    likely = "Each end needs an AnchoredCable of length support_length(row number)."
+    with calls(likely, "the bridge, 1.5 s after it was released, at 60 steps per second"):
         places = hung_bridge(90, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
     expect_between(lowest, 0.01, math.inf, then="; the height of its lowest end", unit="m")

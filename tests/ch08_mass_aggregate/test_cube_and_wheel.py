@@ -52,8 +52,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         slips = {
             "You return 24, which counts all degrees of freedom of the eight corners.": 24,
             "You return 2 n - 3, which holds for particles in a plane. In space, use 3 n - 6.": 13,
-            "You return 3 n - 3. A rigid body can move in three directions and also rotate about "
-            "three axes, so subtract 6 instead of 3.": 21,
+            "You return 3 n - 3. A rigid body can move and also rotate, so subtract 6.": 21,
         }
         why = named(got, cause, slips if n == 8 else {})
         expect_exactly(got, wanted, unit="rods", cause=why)
@@ -106,16 +105,11 @@ def draw_rim(rng: Random, count: int) -> tuple[Triple, list[Triple]]:
 def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     hub, rim = draw_rim(rng, count)
     places = [hub, *rim]
-    why = (
-        "Join the hub to each particle of the rim, each particle of the rim to the next one, and "
-        "the last one to the first. (i + 1) % len(rim) is the index of the next particle: after "
-        "the last index, it is 0."
-    )
-    with calls(
-        why,
-        f"a wheel whose hub is particle 0, with particles 1 to {count} around it as the rim; "
-        "rods_of(hub, rim)",
-    ):
+    why = "Join the hub to each particle of the rim, each particle of the rim to the next one, and "
+    why += "the last one to the first. (i + 1) % len(rim) is the index of the next particle."
+    text = f"a wheel whose hub is particle 0, with particles 1 to {count} around it as the rim; "
+    text += "rods_of(hub, rim)"
+    with calls(why, text):
         particles = [Particle(Vector3(*place)) for place in places]
         particles[0].mass = math.inf
         made = sorted(rods(rods_of(particles[0], particles[1:]), particles))
@@ -145,10 +139,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
 @pytest.mark.exercise("8.3b", asks="at a right angle to its spoke", read=DRIVE)
 def test_the_drive_pushes_around_the_hub(rng: Random) -> None:
     hub, force, already = vector(rng), number(rng), vector(rng)
-    around = (
-        "Take the unit vector along the spoke in the X-Y plane, rotate it by a right angle, and "
-        "multiply it by the force. The force is equally strong at every distance from the hub."
-    )
+    around = "Take the unit vector along the spoke in the X-Y plane, rotate it by a right angle, "
+    around += "and multiply it by the force. It doesn't depend on the distance."
     at_hub = "The spoke of this particle has no direction in the X-Y plane. Add no force then."
     simple = Triple((1.0, 2.0, 3.0)), 10.0, ZERO
     samples = [(*simple, (4.0, 6.0, 15.0), Triple((-8.0, 6.0, 0.0)), around)]
@@ -160,17 +152,17 @@ def test_the_drive_pushes_around_the_hub(rng: Random) -> None:
     for place in (hub, hub + Triple((0.0, 0.0, 1.0))):
         samples.append((hub, force, already, place, ZERO, at_hub))
     slips = {
-        "Your force acts along the spoke, so it can't turn the wheel. Rotate the direction (x, y) "
-        "by a right angle to (-y, x).": (6.0, 8.0, 0.0),
+        "Your force acts along the spoke. Rotate its direction (x, y) to (-y, x).": (6.0, 8.0, 0.0),
         "Your force drives the wheel clockwise. Use (-y, x) instead of (y, -x).": (8.0, -6.0, 0.0),
-        "Your force grows with the distance from the hub. Divide the direction by its length "
-        "before you multiply it by the force.": (-40.0, 30.0, 0.0),
-        "Your force acts along the spoke, so it can't turn the wheel. If the spoke is (x, y, z), "
-        "use the direction (-y, x, 0).": (6.0, 8.0, 24.0),
-        "You divided the direction by a length that includes z. Divide by sqrt(x^2 + y^2), because "
-        "the wheel rotates in the X-Y plane.": (-40.0 / 13.0, 30.0 / 13.0, 0.0),
-        "You measure the spoke from the origin instead of the hub. Subtract the hub's position "
-        "from the particle's.": Triple((-60.0, 40.0, 0.0)) / math.sqrt(52.0),
+        "Your force grows with the distance from the hub. Divide by it.": (-40.0, 30.0, 0.0),
+        "Your force acts along the spoke. Rotate its direction to (-y, x, 0).": (6.0, 8.0, 24.0),
+        "You divided by a length that includes z, but the wheel rotates in the X-Y plane.": (
+            -40.0 / 13.0,
+            30.0 / 13.0,
+            0.0,
+        ),
+        "You measure the spoke from the origin instead of the hub.": Triple((-60.0, 40.0, 0.0))
+        / math.sqrt(52.0),
     }
     for center, size, before, place, wanted, cause in samples:
         with calls(cause):
@@ -203,17 +195,14 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     hub, rim = draw_rim(rng, 5)
     drift, rate = vector(rng), number(rng)
     masses = [positive_number(rng) for _ in rim]
-    spin_of = (
-        "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
-        "sum of m (x^2 + y^2). Take positions and velocities relative to the hub."
-    )
+    spin_of = "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of "
+    spin_of += "inertia, the sum of m (x^2 + y^2). Both are relative to the hub."
     parts = list(zip(masses, (place - hub for place in rim), rim, strict=True))
     turning = [drift + rate * Triple((-r[1], r[0], 0.0)) for _, r, _ in parts]
     inertia = math.fsum(m * (r[0] ** 2 + r[1] ** 2) for m, r, _ in parts)
     got = spun(hub, drift, list(zip(rim, turning, masses, strict=True)), spin_of)
     slips = {
-        "Your spin has the wrong sign. A counter-clockwise rotation counts as positive, so the "
-        "angular momentum is the sum of m (x v_y - y v_x).": -rate,
+        "Your spin has the wrong sign, but a counter-clockwise rotation counts as positive.": -rate,
         MOMENTUM: rate * inertia,
         "Your moment of inertia is the sum of m (x + y).":
             rate * inertia / math.fsum(m * (r[0] + r[1]) for m, r, _ in parts),
@@ -268,15 +257,13 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         expect_kept("a.position", ends[0][0].position, start)
         expect_kept("b.position", ends[0][1].position, start + way * lengths[0])
         slips = {
-            "You return the largest error in meters. Divide each error by rod.length, so that long "
-            "and short rods count the same.":
+            "You return the largest error in meters. Divide each error by rod.length.":
                 max(abs(now - size) for now, size in zip(lengths, should, strict=True)),
-            "You return the mean of the errors, which hides a single rod that is far off. Return "
-            "the largest error instead.": math.fsum(map(abs, shares)) / len(shares),
-            "You overlook the rods that are too short, because their errors are negative. Take "
-            "abs() of each error before you look for the largest.": max(shares),
-            "You return the ratio length / rod.length, which is 1 for a rod of the right length. "
-            "Subtract 1 to get the error.": 1.0 + max(shares),
+            "You return the mean of the errors. Return the largest one.":
+                math.fsum(map(abs, shares)) / len(shares),
+            "You overlook rods that are too short. Take abs() of each error.": max(shares),
+            "You return the ratio length / rod.length. Subtract 1 to get the error.":
+                1.0 + max(shares),
         }  # fmt: skip
         expect_close(got, wanted, slips, tolerance=1e-12)
     with calls("There are no rods, so there is no largest error. Return 0 in this case."):

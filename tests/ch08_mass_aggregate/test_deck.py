@@ -48,11 +48,10 @@ def middles(rows: Rows) -> list[tuple[float, float]]:
 
 def nearest(rows: Rows, x: float, cause: str) -> Any:
     """Return the row nearest to a ball at x, and the height of the deck there."""
-    with calls(
-        cause,
-        f"a deck; the midpoints of its rows are at (x, y) = {', '.join(map(str, middles(rows)))} "
-        f"m; a ball at x = {x:.6g} m; deck.nearest(), which returns (row, height)",
-    ):
+    text = "a deck; the midpoints of its rows are at (x, y) = "
+    text += f"{', '.join(map(str, middles(rows)))} m; a ball at x = {x:.6g} m; deck.nearest(), "
+    text += "which returns (row, height)"
+    with calls(cause, text):
         ends = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in rows]
         return Deck(Particle(Vector3(x, 9.0, 0.5)), 0.5, ends, 0.0).nearest()
 
@@ -61,12 +60,11 @@ def contacts(
     rows: Rows, x: float, y: float, cause: str, radius: float = 0.5, c: float = 0.0
 ) -> Any:
     """Return ball, end, normal, restitution and penetration of each contact, in order."""
-    with calls(
-        cause,
-        f"a deck; the midpoints of its rows are at (x, y) = {', '.join(map(str, middles(rows)))} "
-        f"m; its restitution is {c}; particle 0 is a ball of radius {radius} m at ({x:.6g}, "
-        f"{y:.9g}, 0) m, and particles 1, 2, ... are the ends of the rows; deck.contacts()",
-    ):
+    text = "a deck; the midpoints of its rows are at (x, y) = "
+    text += f"{', '.join(map(str, middles(rows)))} m; its restitution is {c}; particle 0 is a ball "
+    text += f"of radius {radius} m at ({x:.6g}, {y:.9g}, 0) m, and particles 1, 2, ... are the "
+    text += "ends of the rows; deck.contacts()"
+    with calls(cause, text):
         ball = Particle(Vector3(x, y), Vector3(0.0, 3.0))  # on its way up: it touches as well
         ends = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in rows]
         numbered = [ball, *(end for row in ends for end in row)]
@@ -97,8 +95,8 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             closer = "Return the row whose midpoint is closer along X."
             slips = {
                 "You return (height, row). The row comes first.": (height, row),
-                "You swapped the two rows in your interpolation. At the first row, the height is "
-                "that of the first row.": (row, y + (1.0 - share) * (v - y)),
+                "You swapped the two rows in your interpolation.":
+                    (row, y + (1.0 - share) * (v - y)),
                 "You return the height of the nearest row itself.": (row, points[int(row)][1]),
                 "You don't divide by the distance along X between the two midpoints.":
                     (row, y + (v - y) * (at - x)),
@@ -206,8 +204,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_close(got, (4.5 - low,) * 2, then="; the penetration of each", unit="m")
     for lift, count, cause in (
         (radius + 1e-6, 0, "The ball doesn't touch the deck, so there is no contact."),
-        (1e-6 - radius, 2, "The top of the ball is still above the deck, so the ball has not "
-                           "fallen through yet and is still in contact."),
+        (1e-6 - radius, 2, "The top of the ball is above the deck, so it has not fallen through."),
         (-1e-6 - radius, 0, "Your contacts lift up a ball that has fallen through the deck. Return "
                             "none if the top of the ball is below the deck."),
     ):  # fmt: skip

@@ -37,35 +37,27 @@ def clock(
 @pytest.mark.exercise("B8.3", asks="Time that is too short for a whole step", read=READ)
 def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     quarters = [rng.randint(0, 40) for _ in range(12)]
-    why = (
-        "Add elapsed to self.left. As long as self.left is enough for a step, call "
-        "self.step(self.duration) and subtract the duration."
-    )
+    why = "Add elapsed to self.left. While it is enough, call self.step and subtract the duration."
     nothing = "advance returns nothing. Return the number of steps that it took."
     made, rows = clock(STEP, [0.25 * STEP * quarter for quarter in quarters], why)
     left = 0
     for quarter, row in zip(quarters, rows, strict=True):
-        with calls(
-            why,
-            f"a FixedStep clock with steps of {STEP} s and left = {0.25 * STEP * left:g} s; "
-            f"clock.advance({0.25 * quarter:g} * {STEP})",
-        ):
+        text = f"a FixedStep clock with steps of {STEP} s and left = {0.25 * STEP * left:g} s; "
+        text += f"clock.advance({0.25 * quarter:g} * {STEP})"
+        with calls(why, text):
             before, (steps, left) = left, divmod(left + quarter, 4)
         one = f"You take only one step. {REPEAT} A return in the loop ends it."
         if any(type(time) is float and time > STEP for time in made):
             one = "You take a single step for all of the elapsed time. Take steps of self.duration "
             one += "instead, as long as self.left is enough for another one."
         early = f"You take a step although only {0.25 * left:g} of its duration is left. Wait "
-        early += "until self.left is enough for a whole step."
+        early += "longer."
         late = {f"Exactly enough time for one more step is left. {LATE}": steps - 1}
         slips = (late if row[1] == STEP else {}) | {early: steps + 1, one: 1}
         lost = "You lose the leftover time. Keep it in self.left for the next call."
         count, rest = named(row[0], why, slips), named(row[1], why, {lost: 0.0})
         if before > 0 and tuple(row[:2]) == (quarter // 4, 0.25 * STEP * (quarter % 4)):
-            count = rest = (
-                "You replace self.left by elapsed. Add elapsed to it, so that the time that was "
-                "left counts too."
-            )
+            count = rest = "You replace self.left by elapsed. Add elapsed to it."
         wanted, name = f"{steps} steps", "; the return value"
         expect_that(row[0] is not None, "nothing (None)", wanted, then=name, cause=nothing)
         expect_exactly(row[0], steps, then=name, unit="steps", cause=count)
@@ -84,8 +76,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
 @pytest.mark.parametrize("rate", [50, 60, 100])
 def test_rounding_does_not_delay_a_step(rate: int) -> None:
     skip = "Rounding made self.left slightly too small, so you skip a step that is due. "
-    early = "You take a step although a thousandth of its time is still missing. That is far more "
-    early += "than a rounding error, so the step is not due yet."
+    early = "A thousandth of the step is still missing, which is far more than a rounding error."
     for elapsed, wanted, cause in (
         ([1.0 / rate] * 100, [1] * 100, skip + LATE),
         ([0.5, 0.5, 1.0], [rate // 2, rate // 2, rate], skip + LATE),
@@ -118,10 +109,7 @@ def test_share_is_a_fraction_of_a_step(duration: float) -> None:
 def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     limit, late = rng.randint(2, 5), rng.randint(3, 30)
     elapsed = [STEP * n for n in (limit + late + 0.25, limit + 0.5, limit - 1, limit + 1)]
-    why = (
-        "After max_steps steps, some whole steps may still be due. Subtract their time from "
-        "self.left, and add it to self.dropped."
-    )
+    why = "After max_steps steps, move the time of all other whole steps to self.dropped."
     for i, (steps, rest, gone) in enumerate((
         (limit, 0.25, late), (limit, 0.75, late), (limit - 1, 0.75, late), (limit, 0.75, late + 1)
     )):  # fmt: skip
@@ -133,13 +121,13 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         expect_exactly(got, steps, then=name, unit="steps", cause=cause)
         left, dropped = STEP * rest, STEP * gone
         slips = {
-            "You drop all of the remaining time. Drop only whole steps, and keep the rest, which "
-            "is shorter than a step, in self.left.": (0.0, left + dropped),
+            "You drop all of the remaining time. Drop only whole steps, and keep the rest.":
+                (0.0, left + dropped),
             "You drop no time, although more steps are due than max_steps allows.":
                 (left + dropped, 0.0),
             "self.dropped holds a number of steps. Multiply it by self.duration.": (left, gone),
-            "self.dropped holds only the time that the last call dropped. Add to it instead of "
-            "replacing it, so that it is the total of all calls.": (left, STEP),
+            "self.dropped holds only the time that the last call dropped. Add to it instead.":
+                (left, STEP),
         }  # fmt: skip
         name = "; (clock.left, clock.dropped)"
         expect_close(times, (left, dropped), slips, then=name, unit="s", tolerance=1e-12)
@@ -169,11 +157,9 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
 def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     good = rng.randint(1, 4)
     why = "You catch the error that self.step raises. Let it propagate."
-    with calls(
-        why,
-        f"a FixedStep clock with steps of {STEP} s; step number {good + 1} raises an error; "
-        f"clock.advance(6 * {STEP})",
-    ):
+    text = f"a FixedStep clock with steps of {STEP} s; step number {good + 1} raises an error; "
+    text += f"clock.advance(6 * {STEP})"
+    with calls(why, text):
         done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     (got, left, _), (again, *_) = done["rows"]
     if again == -1 or len(done["made"]) < good:

@@ -11,14 +11,14 @@ import pytest
 from calls import calls
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch06_springs.integrators import semi_implicit_euler
 from ch08_mass_aggregate.friction import FrictionContact
-from ch08_mass_aggregate.rough_probes import slid
 from draw import Triple, number, positive_number, unit_vector, vector
 from expect import expect_between, expect_close, expect_unchanged, xyz
 
 SLIDING = "the docstring of FrictionContact.sliding_velocity"
 IMPULSE = "the docstring of FrictionContact.friction_impulse"
-G = 9.81  # m/s^2
+G, FRAME = 9.81, 1.0 / 60.0
 ZERO, UP = Triple((0.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0))
 # Velocities and impulses are below 200, and are rounded in about twenty operations.
 NEAR = 1e-11
@@ -37,11 +37,9 @@ def contact_of(
     some = [("a", *a), ("b", *b)] if b else [("a", *a)]
     told = "".join(f"{name} = Particle(velocity=Vector3{v}, mass={m}); " for name, m, v in some)
     numbers = f"normal=Vector3{n}, restitution={c}, friction={mu}"
-    with calls(
-        cause,
-        f"{told.replace('=inf', '=math.inf')}contact = FrictionContact(a, {'b' if b else None}, "
-        f"{numbers})",
-    ):
+    text = f"{told.replace('=inf', '=math.inf')}contact = FrictionContact(a, {'b' if b else None}, "
+    text += f"{numbers})"
+    with calls(cause, text):
         made = [Particle(velocity=Vector3(*v), mass=m) for _, m, v in some]
         other = made[1] if b else None
         return FrictionContact(made[0], other, Vector3(*n), c, 0.0, mu), made
@@ -103,25 +101,23 @@ def test_the_friction_impulse_is_limited(rng: Random, kind: str) -> None:
             else "This impulse stops the sliding at once. But friction can do no more than mu j, "
             "which is less here."
         )
-        wanted = way * -min(mu * j, stop)
+        wanted, most = way * -min(mu * j, stop), min(mu * j, fast / inverse)
         slips = {
             "Your friction points along the sliding. It must point against the sliding.": -wanted,
             f"{too_much} Return the smaller one of the two.": way * -max(mu * j, stop),
             "You leave out the coefficient of friction. Multiply by mu.": way * -min(j, stop),
             "You multiply both impulses by mu. Only the normal impulse is multiplied by it.":
                 way * -mu * min(j, stop),
-            "You use the whole relative velocity. Friction acts only along the surface, so use "
-            "sliding_velocity().": whole * -min(mu * j, fast / inverse) / fast,
-            "You use the whole relative speed to stop the body. Use the sliding speed, the "
-            "magnitude of sliding_velocity().": way * -min(mu * j, fast / inverse),
-            "You use the whole relative speed. Use the sliding speed, the magnitude of "
-            "sliding_velocity().": v * -min(mu * j, fast / inverse) / fast,
+            "You use the whole relative velocity. Use sliding_velocity().": whole * -most / fast,
+            "You use the whole relative speed to stop the body. Use the sliding speed.":
+                way * -most,
+            "You use the whole relative speed. Use the sliding speed.": v * -most / fast,
             "You multiply by the sliding velocity. Multiply by its direction, a unit vector.":
                 v * -mu * j,
             "You compare an impulse with a velocity. Divide the sliding speed by 1/ma + 1/mb.":
                 way * -min(mu * j, speed),
-            "You use only the mass of particle. If other can move too, the impulse that stops the "
-            "sliding is s / (1/ma + 1/mb).": way * -min(mu * j, a[0] * speed),
+            "You use only the mass of particle. Divide s by 1/ma + 1/mb.":
+                way * -min(mu * j, a[0] * speed),
             "You multiply the speed by 1/ma + 1/mb. Divide by it.":
                 way * -min(mu * j, speed * inverse),
         }  # fmt: skip
@@ -148,11 +144,23 @@ def test_when_there_is_no_friction(rng: Random) -> None:
         expect_close(got, ZERO, unit="N s", tolerance=0.0)
 
 
+def slid(n: Triple, gravity: Triple, v: Triple, mass: float, mu: float, steps: int) -> Any:
+    """Return position and velocity after each step of a particle that slides on a plane."""
+    seen, particle = [], Particle(velocity=Vector3(*v), acceleration=Vector3(*gravity), mass=mass)
+    for _ in range(steps):
+        semi_implicit_euler([particle], lambda _: None, FRAME)
+        depth = -(n @ xyz(particle.position))
+        if depth >= 0.0:
+            FrictionContact(particle, None, Vector3(*n), 0.0, depth, mu).resolve(FRAME)
+        seen.append((Triple(xyz(particle.position)), Triple(xyz(particle.velocity))))
+    return seen
+
+
 @pytest.mark.exercise("G8.3", asks="A body at rest therefore sticks", read=IMPULSE)
 @pytest.mark.parametrize("tilted", ["gravity", "plane"])
 def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> None:
     mu, mass = positive_number(rng, 0.2, 0.9), positive_number(rng, 0.5, 5.0)
-    limit, h, steps = math.degrees(math.atan(mu)), 1.0 / 60.0, 90
+    limit, h, steps = math.degrees(math.atan(mu)), FRAME, 90
     for degrees in (limit - 8.0, limit - 0.5, limit + 0.5, limit + 12.0):
         sin, cos = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
         normal, down, gravity = UP, Triple((1.0, 0.0, 0.0)), G * Triple((sin, -cos, 0.0))
@@ -167,7 +175,7 @@ def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> 
             f"a body of {mass:g} kg starts at rest on a slope of {degrees:.4g} degrees, with "
             f"{mu=}, whose angle of friction is {limit:.4g} degrees; 90 steps",
         ):
-            where, velocity = map(Triple, slid(normal, gravity, ZERO, mass, mu, steps, h)[-1])
+            where, velocity = slid(normal, gravity, ZERO, mass, mu, steps)[-1]
         slips = {
             "The body slides as if there were no friction.": G * sin * steps * h,
             "Your friction pushes the body down the slope.": G * (sin + mu * cos) * steps * h,
@@ -183,17 +191,15 @@ def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> 
 
 @pytest.mark.exercise("G8.3", asks="never does more than stop the sliding", read=IMPULSE)
 def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
-    mu, speed, h = positive_number(rng, 0.3, 0.8), positive_number(rng, 2.0, 5.0), 1.0 / 60.0
+    mu, speed, h = positive_number(rng, 0.3, 0.8), positive_number(rng, 2.0, 5.0), FRAME
     across, mass = rng.uniform(0.0, math.tau), positive_number(rng, 0.5, 5.0)
     way = Triple((math.cos(across), 0.0, math.sin(across)))
     steps = math.ceil(speed / (mu * G * h)) + 10
     slows = "On level ground, friction slows a body down by mu g, whatever its mass."
-    with calls(
-        slows,
-        f"a body slides at {speed:g} m/s on level ground, with {mu=}; its velocity along its "
-        "direction",
-    ):
-        seen = slid(UP, -G * UP, way * speed, mass, mu, steps, h)
+    text = f"a body slides at {speed:g} m/s on level ground, with {mu=}; its velocity along its "
+    text += "direction"
+    with calls(slows, text):
+        seen = slid(UP, -G * UP, way * speed, mass, mu, steps)
     for i, (_, velocity) in enumerate(seen, 1):
         wanted = max(0.0, speed - mu * G * i * h)
         why = slows if wanted else "Friction stops a body, but must not push it back."

@@ -109,11 +109,9 @@ def touched(
     ball: Triple, radius: float, planks: Sequence[tuple[Triple, Triple]], c: float, cause: str
 ) -> Any:
     """Return particle, other, normal, restitution and penetration of each contact."""
-    with calls(
-        cause,
-        f"particle 0 is a ball of radius {radius} m at {ball}; particles 1, 2, ... are the two "
-        f"ends of each plank: {', '.join(map(str, planks))}; Planks(...).contacts()",
-    ):
+    text = f"particle 0 is a ball of radius {radius} m at {ball}; particles 1, 2, ... are the two "
+    text += f"ends of each plank: {', '.join(map(str, planks))}; Planks(...).contacts()"
+    with calls(cause, text):
         center = Particle(Vector3(*ball))
         rows = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in planks]
         found = Planks(center, radius, rows, c).contacts()
@@ -130,11 +128,9 @@ def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
         # The ball is beyond an end by the fraction over.
         normal = way * over + across * math.sqrt(1.0 - over**2)
         ball = a + way * (share * length) + normal * distance
-        why = (
-            "The arguments of Contact are the ball, the nearer end, direction_of(offset), "
-            "self.restitution and the penetration, in this order. The normal must be a unit "
-            "vector. Put each contact into the list that you return."
-        )
+        why = "The arguments of Contact are the ball, the nearer end, direction_of(offset), "
+        why += "self.restitution and the penetration, in this order. The normal must be a unit "
+        why += "vector. Put each contact into the list that you return."
         got = touched(ball, radius, [(a, b)], c, why)
         ends = [(one, two) for one, two, *_ in got]
         why = {
@@ -146,8 +142,7 @@ def test_a_ball_touches_a_plank_from_any_side(rng: Random) -> None:
             "The ball overlaps the plank, so return one contact. Its particle is the ball, and its "
             "other is the end of the plank that is nearer to the ball.",
         )
-        name = "; (particle, other) of each contact"
-        expect_exactly(ends, [(0, nearer)], then=name, cause=why)
+        expect_exactly(ends, [(0, nearer)], then="; (particle, other) of each contact", cause=why)
         _, _, seen, restitution, penetration = next(iter(got))
         from_end = ball - (a if nearer == 1 else b)
         from_plank = "The normal points from the nearest point of the plank to the ball's center."
@@ -176,16 +171,14 @@ def test_which_planks_a_ball_touches(rng: Random) -> None:
     x = float(rng.randint(2, 9))
     planks = [(Triple((x + 2.0 * i, 4.0, -1.0)), Triple((x + 2.0 * i, 4.0, 1.0))) for i in range(3)]
     for right, y, z, radius, wanted, cause in (
-        (0.0, 4.5, 0.5, 0.5, [(0, 2)], "The ball just touches the first plank. Return a contact "
-         "with a penetration of 0."),
+        (0.0, 4.5, 0.5, 0.5, [(0, 2)], "The ball just touches the first plank."),
         (0.0, 4.500001, 0.5, 0.5, [], "The ball is just above the plank, so there is no contact."),
         (0.0, 4.0, 1.625, 0.5, [], "The ball is beyond the end of the plank. Only the infinite "
          "line goes through the ball, but the segment doesn't."),
         (1.0, 4.5, 0.5, 1.5, [(0, 2), (0, 4)], "The ball is between two planks and touches both. "
          "Return a contact for each, in the order of the planks."),
         (1.0, 4.0, 0.5, 0.5, [], "The ball is in the gap between two planks."),
-        (0.0, 3.75, 0.0, 0.5, [(0, 1)], "Both ends are equally near to the ball. Return a contact "
-         "with the first one."),
+        (0.0, 3.75, 0.0, 0.5, [(0, 1)], "If both ends are equally near, return the first one."),
     ):  # fmt: skip
         found = touched(Triple((x + right, y, z)), radius, planks, 0.0, cause)
         name = "; (particle, other) of each contact"

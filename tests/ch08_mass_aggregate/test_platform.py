@@ -42,10 +42,8 @@ G, FRAME = 9.81, 1.0 / 60.0
 
 @pytest.mark.exercise("B8.6", asks="it can tilt but not move in any other way", read=RODS)
 def test_a_platform_can_only_tilt() -> None:
-    with calls(
-        "Each rod must join two different particles, both among the six that are passed in.",
-        "rods_of(six particles at PLACES)",
-    ):
+    likely = "Each rod must join two different particles, both among the six that are passed in."
+    with calls(likely, "rods_of(six particles at PLACES)"):
         particles = [Particle(Vector3(*p), mass=m) for p, m in zip(PLACES, MASSES, strict=True)]
         joined = sorted((i, j) for i, j, _ in rods(rods_of(particles), particles))
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
@@ -58,8 +56,7 @@ def test_a_platform_can_only_tilt() -> None:
         rest = [a - share * b for a, b in zip(motion, tilt, strict=True)]
         if math.hypot(*rest) > 1e-9:
             i, j = changed(PLACES, rest)
-            why = f"The distance between particles {i} and {j} can still change, so the platform "
-            why += "can bend. Join these two particles with a rod."
+            why = f"The distance of particles {i} and {j} can still change. Join them with a rod."
             if joined and min(map(min, joined)) > 1:
                 why = "No rod joins the platform to its pivot. Leave out a rod only if both of its "
                 why += "ends are immovable, not if one of them is."
@@ -76,9 +73,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
     turn, size = positive_number(rng, 0.2, 1.2), positive_number(rng, 0.5, 2.0)
     c, s = size * math.cos(turn), size * math.sin(turn)
     places = [(c * x - s * y, s * x + c * y, z) for x, y, z in PLACES]
-    with calls(
-        LENGTH, f"rods_of(six particles at PLACES, scaled by {size}, rotated by {turn} rad)"
-    ):
+    with calls(LENGTH, f"rods_of(six particles at PLACES, times {size}, turned by {turn} rad)"):
         particles = [Particle(Vector3(*p), mass=m) for p, m in zip(places, MASSES, strict=True)]
         made = rods(rods_of(particles), particles)
     expect_all_kept("the position of particle {}", [p.position for p in particles], places)
@@ -86,10 +81,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
     expect_that(len(made) > 0, "no rods", "at least one rod", cause=none)
     same = len(made) > 1 and len({length for *_, length in made}) == 1
     why = f"You give all rods the same length. {LENGTH}" if same else LENGTH
-    old = (
-        "You compute the length of the rod from PLACES, but the particles are somewhere else. Use "
-    )
-    old += "their current positions."
+    old = "You compute the length of the rod from PLACES. Use the current positions."
     for i, j, length in made:
         cause = named(length, why, {old: math.dist(PLACES[i], PLACES[j])})
         expect_rod(places, i, j, length, cause)
@@ -97,10 +89,7 @@ def test_rods_have_the_right_length(rng: Random) -> None:
 
 def expect_rod(places: Sequence[Components], i: int, j: int, length: Any, cause: str) -> None:
     """Expect a rod to be as long as its ends are apart."""
-    name, wanted = (
-        f"; the length of the rod from particle {i} to {j}",
-        math.dist(places[i], places[j]),
-    )
+    wanted, name = math.dist(places[i], places[j]), f"; the length of the rod from {i} to {j}"
     expect_close(length, wanted, then=name, unit="m", tolerance=1e-12, cause=cause)
 
 
@@ -124,15 +113,9 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
     turn = math.fsum(m * p for m, p in zip(masses, places, strict=True))
     x = -math.copysign(positive_number(rng), turn)
     more = [number(rng), *places]
-    cancels = (
-        "The platform balances when the new mass cancels the torque of the others, so it is -(sum "
-        "of mass times position) / x. On either side of the pivot, this is the same formula. "
-        "Masses of 0 kg are valid and add nothing to the sum."
-    )
-    near = (
-        "A mass at x can balance the platform, because x is on the side that rises. That is true "
-        "even very close to the pivot, so don't raise an error."
-    )
+    cancels = "On either side of the pivot, the new mass is -(sum of mass times position) / x. "
+    cancels += "Masses of 0 kg are valid and add nothing to the sum."
+    near = "A mass at x can balance the platform, because x is on the side that rises."
     balanced = "The platform is already balanced, so every x is allowed. Return a mass of 0."
     for some, at, place, wanted, cause in (
         (masses, places, x, -turn / x, cancels),
@@ -142,8 +125,7 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
         ([1.0], [0.5], -1.0, 0.5, near),
         ([1.0], [-0.5], 1.0, 0.5, near),
         ([2.0, 1.0], [-1.0, 2.0], 5.0, 0.0, balanced),
-        ([2.0, 1.0], [-1.0, 2.0], 0.0, 0.0, "You can't divide by x, which is 0. The platform is "
-         "already balanced, so return a mass of 0 before you divide."),
+        ([2.0, 1.0], [-1.0, 2.0], 0.0, 0.0, f"You can't divide by x, which is 0. {balanced}"),
         ([], [], 3.0, 0.0, "There are no masses, so the platform is balanced and the answer is 0."),
     ):  # fmt: skip
         with calls(cause):
@@ -208,8 +190,7 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
             loads = [(mass - far, far), (0.0, far)]  # of the other end, and of that of the weight
             loads = loads if x > 0.0 else [pair[::-1] for pair in loads]
             slips |= {
-                "You put the whole weight on the nearer end. Divide it between both ends: the "
-                "closer it is to an end, the more that end carries.":
+                "You put the whole weight on the nearer end. Divide it between both ends.":
                     ends(1.0, mass, 0.0) if x < 0.5 else ends(1.0, 0.0, mass),
                 f"{pivot}Take its distances from the two ends.": ends(1.0, *loads[0]),
                 f"{pivot}Take its distances from both ends.": ends(1.0, *loads[1]),
@@ -260,25 +241,19 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
 @pytest.mark.exercise("8.1", asks="Give each of the pivot's two particles", read=FREE)
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     six = "; the masses of all particles, of which the first two are the pivot"
-    why = (
-        "Set the mass of both particles of the pivot to MASS, which is 1 kg, and leave the masses "
-    )
-    why += "of the others alone."
+    why = "Set the mass of both particles of the pivot to MASS, and leave the others alone."
     for load, wanted in ((1.0, [1.0] * 6), (4.5, [1.0, 1.0, 1.0, 1.0, 4.5, 4.5])):
         with calls(why):
             platform = TiltingPlatform()
             platform.particles[4].mass = platform.particles[5].mass = load
             platform.free_pivot()
         masses = [particle.mass for particle in platform.particles]
-        free = masses[:2].count(math.inf)
-        slip = ("", "You free only one particle of the pivot. ", "You don't change the mass of the "
-                "pivot. ")[free]  # fmt: skip
+        fixed = masses[:2].count(math.inf)
+        slip = "You don't change the mass of the pivot. " if fixed else ""
+        slip = "You free only one particle of the pivot. " if fixed == 1 else slip
         expect_close(masses, wanted, then=six, unit="kg", tolerance=1e-12, cause=slip + why)
     particles = platform.particles
-    moved = (
-        "Your free_pivot() moves a particle. It should only change masses and add a rod, because "
-    )
-    moved += "the next step moves the platform."
+    moved = "Your free_pivot() moves a particle. It should only change masses and add a rod."
     for i, place in enumerate(PLACES):
         name, got = f"; the position of particle {i}", particles[i].position
         expect_close(got, place, then=name, unit="m", tolerance=0.0, cause=moved)
@@ -306,11 +281,9 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
 
 @pytest.mark.exercise("8.1", asks="The pivot can then slide", read=FREE)
 def test_a_free_platform_slides_and_stays_rigid() -> None:
-    with calls(
-        "Your platform's center of mass moves along X or Z, although the ground has no friction. "
-        "Check that free_pivot only changes masses and adds a rod.",
-        "platform.free_pivot(), then 45 steps of 1/60 s",
-    ):
+    likely = "Your platform's center of mass moves along X or Z, although the ground has no "
+    likely += "friction. Check that free_pivot only changes masses and adds a rod."
+    with calls(likely, "platform.free_pivot(), then 45 steps of 1/60 s"):
         platform = TiltingPlatform()
         platform.free_pivot()
         for _ in range(45):
@@ -326,11 +299,9 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
     )
     # A hundred iterations leave 0.4 mm with this time step.
     for name, got, low, high, cause in (
-        ("the largest change of a distance", off, 0.0, 0.01, "Your platform changes its shape, so "
-         "a rod is missing or has the wrong length. Together the rods should keep every distance "
-         "between two particles the same."),
-        ("how far the pivot moves along X", after[0][0] - PLACES[0][0], -math.inf, -0.01, "The "
-         "platform falls to the right, so its pivot should slide to the left along the ground. "
-         "Check that both particles of the pivot can move."),
+        ("the largest change of a distance", off, 0.0, 0.01,
+         "Your platform changes its shape, so a rod is missing or has the wrong length."),
+        ("how far the pivot moves along X", after[0][0] - PLACES[0][0], -math.inf, -0.01,
+         "The pivot should slide to the left. Check that both of its particles can move."),
     ):  # fmt: skip
         expect_between(got, low, high, then=f"; {name}", unit="m", cause=cause)

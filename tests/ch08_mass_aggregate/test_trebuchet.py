@@ -11,10 +11,11 @@ import pytest
 
 from calls import calls
 from ch02_vectors.vector import Vector3
-from ch08_mass_aggregate.trebuchet import Design, Trebuchet
-from ch08_mass_aggregate.trebuchet_probes import beam, my_design, throw
+from ch08_mass_aggregate.scene_probes import rods
+from ch08_mass_aggregate.trebuchet import Design, Trebuchet, my_design
+from ch08_mass_aggregate.trebuchet_probes import throw
 from draw import positive_number
-from expect import expect_between, expect_close, expect_exactly, expect_that, named
+from expect import expect_between, expect_close, expect_exactly, expect_that, named, xyz
 from lever import thrown
 from rigidity import motions
 
@@ -48,23 +49,24 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
     why = "Each rod must join two of these: the pivot, the counterweight and the tip."
     with calls(why, f"design = {shown(design)}; Trebuchet(design).beam()"):
-        rods, places = beam(design)
-    joined = [(i, j) for i, j, _ in rods]
+        trebuchet = Trebuchet(Design(*design))
+        particles = [trebuchet.pivot, trebuchet.weight, trebuchet.tip]
+        made = rods(trebuchet.beam(), particles)
+    places = [xyz(particle.position) for particle in particles]
+    joined = [(i, j) for i, j, _ in made]
     strange = sum(min(pair) < 0 or pair[0] == pair[1] for pair in joined)
     expect_exactly(strange, 0, then="; the rods that join something else", unit="rods")
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
     for i, j in ((0, 1), (0, 2), (1, 2)):
         if (i, j) not in joined:
-            why = (
-                f"No rod joins the {PARTS[i]} and the {PARTS[j]}, so the beam can bend. Join each "
-                "pair of the three particles with a rod, so that the rods form a triangle."
-            )
+            why = f"No rod joins the {PARTS[i]} and the {PARTS[j]}, so the beam can bend. Join "
+            why += "each pair of the three particles with a rod, so that the rods form a triangle."
     name = "; whether these rods make the beam rigid"
     expect_that(not left, "the beam can bend", "the beam is rigid", then=name, cause=why)
     current = "Make your rod as long as the current distance between its two ends."
     straight = "Your rod has the length short_arm + long_arm, but this beam is bent at the pivot."
-    for i, j, length in rods:
+    for i, j, length in made:
         name = f"; the length of the rod from the {PARTS[i]} to the {PARTS[j]}"
         why = named(length, current, {straight: design[1] + design[2]})
         wanted = math.dist(places[i], places[j])
@@ -90,34 +92,27 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     def flight(degrees: float) -> tuple[float, float]:
         return speed * math.cos(math.radians(degrees)), speed * math.sin(math.radians(degrees))
 
-    lower = (
-        "The projectile flies at the release angle or lower, so the sling should let go. Compare "
-        "release_angle with the angle above the horizontal, which is atan2(v.y, v.x)."
-    )
+    lower = "The projectile flies at the release angle or lower, so the sling should let go. "
+    lower += "Compare release_angle with the angle above the horizontal, which is atan2(v.y, v.x)."
     seen = tuple(lets_go(design, height, *flight(a), lower) for a in (85.0, angle - 0.1, 20.0))
     steep = {
-        (True, True, True):
-            "You compare an angle in radians, as math.atan2 returns it, with release_angle, which "
-            "is in degrees. Convert one of them.",
-        (True, True, False):
-            "You measure the angle of the flight from the vertical. Measure it from the "
-            "horizontal, with atan2(v.y, v.x).",
-        (True, False, False):
-            "Your sling lets go above the release angle instead of below it. Reverse the "
-            "comparison, so that it lets go at the release angle or below.",
-    }.get(
-        seen,
-        "Your sling lets go although the projectile flies above the release angle. Let go at the "
-        "release angle or below it.",
-    )  # fmt: skip
+        (
+            True,
+            True,
+            True,
+        ): "You compare an angle in radians with release_angle, which is in degrees.",
+        (
+            True,
+            True,
+            False,
+        ): "You measure the angle from the vertical. The right one is atan2(v.y, v.x).",
+        (True, False, False): "Your sling lets go above the release angle. Reverse the comparison.",
+    }.get(seen, "Your sling lets go above the release angle. Let go at it or below it.")
     flat = (*design[:4], 1.0)  # and 85 degrees are 1.48 rad
     if all(seen) and lets_go(flat, height, *flight(85.0), lower) is True:
         steep = "Your sling lets go at any angle. Let go only at the release angle or below it."
     forward = "Your sling lets go of a projectile that doesn't fly forward. Let go only if v.x > 0."
-    high = (
-        "Your sling lets go of a projectile that is not above the pivot. Let go only if the "
-        "projectile's y is greater than the pivot's y."
-    )
+    high = "Your sling lets go of a projectile that is not above the pivot. Compare their y."
     lowest = flight(angle - 1.0)
     for above, velocity, wanted, cause in (
         (height, flight(angle + 0.1), False, steep),
@@ -148,29 +143,21 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         "the end of this step; Trebuchet(design).throw()",
     ):
         distance, share, frames, flies, _ = throw(design, "up")
-    on = (
-        "You keep calling self.step after the sling has let go. Stop as soon as self.flies is "
-        "true, and compute the flight with the formula."
-    )
+    on = "You keep calling self.step after the sling has let go. Stop if self.flies is true."
     if not flies:
-        on = (
-            "Your throw never calls self.step, which releases the sling. Call self.step(STEP), not "
-            "self.world.step(STEP), until self.flies is true."
-        )
+        on = "Your throw never calls self.step, which releases the sling. Call self.step(STEP), "
+        on += "not self.world.step(STEP), until self.flies is true."
     elif frames == 4:
-        on = (
-            "Either your throw takes a step of 1/60 s, which is too long for a trebuchet: call "
-            "self.step(STEP), where STEP is 1/250 s. Or it takes four steps, although the sling "
-            "has let go after the first."
-        )
+        on = "Either your throw takes a step of 1/60 s, but STEP is 1/250 s. Or it takes four "
+        on += "steps, although the sling has let go after the first."
     name = "; the total duration of all calls to self.step"
     expect_exactly(frames / 250.0, 0.004, then=name, unit="s", cause=on)
     flight = (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     slips = {
         "You measure the range from the point of release, but it should start at x = 0.":
             30.0 * flight,
-        "You compute the range as if the throw started on the ground, but the projectile is "
-        "released 8 m above it. Use the formula that contains the height y.": 2.0 + 600.0 / G,
+        "You start the flight on the ground, but the projectile is released 8 m above it.":
+            2.0 + 600.0 / G,
         "You leave out the point of release, which is (2, 8).": 600.0 / G,
     }  # fmt: skip
     wanted = 2.0 + 30.0 * flight
@@ -181,22 +168,17 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     slips = {
         "You leave out the projectile's potential energy.": kinetic / lost,
         "You leave out the projectile's kinetic energy.": potential / lost,
-        "You use the projectile's mass for the lost energy, but the counterweight falls.": wanted
-        * weight
-        / 5.0,
+        "You use the projectile's mass for the lost energy, but the counterweight falls.":
+            wanted * weight / 5.0,
         "Your fraction is upside down.": 1.0 / wanted,
-        "Your share is a percentage. Return a fraction, where 1 means all of the energy.": 100.0
-        * wanted,
-    }
-    why = (
-        "Divide the energy that the projectile has gained by the energy that the counterweight has "
-        "lost. The projectile gains m v^2 / 2 plus m g times its rise, and the counterweight loses "
-        "M g times its fall."
-    )
+        "Your share is a percentage. Return a fraction instead.": 100.0 * wanted,
+    }  # fmt: skip
+    why = "Divide the energy that the projectile has gained by the energy that the counterweight "
+    why += "has lost. The projectile gains m v^2 / 2 plus m g times its rise, and the "
+    why += "counterweight loses M g times its fall."
     name = "; the share (energy gained by the projectile / energy lost by the counterweight)"
     expect_close(share, wanted, then=name, tolerance=1e-9, cause=named(share, why, slips))
-    why = "trebuchet.flies is still False after the throw. Call self.step(STEP), which removes the "
-    why += "sling and sets flies when the sling lets go."
+    why = "trebuchet.flies is still False. Call self.step(STEP), which sets it."
     expect_exactly(flies, True, then="; whether trebuchet.flies is True then", cause=why)
     with calls(
         "A projectile that flies downward lands sooner. Keep the sign of v_y in the formula.",
@@ -248,23 +230,18 @@ def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     ground = "The projectile hits the ground while it is still in the sling. Check after each step "
     ground += "whether the projectile's height is 0 or less, and return Throw(0.0, 0.0) at once."
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
-    with calls(
-        ground,
-        f"Trebuchet({shown(heavy)}).throw(), where the counterweight is so light that the "
-        "projectile sinks to the ground",
-    ):
+    text = f"Trebuchet({shown(heavy)}).throw(), where the counterweight is so light that the "
+    text += "projectile sinks to the ground"
+    with calls(ground, text):
         got, at_once = throw(heavy, "first"), throw(design, "ground")
     expect_close(got[:2], (0.0, 0.0), then=both, tolerance=0.0)
-    exact = "You stop only if the height is exactly 0, but a step takes the projectile from above "
-    exact += "the ground to below it. Stop when the projectile's height is 0 or less."
+    exact = "You stop only if the height is exactly 0. Stop when the height is 0 or less."
     why = exact if got[2] >= 100 and at_once[2] == 1 else ground
     # It is there after 0.13 s.
     expect_that(got[2] < 100, f"{got[2]} steps", "fewer than 100 steps", then=steps, cause=why)
-    with calls(
-        ground,
-        f"Trebuchet({shown(design)}).throw(); the projectile is on the ground after one step; the "
-        "range, the share and the number of steps",
-    ):
+    text = f"Trebuchet({shown(design)}).throw(); the projectile is on the ground after one step; "
+    text += "the range, the share and the number of steps"
+    with calls(ground, text):
         expect_close(at_once[:3], (0.0, 0.0, 1.0), tolerance=0.0)
 
 
@@ -292,9 +269,10 @@ def better(design: Sequence[float], distance: float) -> str:
 )
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
     why = "my_design must return a Design. Create one from your five numbers."
-    with calls(why, "my_design()"):
-        design = my_design()
-    expect_that(not isinstance(design, str), str(design), "a Design")
+    with calls(why):
+        mine = my_design()
+    expect_that(isinstance(mine, Design), repr(mine), "a Design")
+    design = [getattr(mine, name) for name in NAMES]
     distance, share = thrown(*design)
     enough = distance >= meters and share >= 0.01 * percent
     more = "" if enough else better(design, distance)

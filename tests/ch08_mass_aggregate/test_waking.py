@@ -15,6 +15,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.springs import Spring, connect
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch08_mass_aggregate.probes import add
 from ch08_mass_aggregate.sleep_probes import Push, Touch, Wall, asleep, stepped
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from draw import positive_number
@@ -97,8 +98,7 @@ def test_a_changed_particle_wakes(
     expect_sleepers(got, sleeps, then=AFTER)
     old = "Your particle has the wrong mass after it wakes. Restore its old mass."
     if how == "mass":
-        old = "Your wake method overwrites the new mass with the old one. Restore the old mass "
-        old += "only if the particle still has an infinite mass."
+        old = "You overwrite the new mass. Restore the old one only if the mass is still infinite."
     then = "; the inverse mass of the particle, in 1/kg"
     expect_close(1.0 / particle.mass, 1.0 / mass, then=then, tolerance=1e-12, cause=old)
     then = "; particle.velocity"
@@ -115,8 +115,7 @@ def test_a_slightly_changed_particle_wakes(how: str) -> None:
         expect_sleepers(before, [0, 1, 2], then=BEFORE)
         why = f"You don't detect a new {how} along {axis}. Compare all three components."
         if by < 0.0:
-            why = f"You detect a new {how} only if a component increases. A component can also "
-            why += "decrease, so test whether it has changed at all."
+            why = f"You detect a new {how} only if a component increases. It can also decrease."
         if after in ([0, 1], [0, 2]):
             why = f"You wake only one of two particles with a new {how}. Check all that sleep."
         elif 0 not in after:
@@ -155,11 +154,9 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
         ((0.1, 0.0), (0.0, 0.0, 0.0)),
         ((-0.1, 0.0), (0.0, 0.0, 0.0)),
     ):
-        with calls(
-            own,
-            "two forces of 6 N and 4 N along X push particle 0, of 2 kg, against a wall; 40 steps "
-            f"of 1/60 s{TENTH}",
-        ):
+        text = "two forces of 6 N and 4 N along X push particle 0, of 2 kg, against a wall; 40 "
+        text += f"steps of 1/60 s{TENTH}"
+        with calls(own, text):
             particle, world, (push, other) = at_wall(3.0, 2.0)
             stepped(world, [particle], 16)
             sums = set()
@@ -220,13 +217,10 @@ def test_an_unchanged_force_wakes_no_particle(rng: Random) -> None:
         why = "Your particle wakes although the force has changed by less than SAME, which is 1%. "
         why += "Wake it only if its acceleration changes by more than that."
         if new == old:
-            why = "Your particle wakes although its force is unchanged. Set inverse_mass back to 0 "
-            why += "after you have called the generators in wake_pushed."
-        with calls(
-            why,
-            f"particle 0, of 2 kg, sleeps while a force of {2.0 * old:g} N pushes it against a "
-            f"wall; the force becomes {2.0 * new:.6g} N; 25 steps{TENTH}",
-        ):
+            why = "Your particle wakes although its force is unchanged. Set inverse_mass back to 0."
+        text = f"particle 0, of 2 kg, sleeps while a force of {2.0 * old:g} N pushes it against a "
+        text += f"wall; the force becomes {2.0 * new:.6g} N; 25 steps{TENTH}"
+        with calls(why, text):
             particle, world, (push,) = at_wall(old)
             before = stepped(world, [particle], 25)[-1]
             push.x = new
@@ -241,21 +235,17 @@ def test_an_unchanged_force_wakes_no_particle(rng: Random) -> None:
 def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
     speed = positive_number(rng, 4.0, 9.0)
     far = "Particle 3 is still far away. Wake a particle only when another one touches it."
-    with calls(
-        far,
-        "particles 0, 1 and 2 sleep side by side; particle 3 moves toward them at "
-        f"{speed} m/s; steps of 1/60 s, each of which calls wake_touched()",
-    ):
+    text = f"particles 0, 1 and 2 sleep side by side; particle 3 moves toward them at {speed} m/s; "
+    text += "steps of 1/60 s, each of which calls wake_touched()"
+    with calls(far, text):
         down = Vector3(0.0, -10.0)
         balls = [Particle(Vector3(1.0 * i, 0.5), acceleration=down) for i in range(3)]
         shot = Particle(Vector3(-3.0, 0.5), Vector3(speed), acceleration=down)
         every = [*balls, shot]
-        world = SleepingWorld(balls, sleep_frames=3)
-        world.contact_generators.append(GroundPlane(every, radius=0.5))
-        given = [shot, *balls] if first else every
-        world.contact_generators.append(ParticlePairs(given, 0.5, restitution=1.0))
+        pairs = ParticlePairs([shot, *balls] if first else every, 0.5, restitution=1.0)
+        world = SleepingWorld(balls, [GroundPlane(every, radius=0.5), pairs], sleep_frames=3)
         before = stepped(world, every, 5)[-1]
-        world.particles.append(shot)
+        add(world, [shot])
         soon = now = stepped(world, every, 1)[-1]
         for _ in range(39):
             now = now if now != [0, 1, 2] else stepped(world, every, 1)[-1]
@@ -265,11 +255,9 @@ def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
     why = "Only some of the particles wake. A particle that wakes can touch the next one, so go "
     why += "through the contacts again until no more particles wake in this step."
     if now == [0, 1, 2]:
-        why = "No particle wakes, although particle 3 hits a sleeping one. Wake either particle "
-        why += "of a contact if the other one can move."
+        why = "No particle wakes. Wake either particle of a contact if the other one can move."
     expect_sleepers(now, [], then="; which particles are asleep after the hit", cause=why)
-    why = "Particle 3 bounces off a sleeping particle as if it were a wall, so momentum is lost. "
-    why += "Call wake_touched before you resolve the contacts."
+    why = "Momentum is lost. Call wake_touched before you resolve the contacts."
     name = "; the total momentum along X after the step in which particle 3 hits another"
     expect_close(momentum, speed, then=name, unit="kg m/s", tolerance=1e-9, cause=why)
 
@@ -287,7 +275,7 @@ def test_a_resting_particle_wakes_a_sleeper() -> None:
             touch = Touch(particles, [])
             world = SleepingWorld(particles[:1], [touch], sleep_frames=3)
             before = stepped(world, particles, 5)[-1]
-            world.particles.append(particles[1])
+            add(world, particles[1:])
             touch.pairs = [order]
             after = stepped(world, particles, 1)[-1]
         expect_sleepers_of_steps([before, after], [[0], []])
@@ -302,11 +290,10 @@ def test_a_woken_particle_stays_on_the_ground(rng: Random) -> None:
         f"particle 0 sleeps on the ground; particle 1 falls on particle 0 at {speed} m/s; "
         "run_physics(), which wakes particle 0",
     ):
-        world, balls = stacked(3.0, 200)
-        world.particles.remove(balls[1])
+        world, balls = stacked(3.0, 200, 1)
         before = stepped(world, balls, 5)[-1]
         balls[1].velocity.y = -speed
-        world.particles.append(balls[1])
+        add(world, balls[1:])
         for _ in range(60):
             if stepped(world, balls, 1) != [[0]]:
                 break
@@ -318,23 +305,22 @@ def test_a_woken_particle_stays_on_the_ground(rng: Random) -> None:
     expect_close(balls[0].position.y, 0.5, then=then, unit="m", tolerance=1e-6)
 
 
-def stacked(apart: float, iterations: int) -> tuple[Any, list[Any]]:
-    """Return a world of a ball that lies on the ground and one above it, and both balls."""
+def stacked(apart: float, iterations: int, count: int = 2) -> tuple[Any, list[Any]]:
+    """Return a ball on the ground and one above it, and a world with as many of them."""
     down = Vector3(0.0, -10.0)
     balls = [Particle(Vector3(0.0, 0.5 + apart * i), acceleration=down) for i in range(2)]
     grounds = [GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)]
-    return SleepingWorld(balls, grounds, iterations=iterations, sleep_frames=3), balls
+    world = SleepingWorld(balls[:count], grounds, iterations=iterations, sleep_frames=3)
+    return world, balls
 
 
 @pytest.mark.exercise("G8.1", asks="fell asleep together therefore wake together", read=WAKE)
 def test_a_group_wakes_together() -> None:
     why = "Particle 1 stays asleep although its neighbor, particle 0, wakes. In fall_asleep, store "
     why += "a particle's neighbors in its Sleep, and let wake continue with them."
-    with calls(
-        why,
-        "particle 1 sleeps on top of particle 0; particle 0 is moved away; 6 steps, the first of "
-        "which calls wake()",
-    ):
+    text = "particle 1 sleeps on top of particle 0; particle 0 is moved away; 6 steps, the first "
+    text += "of which calls wake()"
+    with calls(why, text):
         world, balls = stacked(1.0, 50)
         before = stepped(world, balls, 30)[-1]
         balls[0].position.x = 50.0
@@ -344,16 +330,13 @@ def test_a_group_wakes_together() -> None:
         why = "Particle 0 stays asleep although it was moved. Check wake_moved first."
     then = "; whether particle 1 is awake"
     expect_that(1 not in seen[-1], "it is asleep", "it is awake", then=then, cause=why)
-    why = "Particle 1 should start to fall in the step in which particle 0 wakes. Wake both in the "
-    why += "same step, before you call the integrator."
+    why = "Wake both particles in the same step, before you call the integrator."
     then, got = "; particle 1's velocity along Y", balls[1].velocity.y
     expect_close(got, -1.0, then=then, unit="m/s", tolerance=0.01, cause=why)
     for pairs, first in product(PAIRS, range(4)):
-        with calls(
-            "Wake the neighbors of every particle that wakes.",
-            f"particles 0 to 4 sleep; earlier, these pairs were in contact: {pairs}; particle "
-            f"{first} is set in motion; one step, which calls wake()",
-        ):
+        text = f"particles 0 to 4 sleep; earlier, these pairs were in contact: {pairs}; particle "
+        text += f"{first} is set in motion; one step, which calls wake()"
+        with calls("Wake the neighbors of every particle that wakes.", text):
             particles = [Particle(Vector3(3.0 * i)) for i in range(5)]
             touch = Touch(particles, pairs)
             world = SleepingWorld(particles, [touch], sleep_frames=5)

@@ -66,11 +66,9 @@ def test_sleeping_particles_cost_no_work(rng: Random) -> None:
         semi_implicit_euler(those, apply_forces, duration)
 
     only = "You pass sleeping particles to the integrator. Pass only those that are awake."
-    with calls(
-        only,
-        f"{count} particles, each with one force generator; the first {awake} move, and the others "
-        "are at rest and should be asleep; 20 calls to world.run_physics()",
-    ):
+    text = f"{count} particles, each with one force generator; the first {awake} move, and the "
+    text += "others are at rest and should be asleep; 20 calls to world.run_physics()"
+    with calls(only, text):
         particles, push = [Particle(Vector3(3.0 * i)) for i in range(count)], Push()
         world = SleepingWorld(particles, integrator=step, sleep_frames=3)
         for particle in particles:
@@ -93,12 +91,9 @@ def test_sleeping_particles_cost_no_work(rng: Random) -> None:
 @pytest.mark.exercise("G8.1", asks="fall asleep when they are at rest", read=RUN)
 def test_balls_rest_where_they_would_without_sleep() -> None:
     ends = []
-    with calls(
-        "You put a ball to sleep while it still moves, so it stops too early. Particles may fall "
-        "asleep only when they have come to rest.",
-        "two balls bounce for 6 s until they rest, by run_physics(); the final position of a ball, "
-        "which should be the same as in a world without sleep",
-    ):
+    text = "two balls bounce for 6 s until they rest, by run_physics(); the final position of a "
+    text += "ball, which should be the same as in a world without sleep"
+    with calls("You put a ball to sleep while it still moves, so it stops too early.", text):
         for sleep_energy in (0.0, 0.015):
             down = Vector3(0.0, -10.0)
             balls = [

@@ -50,12 +50,11 @@ def test_a_row_counts_once(rng: Random) -> None:
     once = "Only the first landing on a row scores POINTS, so check self.visited before that."
     seen = play(rows, [a, a, b, a, b], once)
     scores, visited = [score for score, *_ in seen], seen[-1][2]
-    every = "even on a row that is already in visited" if visited else "because visited stays empty"
-    why = named(scores, once, {
-        f"Every landing scores, {every}. First check whether it is already in visited.":
-            [10, 20, 30, 40, 50],
-        "Your game already counts as won after the first landing, so it adds the bonus.": [160] * 5,
-    })  # fmt: skip
+    every = "Every landing scores, because visited stays empty. Add the row to self.visited."
+    if visited:
+        every = "Every landing scores. Check first whether it is already in visited."
+    early = "Your game already counts as won after the first landing. It is won with all rows."
+    why = named(scores, once, {every: [10, 20, 30, 40, 50], early: [160] * 5})
     expect_all(
         ("the score after each call", scores, [10, 10, 20, 20, 20], why),
         ("rules.visited", visited, sorted((a, b)), "Add each row that was hit to self.visited."),
@@ -75,14 +74,14 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     missing = "You add no bonus. Either you leave it out, or you test self.won before the last row "
     missing += "is in visited. Add the row first, and then BONUS for each life that is left."
     if seen[rows][0] == points and play(rows, order, exists)[-1][0] != points:
-        missing = "You remove rows from visited in fell, so the game is never won. Don't do that."
+        missing = "You remove rows from visited, so the game is never won. Keep them in fell."
     elif not won and list(visited) == [*range(rows)]:
         missing = NO_WIN
     low = "You leave out the POINTS for the last row. Add both these POINTS and the bonus."
     if seen[1][0] < seen[0][0]:
         low = "You take points away for a fall. A fall costs a life, but no points."
     elif before > points - 10:
-        low = "Your game counts as won before the last row is in visited. That is too early."
+        low = "Your game counts as won too early. It is won only when every row is in visited."
     lives = "A fall doesn't cost a life. Take one away in fell."
     if seen[1][1] < 3:
         lives = "You add the bonus for all three lives, although one of them is lost."
@@ -159,16 +158,14 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         if not count:
             lost = f"The ball falls through the bridge, because you return no contacts. {lost}"
         expect_all(("the number of contacts", count, 2 if above < 0.0 else 0, lost))
-        expect_that(first == wanted, f"{first}", f"{wanted}", then="; landings.row")
-        with calls(
-            "You keep the row of the earlier landing, or you set row without a contact. Set row to "
-            "None at the start of every call, and to a row only if there is a contact.",
-            more=True,
-        ):
+        expect_that(first == wanted, f"landings.row is {first}", f"landings.row is {wanted}")
+        stale = "You keep the row of the earlier landing, or you set row without a contact. Set it "
+        stale += "to None at the start of every call, and to a row only if there is a contact."
+        with calls(stale, more=True):
             game.ball.position.y = 14.5
             game.landings.contacts()
-        row_after = game.landings.row
-        expect_that(row_after is None, f"{row_after}", "None", then="; landings.row")
+        later = game.landings.row
+        expect_that(later is None, f"landings.row is {later}", "landings.row is None")
 
 
 def dropped(row: int, steps: int, cause: str, visited: Sequence[int] = ()) -> list[dict[str, Any]]:
@@ -208,22 +205,13 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     }  # fmt: skip
     if direction:
         slips |= {
-            "The push has no effect. Add it after start_frame and before run_physics.": (
-                after(0.0, speed),
-                vy,
-                0.0,
-            ),
-            "You leave the mass out of the push. PUSH is an acceleration.": (
-                after(push / mass, speed),
-                vy,
-                0.0,
-            ),
-            "You set the velocity to PUSH. Add a force of PUSH * mass instead.": (
-                push * 0.6**frame,
-                vy,
-                0.0,
-            ),
-        }
+            "The push has no effect. Add it after start_frame and before run_physics.":
+                (after(0.0, speed), vy, 0.0),
+            "You leave the mass out of the push. PUSH is an acceleration.":
+                (after(push / mass, speed), vy, 0.0),
+            "You set the velocity to PUSH. Add a force of PUSH * mass instead.":
+                (push * 0.6**frame, vy, 0.0),
+        }  # fmt: skip
     wanted = (after(push, speed), vy, 0.0)
     expect_close(seen[-1]["velocity"], wanted, slips, unit="m/s", tolerance=1e-12)
 
@@ -246,20 +234,13 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             ("the visited rows", seen["visited"], [row], "You pass the wrong row. Pass "
              "self.landings.row to self.rules.landed."),
         )  # fmt: skip
-    last = dropped(
-        row,
-        20,
-        "The ball should land once and then rise, without landing again or costing a life during "
-        "these steps. Check that landings.row is None while the ball moves up.",
-    )[-1]
+    once = "The ball should land once and then rise, without landing again or costing a life. "
+    once += "Check that landings.row is None while the ball moves up."
+    last = dropped(row, 20, once)[-1]
     got = (last["score"], last["lives"])
     expect_close(got, (10.0, 3.0), then="; the score and the lives", tolerance=0.0)
-    (seen,) = dropped(
-        row,
-        1,
-        "A row that was visited before scores nothing, but the ball still jumps from it.",
-        visited=[row],
-    )
+    again = "A row that was visited before scores nothing, but the ball still jumps from it."
+    (seen,) = dropped(row, 1, again, visited=[row])
     name = "; the velocity of the ball along Y in m/s, and the score"
     expect_close((seen["velocity"][1], seen["score"]), (6.0, 0.0), then=name, tolerance=1e-12)
 
@@ -267,22 +248,20 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
 @pytest.mark.exercise("P8.1b", asks="report the fall to the rules", read=STEP)
 def test_the_ground_takes_a_life(rng: Random) -> None:
     x = round(rng.uniform(8.0, 9.0), 3)
-    beside = f"a game in which the ball is beside the bridge, at ({x}, 0.6, 0) m, and moves at "
-    beside += "(3, -9, 0) m/s; "
+    beside = f"a game; the ball is beside the bridge, at ({x}, 0.6, 0) m, with v = (3, -9, 0) m/s; "
     missed = "The ball has reached the ground, but you don't take a life. Call self.rules.fell()."
     with calls(missed, f"{beside}game.step(1/60)"):
         seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_all(
         ("the number of lives that are left", seen["lives"], 2, missed),
-        ("the visited rows, which were 2 and 4", seen["visited"], [2, 4], "A fall changes the "
-         "visited rows. It should only cost a life, so leave visited as it is."),
-    )  # fmt: skip
+        ("the visited rows", seen["visited"], [2, 4], "A fall should only cost a life."),
+    )
     # The cables, too short at first, have pulled the row inward by 0.13 m in that step.
     for name, wanted, unit, cause in (
-        ("place", (FIRST, 6.0, 0.0), "m", "The ball stays on the ground after a fall. Put it back "
-         "above the first row."),
-        ("velocity", (0.0, 0.0, 0.0), "m/s", "The ball keeps its velocity after a fall. Call "
-         "self.start_ball(), which also stops it."),
+        ("place", (FIRST, 6.0, 0.0), "m",
+         "The ball stays on the ground after a fall. Put it back above the first row."),
+        ("velocity", (0.0, 0.0, 0.0), "m/s",
+         "The ball keeps its velocity after a fall. Call self.start_ball(), which stops it."),
     ):  # fmt: skip
         then = f"; the {name.replace('place', 'position')} of the ball"
         expect_close(seen[name], wanted, then=then, unit=unit, cause=cause, tolerance=0.2)
@@ -317,13 +296,9 @@ def expect_stopped(seen: list[dict[str, Any]]) -> None:
 @pytest.mark.exercise("P8.1b", asks="or do nothing if the game is over", read=STEP)
 def test_the_last_row_ends_the_game(rng: Random) -> None:
     row = rng.randint(1, 4)
-    seen = dropped(
-        row,
-        3,
-        "The first step wins the game and adds POINTS and the bonus. After that the game is over, "
-        "so step must not change the score or move the ball.",
-        visited=[i for i in range(6) if i != row],
-    )
+    over = "The first step wins the game and adds POINTS and the bonus. After that the game is "
+    over += "over, so step must not change the score or move the ball."
+    seen = dropped(row, 3, over, visited=[i for i in range(6) if i != row])
     scores = [frame["score"] for frame in seen]
     expect_exactly(scores, [160] * 3, then="; the score after each step")
     expect_stopped(seen)

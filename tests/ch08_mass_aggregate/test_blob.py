@@ -187,7 +187,7 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     of_square = {
         "You didn't square the distances. Square each of them before you take their mean.":
             2.0**0.25,
-        "You don't multiply the squared distances by the masses. Do it before you add them.":
+        "You divide by the total mass, but you don't multiply the squared distances by the masses.":
             math.sqrt(8.0 / 12.0),
         "You return the mean of the squared distances, in m^2. Take its square root.": 2.0,
         summed.format("the squared distances"): math.sqrt(8.0),

@@ -30,6 +30,7 @@ CORNERS = [(float(i % 2), float(i // 2 % 2), float(i // 4)) for i in range(8)]
 # Corner 0 is held, 1 moves along X only, and 2 in the X-Y plane: no rigid body moves then.
 HELD = (0, 1, 2, 4, 5, 8)
 ZERO = Triple((0.0, 0.0, 0.0))
+LARGEST = "Return the largest value of abs(length / rod.length - 1) of any rod."
 MOMENTUM = "You return the angular momentum of the rim."
 
 
@@ -76,17 +77,17 @@ def test_the_cube_is_rigid() -> None:
     left = motions(CORNERS, made, HELD)
     pairs = {tuple(sorted(rod)) for rod in made}
     faces = [(axis, i & axis) for i, j in pairs for axis in (1, 2, 4) if i ^ j == 7 - axis]
-    moves = f"this motion: {told(left[0], 'corner')}." if left else ""
+    moves = told(left[0], "corner") if left else ""
     if len(made) > len(pairs):
-        why = f"You list a rod twice, so you have only {len(pairs)} different rods."
+        why = f"You list a rod twice, so you have only {len(pairs)} different rods. Replace one."
     elif len(pairs) < 18:
         why = f"You have only {len(pairs)} rods, but a rigid cube needs at least 18. Add rods to "
-        why += f"stop motions such as {moves}"
+        why += f"stop motions such as this one: {moves}."
     elif len(set(faces)) < len(faces):
         why = "Two of your diagonals are in the same face. Move one of them to another face to "
-        why += f"stop {moves}"
+        why += f"stop this motion: {moves}."
     else:
-        why = f"One of your rods is redundant. Move it to stop {moves}"
+        why = f"One of your rods is redundant. Move it to stop this motion: {moves}."
     name = "; the number of independent ways to deform the cube without changing a rod's length"
     expect_exactly(len(left), 0, then=name, unit="ways", cause=why)
 
@@ -140,7 +141,7 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
 def test_the_drive_pushes_around_the_hub(rng: Random) -> None:
     hub, force, already = vector(rng), number(rng), vector(rng)
     around = "Take the unit vector along the spoke in the X-Y plane, rotate it by a right angle, "
-    around += "and multiply it by the force. It doesn't depend on the distance."
+    around += "and multiply it by the force. The force doesn't depend on the distance."
     at_hub = "The spoke of this particle has no direction in the X-Y plane. Add no force then."
     simple = Triple((1.0, 2.0, 3.0)), 10.0, ZERO
     samples = [(*simple, (4.0, 6.0, 15.0), Triple((-8.0, 6.0, 0.0)), around)]
@@ -156,14 +157,11 @@ def test_the_drive_pushes_around_the_hub(rng: Random) -> None:
         "Your force drives the wheel clockwise. Use (-y, x) instead of (y, -x).": (8.0, -6.0, 0.0),
         "Your force grows with the distance from the hub. Divide by it.": (-40.0, 30.0, 0.0),
         "Your force acts along the spoke. Rotate its direction to (-y, x, 0).": (6.0, 8.0, 24.0),
-        "You divided by a length that includes z, but the wheel rotates in the X-Y plane.": (
-            -40.0 / 13.0,
-            30.0 / 13.0,
-            0.0,
-        ),
-        "You measure the spoke from the origin instead of the hub.": Triple((-60.0, 40.0, 0.0))
-        / math.sqrt(52.0),
-    }
+        "You divided by a length that includes z, but the wheel rotates in the X-Y plane.":
+            Triple((-40.0, 30.0, 0.0)) / 13.0,
+        "You measure the spoke from the origin instead of the hub.":
+            Triple((-60.0, 40.0, 0.0)) / math.sqrt(52.0),
+    }  # fmt: skip
     for center, size, before, place, wanted, cause in samples:
         with calls(cause):
             drive = RimDrive(Particle(Vector3(*center), mass=math.inf), force=size)
@@ -243,12 +241,8 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         should = (a, b, c)[: len(shares)]
         lengths = [round(n * (1.0 + share), 9) for n, share in zip(should, shares, strict=True)]
         shares = [now / length - 1.0 for now, length in zip(lengths, should, strict=True)]
-        with calls(
-            "Return the largest deformation of any rod, where the deformation of a rod is "
-            "abs(length / rod.length - 1).",
-            f"rods with rod.length = {should} m, whose ends are {tuple(lengths)} m apart; "
-            "deformation(rods)",
-        ):
+        text = f"rods with rod.length = {should} m, whose ends are {tuple(lengths)} m apart; "
+        with calls(LARGEST, f"{text}deformation(rods)"):
             ends = [
                 (Particle(Vector3(*start)), Particle(Vector3(*(start + way * now))))
                 for now in lengths

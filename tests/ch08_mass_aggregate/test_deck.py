@@ -20,9 +20,11 @@ from unmoved import expect_all_kept
 NEAREST = "the docstring of Deck.nearest"
 DECK = "book 8.2.1, and the docstring of Deck.contacts"
 UP = (0.0, 1.0, 0.0)
-FIRST = "If two rows are equally near, return the first one."
+STRAIGHT = "The deck is a straight line from midpoint to midpoint, so interpolate its height at "
+STRAIGHT += "the ball's x. The nearest row is the one whose midpoint is closer to the ball along X."
+FIRST = "Return the first one of two rows that are equally near."
 ENDS = "Your deck {}. It should end half a SPACING, which is 1 m, beyond its outermost rows."
-TOUCHES = "Return two contacts even if the ball just touches the deck and their penetration is 0."
+TOUCHES = "The ball just touches the deck. Return two contacts even if their penetration is 0."
 Rows = list[tuple[Components, Components]]
 
 
@@ -46,24 +48,23 @@ def middles(rows: Rows) -> list[tuple[float, float]]:
     return [(round(0.5 * (a[0] + b[0]), 9), round(0.5 * (a[1] + b[1]), 9)) for a, b in rows]
 
 
+def shown(rows: Rows) -> str:
+    """Return in words a deck of these rows."""
+    return f"a deck; the midpoints of its rows are at (x, y) = {str(middles(rows))[1:-1]} m; "
+
+
 def nearest(rows: Rows, x: float, cause: str) -> Any:
     """Return the row nearest to a ball at x, and the height of the deck there."""
-    text = "a deck; the midpoints of its rows are at (x, y) = "
-    text += f"{', '.join(map(str, middles(rows)))} m; a ball at x = {x:.6g} m; deck.nearest(), "
-    text += "which returns (row, height)"
-    with calls(cause, text):
+    called = "deck.nearest(), which returns (row, height)"
+    with calls(cause, f"{shown(rows)}a ball at x = {x:.6g} m; {called}"):
         ends = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in rows]
         return Deck(Particle(Vector3(x, 9.0, 0.5)), 0.5, ends, 0.0).nearest()
 
 
-def contacts(
-    rows: Rows, x: float, y: float, cause: str, radius: float = 0.5, c: float = 0.0
-) -> Any:
+def contacts(rows: Rows, x: float, y: float, cause: str, radius: float = 0.5, c: float = 0) -> Any:
     """Return ball, end, normal, restitution and penetration of each contact, in order."""
-    text = "a deck; the midpoints of its rows are at (x, y) = "
-    text += f"{', '.join(map(str, middles(rows)))} m; its restitution is {c}; particle 0 is a ball "
-    text += f"of radius {radius} m at ({x:.6g}, {y:.9g}, 0) m, and particles 1, 2, ... are the "
-    text += "ends of the rows; deck.contacts()"
+    text = f"{shown(rows)}its restitution is {c}; particle 0 is a ball of radius {radius} m at "
+    text += f"({x:.6g}, {y:.9g}, 0) m, and the others are the ends of the rows; deck.contacts()"
     with calls(cause, text):
         ball = Particle(Vector3(x, y), Vector3(0.0, 3.0))  # on its way up: it touches as well
         ends = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in rows]
@@ -82,13 +83,7 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     for i, ((x, y), (u, v)) in reversed([*enumerate(pairwise(points))]):
         for share in (0.25, 0.4, 0.75):
             at = x + share * (u - x)
-            got = nearest(
-                rows,
-                at,
-                "Between two rows, the deck is a straight line from one midpoint to the next, so "
-                "interpolate its height at the ball's x. The nearest row is the one whose midpoint "
-                "is closer to the ball along X.",
-            )
+            got = nearest(rows, at, STRAIGHT)
             row, height = float(i + (share > 0.5)), y + share * (v - y)
             (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
@@ -171,7 +166,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         got = contacts(rows, at, center, why, radius, c)
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
-            why = "Either the radius is missing, or the sign is wrong: use height + radius - y."
+            why = "You return no contacts although the ball touches the deck. In height + radius - "
+            why += "y, either the radius is missing, or the sign is wrong."
             why = why if depth else TOUCHES
         elif ends in ([(0, 3)], [(0, 4)]):
             why = "You return a contact for only one end of the nearest row. Return one for each."

@@ -48,10 +48,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             before, (steps, left) = left, divmod(left + quarter, 4)
         one = f"You take only one step. {REPEAT} A return in the loop ends it."
         if any(type(time) is float and time > STEP for time in made):
-            one = "You take a single step for all of the elapsed time. Take steps of self.duration "
-            one += "instead, as long as self.left is enough for another one."
-        early = f"You take a step although only {0.25 * left:g} of its duration is left. Wait "
-        early += "longer."
+            one = "You take a single step for all of the time. Take steps of self.duration."
+        early = f"You take a step although only {0.25 * left:g} of its duration is left."
         late = {f"Exactly enough time for one more step is left. {LATE}": steps - 1}
         slips = (late if row[1] == STEP else {}) | {early: steps + 1, one: 1}
         lost = "You lose the leftover time. Keep it in self.left for the next call."

@@ -171,7 +171,7 @@ def test_which_planks_a_ball_touches(rng: Random) -> None:
     x = float(rng.randint(2, 9))
     planks = [(Triple((x + 2.0 * i, 4.0, -1.0)), Triple((x + 2.0 * i, 4.0, 1.0))) for i in range(3)]
     for right, y, z, radius, wanted, cause in (
-        (0.0, 4.5, 0.5, 0.5, [(0, 2)], "The ball just touches the first plank."),
+        (0.0, 4.5, 0.5, 0.5, [(0, 2)], "A ball that just touches a plank has a contact."),
         (0.0, 4.500001, 0.5, 0.5, [], "The ball is just above the plank, so there is no contact."),
         (0.0, 4.0, 1.625, 0.5, [], "The ball is beyond the end of the plank. Only the infinite "
          "line goes through the ball, but the segment doesn't."),

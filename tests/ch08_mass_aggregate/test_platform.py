@@ -36,7 +36,7 @@ PLACES = [(x, y, z) for x, y in ((0.0, 0.0), (-3.0, 2.0), (4.0, 2.0)) for z in (
 MASSES = [math.inf, math.inf, 1.0, 1.0, 1.0, 1.0]
 PIVOT = range(6)  # the numbers of its coordinates
 SINKS = "x is on the {} side, which sinks, so no mass at x can balance the platform."
-LENGTH = "Your rod has the wrong length. It should be (b.position - a.position).magnitude()."
+LENGTH = "Make a rod as long as its ends are apart: (b.position - a.position).magnitude()."
 G, FRAME = 9.81, 1.0 / 60.0
 
 

@@ -117,8 +117,7 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
             why += "particle 1 too soon. Remember a contact for sleep_frames steps."
             if any(0 in one for one in parted(8, 8, recent)):
                 why = "Particle 0 falls asleep too early, because you ignore its contact with the "
-                why += "fast particle 1. Let a group fall asleep only when each of its particles "
-                why += "has been slow for sleep_frames steps."
+                why += "fast particle 1. A group falls asleep only when all of it is tired."
         parted(last, last + 7, recent)
         expect_sleepers_of_steps(seen, [[]] * (last + 4) + [[0]] * 3, cause=why)
     last = rng.randint(1, 2)
@@ -126,8 +125,7 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
     seen = parted(last, fast + 7, recent, fast)
     why = recent
     if not any(seen):
-        why = "Particle 0 never falls asleep, probably because you forget a contact only when its "
-        why += "age is exactly sleep_frames. Forget older contacts too."
+        why = "Particle 0 never falls asleep. Forget all contacts older than sleep_frames steps."
     elif any(seen[: fast + 4]):
         why = f"Particle 0 falls asleep too early. It was fast itself in step {fast}."
     expect_sleepers_of_steps(seen, [[]] * (fast + 4) + [[0]] * 3, cause=why)
@@ -140,15 +138,12 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
         particles[1].mass = math.inf
         seen += stepped(world, particles, 8)
     if [0] in seen and seen[-1] == []:
-        why = "Particle 0 falls asleep, but its contact with the immovable particle 1 wakes it "
-        why += "again. In wake_touched, wake a sleeping particle only if the other particle of the "
-        why += "contact can move."
+        why = "Particle 0 falls asleep, but its contact with the immovable particle 1 wakes it. In "
+        why += "wake_touched, wake a particle only if the other one of the contact can move."
     elif not any(seen):
-        why = "Particle 0 stays awake because it touches particle 1, which is immovable. An "
-        why += "immovable particle doesn't keep others awake, so skip it in fall_asleep."
+        why = "An immovable particle doesn't keep others awake, so skip it in fall_asleep."
     elif any(1 in one for one in seen):
-        why = "You put particle 1 to sleep, although it is immovable. When it wakes, it gets a "
-        why += "wrong mass, so skip immovable particles in fall_asleep."
+        why = "You put particle 1 to sleep, although it is immovable. Skip immovable particles."
     expect_sleepers(seen[-1], [0], cause=why)
 
 
@@ -157,25 +152,21 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
     for speeds, pairs, masses, wanted, cause in (
         ([0.0, 2.0, 0.0], [(0, 1)], (), [2], "Particle 1 is fast and touches particle 0, so it "
          "keeps particle 0 awake too. Neither of them should fall asleep."),
-        ([0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4], "Particle 3 is fast, so its "
-         "whole group must stay awake. Particles 0 and 1 belong to the same group, because "
-         "contacts connect them to particle 3."),
+        ([0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4], "Particle 3 is fast, so all "
+         "that belong to the same group must stay awake, also particles 0 and 1."),
         ([2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [], "Particle 0 is fast, and through "
          "the chain of contacts it keeps all the others awake."),
         ([0.0, 2.0], [(1, 0)], (), [], "Particle 0 touches particle 1, which is fast, so it has to "
          "stay awake. The fast particle can be either one of a pair, so check both."),
         ([0.0, 0.0], [(0, 1)], (), [0, 1], "Both particles are slow, so both fall asleep."),
         ([0.0, 0.0, 2.0], [(0, 1), (1, 2)], [1.0, math.inf, 1.0], [0], "Particle 1 is immovable, "
-         "so it doesn't join particles 0 and 2 into a group. Skip immovable particles when you "
-         "look for groups."),
-        ([0.0], [(0, -1)], (), [0], "The other side of this contact is a wall, so contact.other is "
-         "None. A wall doesn't keep a particle awake, so skip such contacts."),
+         "so skip it when you look for groups."),
+        ([0.0], [(0, -1)], (), [0], "A wall doesn't keep a particle awake, so skip contacts whose "
+         "other is None."),
     ):  # fmt: skip
         moving = "".join(f"particle {i} moves at {v:g} m/s; " for i, v in enumerate(speeds) if v)
         told = ", ".join(f"{i} and {j if j >= 0 else 'a wall'}" for i, j in pairs)
-        text = f"{FIVE}{len(speeds)} particles, numbered from 0, are at rest unless it says "
-        text += f"otherwise; {moving}contacts between {told}{EACH}"
-        with calls(cause, text):
+        with calls(cause, f"{FIVE}{len(speeds)} particles; {moving}contacts between {told}{EACH}"):
             world, particles, _ = scene(speeds, pairs, masses)
             seen = stepped(world, particles, 8)
         expect_sleepers_of_steps(seen, [[]] * 4 + [wanted] * 4)
@@ -184,11 +175,9 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
 @pytest.mark.exercise("G8.1", asks="Each of them gets its mass back", read=WAKE)
 def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
-    slow = f"a SleepingWorld with sleep_frames=3; a particle of {mass} kg moves at {speed} m/s, "
-    slow += "which counts as slow; "
+    slow = f"a SleepingWorld with sleep_frames=3; a slow particle of {mass} kg, at {speed} m/s; "
     stops = "When a particle falls asleep, set its inverse_mass to 0 and clear its velocity."
-    exact = "A particle falls asleep at the end of its third slow step, so exactly three steps "
-    exact += "should move it. After that it stays where it is."
+    exact = "Exactly three slow steps should move a particle. After that it stays where it is."
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     with calls(stops, f"{slow}the world takes three steps"):
         particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(speed), mass=mass)
@@ -218,9 +207,7 @@ def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     name = "; the number of steps until the particle falls asleep"
     seen = stepped(world, [particle], 10)
     expect_exactly([*seen, [0]].index([0]) + 1, 3, then=name, unit="steps", cause=reset)
-    text = "a SleepingWorld with sleep_frames=3; a particle is awake and has been slow for two "
-    text += "steps; world.wake(particle)"
-    with calls(reset, text):
+    with calls(reset, f"{slow}the particle is awake for two steps; world.wake(particle)"):
         world.wake(particle)
         stepped(world, [particle], 2)
         world.wake(particle)

@@ -154,7 +154,7 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     expect_exactly(frames / 250.0, 0.004, then=name, unit="s", cause=on)
     flight = (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     slips = {
-        "You measure the range from the point of release, but it should start at x = 0.":
+        "You measure the range from the point of release. Add the projectile's x to it.":
             30.0 * flight,
         "You start the flight on the ground, but the projectile is released 8 m above it.":
             2.0 + 600.0 / G,
@@ -168,7 +168,7 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     slips = {
         "You leave out the projectile's potential energy.": kinetic / lost,
         "You leave out the projectile's kinetic energy.": potential / lost,
-        "You use the projectile's mass for the lost energy, but the counterweight falls.":
+        "Use the counterweight's mass for the lost energy, because the counterweight falls.":
             wanted * weight / 5.0,
         "Your fraction is upside down.": 1.0 / wanted,
         "Your share is a percentage. Return a fraction instead.": 100.0 * wanted,

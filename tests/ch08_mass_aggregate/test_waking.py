@@ -135,18 +135,14 @@ def at_wall(*forces: float) -> tuple[Any, Any, list[Any]]:
 @pytest.mark.exercise("G8.1", asks="must be empty again when it returns", read=PUSHED)
 def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
     x, y = -positive_number(rng, 6.0, 9.0), positive_number(rng, 0.2, 0.9)
-    own = "You call the force generators while the particle's mass is infinite. Restore its own "
-    own += "mass during these calls, because a generator may use it."
-    same = "Particle 0 is awake although it is at rest and the forces on it are still the same. "
-    same += "Wake it only if its acceleration a + f / m differs from the one stored in self.asleep."
+    own = "You call the generators while the mass is infinite. Restore its own mass meanwhile."
+    same = "Particle 0 wakes although the forces on it are still the same. Compare a + f / m."
     clear = "The forces that you evaluated for the comparison are still in the accumulator. If the "
     clear += "particle stays asleep, clear the accumulator and set inverse_mass back to 0."
-    stays = "Your particle stays asleep although the forces on it have changed by more than SAME, "
-    stays += "which is 1%. Wake it in wake_pushed, which run_physics must call every LOOK_EVERY "
-    stays += "steps."
+    stays = "Your particle stays asleep although the forces on it have changed by more than 1%. "
+    stays += "Wake it in wake_pushed, which run_physics must call every LOOK_EVERY steps."
     late = "The particle wakes too late to move. Call wake_pushed before the integrator."
-    twice = "The forces act twice, because they are still in the accumulator when the integrator "
-    twice += "adds them again. Clear the accumulator after your comparison."
+    twice = "The forces act twice. Clear the accumulator after your comparison."
     duration = "Pass the duration of the step on to the force generators."
     for (dx, dy), velocity in (
         ((x, 0.0), ((5.0 + x) / 60.0, 0.0, 0.0)),

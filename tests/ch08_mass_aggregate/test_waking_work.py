@@ -43,15 +43,13 @@ def hung(late: int, steps: int, push: float, cause: str) -> list[list[int]]:
 def test_a_hanging_particle_stays_asleep() -> None:
     sum_of_both = "Compare the change with |a| + |f / m| instead of |a + f / m|, which is almost 0 "
     sum_of_both += "because gravity and the spring force cancel."
-    small = "Your particle wakes although 0.15 m/s^2 is less than SAME times |a| + |f / m|, which "
-    small += "is 0.2 m/s^2 here. Wake it only at a larger change."
+    small = "Your particle wakes at 0.15 m/s^2, but SAME times |a| + |f / m| is 0.2 m/s^2 here."
     for late, push, cause in ((0, 0.0, sum_of_both), (20, 0.15, small)):
         awake = awake_in(hung(late, 40, push, cause))
         if len(awake) == 36:
             hung(late, 40, push, NEVER)
         expect_asleep(awake, then="; whether particle 0 is asleep after each step from step 5 on")
-    large = "Your particle stays asleep although 0.5 m/s^2 is more than SAME times |a| + |f / m|, "
-    large += "which is 0.2 m/s^2 here. Wake it at such a change."
+    large = "Your particle sleeps at 0.5 m/s^2, but SAME times |a| + |f / m| is 0.2 m/s^2 here."
     wakes = [] in hung(20, 31, 0.5, large)[20:]
     expect_that(wakes, "it stays asleep", "it wakes", then="; whether particle 0 wakes")
 

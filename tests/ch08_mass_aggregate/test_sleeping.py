@@ -164,7 +164,7 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
         ([0.0], [(0, -1)], (), [0], "A wall doesn't keep a particle awake, so skip contacts whose "
          "other is None."),
     ):  # fmt: skip
-        moving = "".join(f"particle {i} moves at {v:g} m/s; " for i, v in enumerate(speeds) if v)
+        moving = "".join(f"only {i} moves, at {v:g} m/s; " for i, v in enumerate(speeds) if v)
         told = ", ".join(f"{i} and {j if j >= 0 else 'a wall'}" for i, j in pairs)
         with calls(cause, f"{FIVE}{len(speeds)} particles; {moving}contacts between {told}{EACH}"):
             world, particles, _ = scene(speeds, pairs, masses)

@@ -119,7 +119,7 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
 def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     count = rng.randint(150, 300)
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
-    every = "Collect the contacts of all generators in one list before you return it."
+    every = "Put the contacts of all generators into one list before you return it."
     text = f"{count} particles at a height of 1 m; floors at heights of 0, 1, {low:g} and {high:g} "
     text += "m; world.contacts()"
     with calls("Call contacts() of each generator, and put all contacts into one list.", text):

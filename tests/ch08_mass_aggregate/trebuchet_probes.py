@@ -1,52 +1,21 @@
-"""Trebuchets and their throws, told as numbers, for the checks.
-
-The autograder runs it beside the student, so nothing in here is secret, and nothing decides.
-"""
+"""Throws of trebuchets, told as numbers; the autograder runs it beside the student."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import trebuchet
-from ch08_mass_aggregate.probes import Components, xyz
-from ch08_mass_aggregate.scene_probes import rods
-
-
-def machine(numbers: Sequence[float]) -> Any:
-    design = trebuchet.Design(*numbers)
-    return trebuchet.Trebuchet(design)
-
-
-def beam(numbers: Sequence[float]) -> tuple[list[tuple[int, int, float]], list[Components]]:
-    """Return the rods of a trebuchet's beam, and where pivot, counterweight and tip are."""
-    made = machine(numbers)
-    particles = [made.pivot, made.weight, made.tip]
-    return rods(made.beam(), particles), [xyz(particle.position) for particle in particles]
-
-
-def lets_go(numbers: Sequence[float], flights: Sequence[tuple[float, Components]]) -> list[Any]:
-    """Return whether a trebuchet lets go of a projectile at a height above the pivot, and fast."""
-    made = machine(numbers)
-    seen = []
-    for height, velocity in flights:
-        made.projectile.position.y = trebuchet.PIVOT_HEIGHT + height
-        made.projectile.velocity = Vector3(*velocity)
-        seen.append(made.lets_go())
-    return seen
 
 
 def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int, bool, int]:
-    """Throw; return range and share, how many times STEP it took, and whether it flies.
-
-    And how many contacts the student's resolver says that it has resolved, if it does.
+    """Return range and share, how many times STEP it took, whether it flies, contacts resolved.
 
     Instead of the physics a frame may do "nothing", or nothing after the "first" hundred frames. Or
     it may put the projectile on the "ground", or let go of it, "up" or "down", at a place and a
     speed that are given, the counterweight 4 m lower.
     """
-    made = machine(numbers)
+    made = trebuchet.Trebuchet(trebuchet.Design(*numbers))
     times: list[float] = []
     resolved = 0
     step = made.world.step
@@ -69,12 +38,3 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
     thrown = made.throw()
     frames = round(sum(times) / trebuchet.STEP)
     return thrown.range, thrown.share, frames, bool(made.flies), resolved
-
-
-def my_design() -> tuple[float, ...] | str:
-    """Return the numbers of the student's design, or words for another object."""
-    design = trebuchet.my_design()
-    if not isinstance(design, trebuchet.Design):
-        return f"{design!r}, which is a {type(design).__name__}"
-    numbers = (design.counterweight, design.short_arm, design.long_arm, design.sling)
-    return (*numbers, design.release_angle)

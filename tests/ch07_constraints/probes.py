@@ -176,15 +176,6 @@ def piled(
     return [sphere.position.y for sphere in spheres], largest
 
 
-def thrown_down(speed: float, duration: float) -> tuple[float, float]:
-    """Throw a particle down; return its height after a step, and the height out of contact."""
-    particle = Particle(Vector3(0.0, 1.0, 0.0), Vector3(0.0, -speed, 0.0))
-    particle.integrate(duration)
-    fallen = particle.position.y
-    depths = [contact.penetration for contact in GroundPlane([particle]).contacts()]
-    return fallen, fallen + sum(depths)
-
-
 def ground_of_a_list(heights: Sequence[float]) -> list[list[int]]:
     """Return the indices of the particles on the ground: at first, and after two changes."""
     particles = [Particle(Vector3(1.0, y, 2.0)) for y in heights]

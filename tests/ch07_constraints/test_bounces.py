@@ -119,8 +119,10 @@ def test_bounces_were_measured() -> None:
 
 def speed_of(cause: str, *numbers: float) -> Any:
     """Return the result of top_ball_speed for its first five or all six arguments."""
-    names = "height lower_mass upper_mass ground_restitution pair_restitution gravity".split()
-    told = ", ".join(f"{name}={number}" for name, number in zip(names, numbers, strict=False))
+    names = ("height", "lower_mass", "upper_mass", "ground_restitution", "pair_restitution")
+    told = ", ".join(
+        f"{name}={number}" for name, number in zip((*names, "gravity"), numbers, strict=False)
+    )
     with calls(cause, f"top_ball_speed({told})"):
         return top_ball_speed(*numbers)
 

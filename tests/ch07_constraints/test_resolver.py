@@ -94,7 +94,7 @@ def test_only_the_closing_velocity_decides(rng: Random) -> None:
             (ZERO, (0.0, 3.0, 0.0), math.inf),
         ]
         contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
-        used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
+        used, after, depths = resolved(bodies, contacts, 1, velocities=True)
     slips = {
         f"You resolved the contact of {one}, but the contact of c closes faster. Compare only the "
         "separating velocities, whatever the depth and the restitution are.": speeds
@@ -214,7 +214,7 @@ def test_many_contacts_are_resolved(rng: Random) -> None:
         "nine particles, one of them immovable, with 11 closing contacts and a restitution of 0.5; "
         "resolver.resolve_velocities(contacts, 2000, 0.5)",
     ):
-        used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
+        used, after, _ = resolved(bodies, contacts, 2000, velocities=True)
     velocities = [Triple(v) for _, v in after]
     got = max((velocities[b] - velocities[a]) @ n for a, b, n, _, _ in contacts)
     name = "; the largest closing speed, negative if all contacts separate"

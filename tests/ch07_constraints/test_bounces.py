@@ -31,10 +31,7 @@ PUSH = "exercise 7.4, and the docstring of force_for_frame"
 def test_restitution_is_a_square_root(rng: Random) -> None:
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
     for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
-        with calls(
-            "The restitution is a ratio of speeds, and the speed of a fall grows with the square "
-            "root of the height. Return sqrt(bounce_height / initial_height)."
-        ):
+        with calls("Return the square root of the ratio of heights, which is a ratio of speeds."):
             got = restitution_of_drop(initial_height=initial, bounce_height=bounce)
         slips = {
             "You returned the ratio of the heights.": wanted * wanted,
@@ -42,10 +39,7 @@ def test_restitution_is_a_square_root(rng: Random) -> None:
             "than it fell.": 1.0 / wanted,
         }
         expect_close(got, wanted, slips)
-    with calls(
-        "A bounce height of 0 is a valid measurement: the ball doesn't bounce at all. Return a "
-        "restitution of 0."
-    ):
+    with calls("A bounce height of 0 is a valid measurement. Return a restitution of 0."):
         got = restitution_of_drop(initial_height=2.0, bounce_height=0.0)
     expect_close(got, 0.0)
 
@@ -212,10 +206,7 @@ def test_without_height_or_gravity_the_speed_is_0() -> None:
 def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     force, frame = vector(rng), positive_number(rng, 0.1, 0.9)
     for share in (0.25, 1.0, 0.0):
-        with calls(
-            "A force over the whole frame needs only part of the size to give the same impulse. "
-            "Multiply the force by contact_time / frame."
-        ):
+        with calls("Multiply the force by contact_time / frame, so that the impulse is the same."):
             f = Vector3(*force)
             got = force_for_frame(f, contact_time=share * frame, frame=frame)
         slips = {
@@ -228,10 +219,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         why = "You changed the vector that was passed in, as *= does. Use force * number, which "
         why += "creates a new vector."
         expect_unchanged("f", f, force, cause=why)
-    with calls(
-        "You returned the vector that was passed in, so changing g also changes f. Return a new "
-        "vector, even if its components are the same."
-    ):
+    with calls("You returned the vector that was passed in. Return a new vector instead."):
         f = Vector3(*force)
         g = force_for_frame(f, contact_time=1.0, frame=1.0)
         g.x += 1.0

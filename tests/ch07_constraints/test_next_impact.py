@@ -116,28 +116,19 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("B7.10", asks="where a is its last_acceleration", read=GROUND)
 def test_forces_count_and_immovable_particles_do_not(rng: Random) -> None:
     t, down = positive_number(rng), (0.0, -2.0, 0.0)
-    with calls(
-        "You used only p's constant acceleration, which lifts p, and left out the force. Use "
-        "last_acceleration, which includes forces."
-    ):
+    with calls("You left out the force. Use last_acceleration, which includes forces."):
         p = Particle(Vector3(0.0, 2.5 * t * t, 0.0), None, Vector3(0.0, 2.0, 0.0), mass=2.0)
         p.add_force(Vector3(0.0, -14.0, 0.0))
         p.integrate(1e-9)
         impact = GroundPlane([p]).next_impact(100.0)
     # Its speed of 5e-9 m/s after the step brings the impact forward by 1e-9 s.
     expect_close(expect_impact(impact)[0], t, tolerance=1e-8, then=TIME, unit="s")
-    with calls(
-        "The first particle is immovable and never reaches the ground. Skip immovable particles, "
-        "and return the impact of the second one."
-    ):
+    with calls("The wall never reaches the ground. Skip immovable particles."):
         wall = Particle(Vector3(0.0, 1.0, 0.0), Vector3(*down), mass=math.inf)
         p = Particle(Vector3(0.0, 2.0, 0.0), Vector3(*down))
         impact = GroundPlane([wall, p]).next_impact(9.0)
     expect_close(expect_impact(impact)[0], 1.0, then=TIME, unit="s")
-    with calls(
-        "You returned the impact of q, but both particles reach the ground at the same time. "
-        "Return the impact of the first one in the list."
-    ):
+    with calls("Both reach the ground at the same time. Return the first one in the list."):
         p = Particle(Vector3(0.0, 2.0, 0.0), Vector3(*down))
         q = Particle(Vector3(1.0, 2.0, 0.0), Vector3(*down))
         impact = GroundPlane([p, q]).next_impact(1.0)
@@ -145,18 +136,13 @@ def test_forces_count_and_immovable_particles_do_not(rng: Random) -> None:
     ((first, *_),) = told([contact], [p, q])
     expect_exactly(first, 0, then="; the index of the particle in the contact")
     expect_close(time, 1.0, then=TIME, unit="s")
-    with calls(
-        "The particle is inside the ground and moves farther in, so the impact is now. Return a "
-        "time of 0 and a contact with a penetration of 0."
-    ):
+    with calls("The particle moves farther into the ground. Return 0 s and a penetration of 0."):
         p = Particle(Vector3(0.0, -1.0, 0.0), Vector3(*down))
         impact = GroundPlane([p]).next_impact(0.0)
     time, contact = expect_impact(impact)
     name = "; the time in s and the penetration in m of the impact"
     expect_close((time, contact.penetration), (0.0, 0.0), then=name)
-    with calls(
-        "No particle can move, so there is no impact. Return None instead of raising an error."
-    ):
+    with calls("No particle can move. Return None instead of raising an error."):
         impact = GroundPlane([Particle(mass=math.inf)]).next_impact(9.0)
     expect_none(impact)
 
@@ -239,10 +225,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
     with calls("One particle has no pairs. Return None instead of raising an error."):
         impact = ParticlePairs([Particle()], radius=1.0).next_impact(10.0)
     expect_none(impact)
-    with calls(
-        "The radius and the restitution of the detector have changed since the first call. Read "
-        "both again on every call."
-    ):
+    with calls("The detector's radius and restitution have changed. Read both on every call."):
         a, b = Particle(Vector3(5.0), Vector3(-3.0)), Particle()
         pairs = ParticlePairs([a, b], radius=1.0)
         pairs.next_impact(1.0)
@@ -267,20 +250,13 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     time, contact = expect_impact(impact)
     expect_contact(contact, spheres, (1, 4), left, 0.0)
     expect_close(time, 0.25 / speed, then=TIME, unit="s")
-    with calls(
-        "Spheres 1 and 4 are immovable now, so they never meet. Treat the velocity of an immovable "
-        "sphere as zero.",
-        more=True,
-    ):
+    with calls("Spheres 1 and 4 are immovable now. Use zero as their velocities.", more=True):
         spheres[1].mass = spheres[4].mass = math.inf
         impact = pairs.next_impact(9.0)
     time, contact = expect_impact(impact)
     expect_contact(contact, spheres, (3, 5), left, 0.0)
     expect_close(time, 0.5 / speed, then=TIME, unit="s")
-    with calls(
-        "Spheres 0 and 1 meet at the same time as spheres 1 and 2. Return the impact that comes "
-        "first in list order."
-    ):
+    with calls("Two pairs meet at the same time. Return the one that is first in list order."):
         spheres = [Particle(Vector3(3.0 * i), Vector3(speed * (1 - i))) for i in range(3)]
         impact = ParticlePairs(spheres, radius=1.0).next_impact(9.0)
     expect_contact(expect_impact(impact)[1], spheres, (0, 1), left, 0.0)
@@ -304,10 +280,7 @@ def test_accelerations_may_differ_by_rounding(rng: Random) -> None:
             impact = expect_impact(ParticlePairs([a, b], 1.0).next_impact(10.0))
         # The step has already covered 3e-9 m.
         expect_close(impact[0], 1.0, tolerance=2e-9, then=TIME, unit="s")
-    with calls(
-        "Particle a is immovable, so it doesn't move, whatever its attributes are. Use zero for "
-        "its velocity and its acceleration."
-    ):
+    with calls("Particle a is immovable. Use zero for its velocity and its acceleration."):
         v, g = Vector3(9.0, 9.0, 9.0), Vector3(9.0, 9.0, 9.0)
         a = Particle(Vector3(5.0), v, g, mass=math.inf)
         b = Particle(None, Vector3(3.0))

@@ -129,25 +129,16 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
         why = "You changed the penetration although no particle moved. Set it to 0 only after you "
         why += "have moved a particle."
         expect_close(c.penetration, depth, then="; c.penetration", cause=why, unit="m")
-        with calls(
-            "Both moves are the same Vector3 object, so changing one changes the other. Return two "
-            "separate vectors.",
-            more=True,
-        ):
+        with calls("Both moves are the same object. Return two separate vectors.", more=True):
             moves[0].x += 1.0
         expect_close(moves[1], ZERO, then="; moves[1]", unit="m")
-    with calls(
-        "You moved the particles but didn't change the contact's penetration. Set it to 0, or the "
-        "next call will move the particles again (E-8)."
-    ):
+    with calls("Set the penetration to 0, or the next call will move the particles again (E-8)."):
         a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
         c = Contact(a, b, normal=Vector3(*n), restitution=0.5, penetration=0.5)
         c.resolve_penetration()
     expect_close(c.penetration, 0.0, then="; c.penetration", unit="m")
     with calls(
-        "The second call moved nothing, so both of its moves should be zero vectors. Don't return "
-        "the moves of the first call again (E-27).",
-        more=True,
+        "Nothing moved, so return zero vectors, not the first moves (E-27).", more=True
     ):
         moves = c.resolve_penetration()
     expect_close(moves[0], ZERO, then="; moves[0]", unit="m")

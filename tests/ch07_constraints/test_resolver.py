@@ -106,10 +106,7 @@ def test_only_the_closing_velocity_decides(rng: Random) -> None:
     why = "You changed the order of the contacts in the list. The list belongs to the caller, so "
     name, why = "; the penetrations of the contacts, in list order", f"{why}don't sort it."
     expect_close(depths, (0.5, 0.75, -0.25), then=name, cause=why, unit="m")
-    with calls(
-        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number of "
-        "resolutions."
-    ):
+    with calls("The list of contacts is empty. Return 0 as the number of resolutions."):
         used = ContactResolver().resolve_velocities([], 9, 0.5)
     expect_exactly(used, 0)
 
@@ -120,10 +117,7 @@ def test_the_first_of_two_equally_fast_contacts_is_resolved() -> None:
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
     ):
-        with calls(
-            "You resolved the second pair in the list, but both pairs close at 2 m/s, so the first "
-            "one has priority. Compare with < instead of <=."
-        ):
+        with calls("Both pairs close at 2 m/s, so the first has priority. Use < instead of <=."):
             balls = [Particle(Vector3(i), Vector3(2.0 - 2.0 * i)) for i in range(3)]
             contacts = [Contact(balls[i], balls[j], Vector3(1.0), 1.0) for i, j in pairs]
             used = ContactResolver().resolve_velocities(contacts, 1, 0.5)
@@ -234,10 +228,7 @@ def test_many_contacts_are_resolved(rng: Random) -> None:
 @pytest.mark.exercise("B7.5", asks="Pass duration on to resolve_velocity", read=FASTEST)
 def test_each_resolution_gets_the_duration() -> None:
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
-        with calls(
-            "Your bounces include the velocity that the acceleration has added in this time step. "
-            "Pass the duration to Contact.resolve_velocity, which leaves this velocity out."
-        ):
+        with calls("Pass the duration to resolve_velocity, which leaves out what this step added."):
             a, b = (
                 Particle(None, Vector3(0.0, -4.0, 0.0), Vector3(0.0, -4.0, 0.0), mass=mass)
                 for mass in (2.0, 3.0)

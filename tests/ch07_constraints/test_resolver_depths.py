@@ -76,10 +76,7 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         got, name = tuple(ball.velocity.x for ball in balls), "; the velocities of the balls"
         expect_close(got, (1.0, 0.0, -1.0), then=name, cause=why, unit="m/s")
     for pairs in (((1, 0), (2, 1)), ((2, 1), (1, 0))):
-        with calls(
-            "You resolved the second contact in the list, but both are 0.5 m deep, so the first "
-            "one has priority. Compare with > instead of >=."
-        ):
+        with calls("Both are 0.5 m deep, so the first one has priority. Use > instead of >=."):
             balls = [Particle(Vector3(i)) for i in range(3)]
             one, two = (
                 Contact(balls[i], balls[j], Vector3(1.0), penetration=0.5) for i, j in pairs
@@ -118,10 +115,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         expect_exactly(used, wanted, then=RETURNED, cause=cause, unit="resolutions")
         expect_close(a.position, move, then="; a.position", tolerance=1e-15, unit="m")
         expect_close(c.penetration, left, then="; c.penetration", unit="m")
-    with calls(
-        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number of "
-        "resolutions."
-    ):
+    with calls("The list of contacts is empty. Return 0 as the number of resolutions."):
         used = ContactResolver().resolve_penetrations([], 9)
     expect_exactly(used, 0)
 

@@ -53,10 +53,7 @@ def dropped(
 def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     v = Triple((positive_number(rng), positive_number(rng), -positive_number(rng)))
     place, h = Triple((0.0, 9.0, 0.0)), 0.5
-    with calls(
-        "The acceleration is constant between impacts, so the new position is exactly p + v t + "
-        "a t^2 / 2, and the new velocity is v + a t."
-    ):
+    with calls("The motion is exact: p + v t + a t^2 / 2, with the velocity v + a t."):
         p = Particle(Vector3(*place), Vector3(*v), Vector3(*DOWN), mass=2.0)
         time_division_step([p], GroundPlane([p]), h)
     slips = {
@@ -254,10 +251,7 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     high = 0.5 - 0.0078125 * a
     height, end = bounced(high, a, h)
     end *= d**h
-    with calls(
-        "The acceleration of p is its constant acceleration plus force / mass. Use it for the "
-        "whole step, even after an impact."
-    ):
+    with calls("The acceleration is the constant one plus force / mass, for the whole step."):
         v, own = Vector3(3.0, -4.0, 0.0), Vector3(0.0, 0.25 * a, 0.0)
         p = Particle(Vector3(0.0, high, 0.0), v, own, mass=mass, damping=d)
         p.add_force(Vector3(0.0, 0.75 * a * mass, 0.0))
@@ -282,18 +276,11 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     got, name = (*xyz(p.last_acceleration), *xyz(p.force_accumulator)), "; p.last_acceleration "
     name += "in m/s^2 and p.force_accumulator in N, in one tuple"
     expect_close(got, (0.0, a, 0.0, *ZERO), then=name, cause=why, tolerance=1e-14)
-    with calls(
-        "The force still acts in the second step, but a force lasts for only one step. Call "
-        "kick(0.0) at the start of each step to clear the forces.",
-        more=True,
-    ):
+    with calls("A force lasts for one step. Call kick(0.0) in each step to clear it.", more=True):
         time_division_step([p], ground, h)
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
     expect_close(p.position, wanted, then=PLACE, tolerance=1e-13, unit="m")
-    with calls(
-        "The acceleration of q is f / m = 8 N / 2 kg = 4 m/s^2. Use the last_acceleration of each "
-        "particle when you move it."
-    ):
+    with calls("The acceleration of q is 8 N / 2 kg = 4 m/s^2. Use its last_acceleration."):
         p, q = Particle(Vector3(0.0, 90.0, 0.0)), Particle(Vector3(9.0, 90.0), mass=2, damping=d)
         q.add_force(Vector3(8.0))
         time_division_step([p, q], GroundPlane([p, q]), h)

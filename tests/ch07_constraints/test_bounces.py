@@ -82,8 +82,7 @@ def test_each_material_has_its_row(rng: Random) -> None:
     }
     name = "; the standard errors of Clay and oak"
     expect_close(errors[:2], (clay, oak), slips, then=name, cause=why, tolerance=1e-14)
-    why = "You returned a number, but a single drop says nothing about how much the restitution "
-    why += "varies. Return None as its standard error."
+    why = "Return None, because a single drop says nothing about how much restitutions vary."
     name = "; the standard error of ash, with a single drop"
     expect_exactly(errors[2], None, then=name, cause=why)
     with calls("The list of drops is empty, so there are no rows to return."):
@@ -102,8 +101,7 @@ def test_bounces_were_measured() -> None:
         drops = entered_drops()
         got = sum(row[1] for row in table_of_drops(drops))
     expect_exactly(got, len(drops), then="; the sum of all counts", unit="drops")
-    call = "your drops.csv should have three or more drops for each of three materials; the number "
-    call += "of such materials that are still missing"
+    call = "the number of materials that still need three drops in your drops.csv, out of three"
     names = [name for name, _, _ in drops]
     got = sum(names.count(name) >= 3 for name in {*names})
     expect_exactly(max(0, 3 - got), 0, call=call, unit="materials")
@@ -216,8 +214,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             "force must get smaller: multiply it by contact_time / frame.": force / (share or 1.0),
         }
         expect_close(got, force * share, slips, tolerance=1e-14, unit="N")
-        why = "You changed the vector that was passed in, as *= does. Use force * number, which "
-        why += "creates a new vector."
+        why = "You changed the vector that was passed in, as *= does. Use force * number."
         expect_unchanged("f", f, force, cause=why)
     with calls("You returned the vector that was passed in. Return a new vector instead."):
         f = Vector3(*force)

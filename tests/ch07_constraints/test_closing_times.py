@@ -18,8 +18,7 @@ CLOSE = "the docstring of time_to_close"
 @pytest.mark.exercise("B7.10", asks="the first time at which the gap is 0 or negative", read=CLOSE)
 def test_when_a_gap_closes(rng: Random) -> None:
     t, pull = positive_number(rng), positive_number(rng)
-    rest = "The velocity is 0, but the acceleration still closes the gap. Solve gap + a t^2 / 2 = "
-    rest += "0 for t."
+    rest = "The velocity is 0, but the acceleration closes the gap. Solve gap + a t^2 / 2 = 0."
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0,
          "There is no acceleration, so the body crosses the gap at constant speed. Return gap / "
@@ -57,8 +56,9 @@ def test_when_a_gap_closes(rng: Random) -> None:
         }
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
-            past = "You returned the negative solution of the quadratic equation, which is in the "
-            past += "past. Return the positive one."
+            past = (
+                "You returned the negative solution, a time in the past. Return the positive one."
+            )
             now = "You returned 0." if other == 0.0 else "You returned the other solution."
             slips[past if other < 0.0 else now] = other
         if not v:

@@ -30,8 +30,7 @@ RESTITUTION = "Pass the detector's restitution to each contact that you create."
 @pytest.mark.exercise("7.5", asks="touches the ground or is below it", read=GROUND)
 def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
-    lowest = "You returned no contact, but the particle is below the ground. Whatever its "
-    lowest += "velocity is, compare y - radius with the height of the ground."
+    lowest = "Whatever its velocity is, compare y - radius with the height of the ground."
     for above, cause in (
         (0.125,
          "The particle is above the ground and doesn't touch it. Compare y - radius with the "
@@ -65,13 +64,11 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                     "You computed the depth as if the ground were at a height of 0.":
                         wanted - height,
                 }  # fmt: skip
-                why = "The penetration is the depth of the particle's lowest point below the "
-                why += "ground, height + radius - y."
+                why = "Compute how deep the particle's lowest point is: height + radius - y."
                 name = "; the penetration of the contact"
                 # Rounding of heights up to 10 m.
                 expect_close(depth, wanted, slips, then=name, cause=why, tolerance=2e-14, unit="m")
-                why = "The contact is between the wrong two bodies. Create it with the particle p, "
-                why += "and pass None as its other, because the ground is not a particle."
+                why = "Create the contact with the particle p, and with None for the ground."
                 expect_particles((a, b), (0, -1), ["p"], cause=why)
                 slips = {"Your normal points down, so p is pushed farther into the ground.": -UP}
                 name, why = "; the normal of the contact", "Use (0, 1, 0), out of the ground."
@@ -90,16 +87,13 @@ def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None
     ):
         first, second, third = ground_of_a_list(heights)
     expect_exactly(first, [i for i, y in enumerate(heights) if y <= 0.0], then=INDICES)
-    why = "The particles and the list have changed since the first call. Read the list and the "
-    why += "heights again on every call."
+    why = "The list and the heights have changed since the first call. Read both on every call."
     if 1 in second:
-        why = "You returned a contact for particle 1, which has become immovable. Skip every "
-        why += "particle that is immovable at the time of the call."
+        why = "Particle 1 has become immovable. Skip every particle that is immovable now."
     name = "; p.position.y = -1 for every p in particles; particles[1].mass = math.inf; "
     name += "particles.append(Particle(Vector3(0, -1, 0))); ground.contacts()"
     expect_exactly(second, [0, 2, 3, 4, 5, 6], then=f"{name}{INDICES}", cause=why)
-    why = "The height and the radius have changed, so no particle touches the ground now. Read "
-    why += "both again on every call."
+    why = "The height and the radius have changed. Read both again on every call."
     name += "; ground.height = -2; ground.radius = 0.5; ground.contacts()"
     expect_exactly(third, [], then=f"{name}{INDICES}", cause=why)
 
@@ -164,19 +158,16 @@ def expect_pairs(
     found, known = ({frozenset(pair) for pair in each} for each in (seen, pairs))
     missing = [pair for pair in pairs if frozenset(pair) not in found]
     extra = [pair for pair in seen if frozenset(pair) not in known]
-    why = "You returned the right pairs in the wrong order. Sort them by the indices of their "
-    why += "particles, with the smaller index first in each pair."
+    why = "Sort the pairs by the indices of their particles, with the smaller index first."
     if len(found) < len(seen):
-        why = "You returned two contacts for the same pair of particles. Return only one contact "
-        why += "for each pair."
+        why = "You returned two contacts for the same pair. Return only one for each pair."
     elif missing and walls & {*missing[0]}:
         why = f"You returned no contact between {named(missing[0])}, but only one of them is "
         why += "immovable. Skip a pair only if both particles are immovable."
     elif missing:
         why = f"You returned no contact between {named(missing[0])}. {about.cause}"
     elif extra and {*extra[0]} <= walls:
-        why = f"You returned a contact between {named(extra[0])}, but both are immovable, so no "
-        why += "contact can move them. Skip such pairs."
+        why = f"You returned a contact between {named(extra[0])}, but both are immovable. Skip it."
     elif extra:
         why = f"You returned a contact between {named(extra[0])}, which don't touch."
     expect_exactly(len(got), len(wanted), cause=why, unit="contacts")
@@ -252,8 +243,7 @@ def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     ):
         first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [], then=INDICES)
-    why = "The particles, their list or the radius have changed since the first call. Read all of "
-    why += "them again on every call."
+    why = "The particles or the radius have changed. Read the list and the radius on every call."
     name = "; particle 3 moved next to particle 0; particle 4 added between particles 1 and 2; "
     name += "pairs.contacts()"
     expect_exactly(second, [0, 3, 1, 4, 2, 4], then=f"{name}{INDICES}", cause=why)

@@ -68,8 +68,9 @@ def test_two_balls_bounce(rng: Random) -> None:
         # A few roundings of numbers up to 40.
         wanted, name = v + n * (impulse / ma), "; a.velocity"
         expect_close(a.velocity, wanted, slips, then=name, tolerance=1e-12, unit="m/s")
-        twice = "You computed the impulse again for b, after the velocity of a had changed. "
-        twice += "Compute it once, before you change a velocity, and use it for"
+        twice = (
+            "You computed the impulse again for b. Compute it once, before you change a, for"
+        )
         new = closing + impulse / ma  # the separating velocity when only a has its impulse
         slips = {
             "The velocity of b didn't change.": w,
@@ -99,8 +100,7 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         expect_close(got, wanted, then=name, tolerance=1e-11, unit="kg m/s")
         lost = 0.5 * ma * (v @ v - va @ va) + 0.5 * mb * (w @ w - vb @ vb)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * ((w - v) @ n) ** 2
-        why = "The bounce loses the wrong amount of energy (E-7). The separating velocity after it "
-        why += "must be minus the restitution times the one before."
+        why = "v_s after the bounce must be minus the restitution times v_s before (E-7)."
         name = "; the kinetic energy that was lost"
         expect_close(lost, wanted, then=name, cause=why, tolerance=1e-10, unit="J")
 
@@ -122,8 +122,7 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
             Contact(one, other, Vector3(*normal), c).resolve_velocity()
         wanted, name = v - n * ((1.0 + c) * (v @ n)), "; a.velocity"
         expect_close(a.velocity, wanted, then=name, tolerance=1e-12, unit="m/s")
-        why = "You changed the velocity of the immovable particle w. Its inverse mass is 0, so the "
-        why += "impulse must not change its velocity."
+        why = "The inverse mass of w is 0, so the impulse must not change its velocity."
         expect_close(w.velocity, ZERO, then="; w.velocity", cause=why, unit="m/s")
 
 
@@ -169,6 +168,5 @@ def test_a_resting_particle_does_not_bounce(rng: Random) -> None:
         c = Contact(a, None, Vector3(0.0, 1.0, 0.0), restitution=e, penetration=0.125)
         c.resolve_velocity(h)
     expect_close(a.velocity, (side, 0.0, 0.0), then="; a.velocity", unit="m/s")
-    why = "resolve_velocity has moved the particle. It should change only velocities, and leave "
-    why += "positions to resolve_penetration."
+    why = "Change only velocities here, and leave positions to resolve_penetration."
     expect_close(a.position, ZERO, then="; a.position", cause=why, unit="m")

@@ -68,8 +68,7 @@ def expect_contacts(
     before = xyz(particles[0].position), xyz(particles[0].velocity), xyz(end)
     with calls(cause, call):
         found = link.contacts()
-    why = "contacts() has changed a position or a velocity, perhaps with -=, which changes a "
-    why += "vector in place. Subtract with -, which creates a new vector."
+    why = "contacts() has changed a position or a velocity. Subtract with - instead of -=."
     expect_unchanged("a.position", particles[0].position, before[0], cause=why)
     expect_unchanged("a.velocity", particles[0].velocity, before[1], cause=why)
     end = link.anchor if anchored else particles[1].position
@@ -116,8 +115,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     if not anchored:
         particles[0].mass = math.inf
         text = text.replace("a at", "a (immovable) at")
-    none = "You returned no contact, but the cable is longer than max_length, so it is taut. "
-    none += "Return no contact only if it is shorter."
+    none = "The cable is longer than max_length. Return no contact only if it is shorter."
     taut = f"The cable is taut and pulls a toward {name}. Divide the vector from a to {name} by "
     taut += "its length to get the normal."
     for high, counts, cause in (
@@ -136,8 +134,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
 def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     particles, end, n, length, text = ends(rng, "Cable", anchored)
     for high in (1025.0 / 1024.0 * length, 1.25 * length):
-        cause = "The cable is slack, because the distance between its ends is less than "
-        cause += "max_length. Return an empty list."
+        cause = "The cable is slack: its ends are nearer than max_length. Return an empty list."
         call = f"{text}max_length={high}); link.contacts()"
         cable = (AnchoredCable if anchored else Cable)(particles[0], end, high)
         expect_contacts(cause, call, cable, particles)
@@ -184,8 +181,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
 @pytest.mark.exercise("B7.8", asks="use +Y as the direction to the other end", read=ROD)
 def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     p, length = vector(rng), positive_number(rng)
-    why = "The ends are at the same position, so normalized() gives no direction. Call "
-    why += "direction_of, which returns +Y here, and push a down."
+    why = "The ends are at the same position. Push a down, as direction_of returns +Y here."
     call = f"particles a and b, both at {p}; Rod(a, b, length={length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
     expect_contacts(why, call, Rod(*pair, length), pair, (-UP, 0.0, length))
@@ -214,16 +210,14 @@ def pendulum(cause: str, degrees: float, h: float, steps: int) -> Any:
 )
 def test_a_pendulum_swings_in_its_period() -> None:
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
-        why = "The pendulum swings with the wrong period. The rod's contact should remove only the "
-        why += "velocity along the rod, with a restitution of 0."
+        why = "The rod's contact should only remove the velocity along the rod, without a bounce."
         seen = pendulum(why, degrees, 0.001, 1300)
         sides = [place[0] for place, _, _ in seen]
         turn = next((i for i in range(1, 1300) if sides[i - 1] > 0.0 >= sides[i]), 0)
         # A quarter of the period. The error is of order h: 0.001 s of 0.5 s, with a margin of 5.
         got, limit = 4.0 * turn * 0.001, 0.01 * period
         expect_close(got, period, tolerance=limit, then="; the period", unit="s")
-        why = "The rod has changed its length. Return a contact whose penetration is the "
-        why += "difference from the rod's length, so that each step restores the length."
+        why = "Return a contact that has the difference from the rod's length as penetration."
         got, name = math.hypot(*seen[-1][0]), "; the final distance from the anchor"
         expect_close(got, 1.0, then=name, cause=why, tolerance=1e-12, unit="m")
 
@@ -234,8 +228,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
     read="book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L",
 )
 def test_a_string_bears_three_times_the_weight() -> None:
-    why = "The rod pulls with the wrong force. At the bottom it carries the weight m g and bends "
-    why += "the path of the bob, which takes another 2 m g."
+    why = "At the bottom the rod carries the weight m g and bends the path, which takes 2 m g."
     seen = pendulum(why, 90.0, 0.0005, 1173)  # a quarter of its period
     # Of order h: measured 59.9 N.
     got, name = max(pull for _, _, pull in seen[100:]), "; the largest pull of the rod on the way "
@@ -246,8 +239,7 @@ def test_a_string_bears_three_times_the_weight() -> None:
 def test_limits_act_at_their_ends(rng: Random) -> None:
     particles, b, n, length, text = ends(rng, "Limits")
     c = round(rng.uniform(0.1, 0.9), 3)
-    between = "The distance is between the two limits, so the link neither pulls nor pushes. "
-    between += "Return an empty list."
+    between = "The distance is between the two limits. Return an empty list."
     for low, high, wanted, cause in (
         (0.5, 1.5, [], between),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
@@ -292,15 +284,13 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     name = "; particle, other and penetration of both contacts, in one tuple"
     expect_close(numbers, (0, 1, 0.0) * 2, then=name)
     same = [Particle(), Particle()]
-    why = "The distance between the ends is 0, which is below min_length. Return a contact that "
-    why += "pushes, with +Y as the direction from a to b."
+    why = "The distance of 0 is below min_length. Push, with +Y as the direction from a to b."
     for low in (2.0, 0.5, 1e-3):
         call = f"particles a and b at the same position; link = Limits(a, b, min_length={low}, "
         call += "max_length=3); link.contacts()"
         link = Limits(*same, low, 3.0)
         expect_contacts(why, call, link, same, (-UP, 0.0, low))
-    why = "Now min_length is 0, which means that there is no lower limit. Return an empty list, "
-    why += "even if the distance is 0."
+    why = "A min_length of 0 means no lower limit, even if the distance is 0. Return []."
     link.min_length = 0.0
     expect_contacts(why, f"{call}; link.min_length = 0; link.contacts()", link, same)
 
@@ -313,8 +303,7 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
         "that pushes.": 1,
         "You returned no contact. Return both, even if the rod's length is right.": 0,
     }
-    why = "The first contact pulls and the second one pushes. Their normals point in opposite "
-    why += "directions, and their penetrations have opposite signs."
+    why = "The first contact pulls and the second one pushes, with opposite penetrations."
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         call = f"{text}length={share * length}); link.contacts()"
         rod, depth = TwoSidedRod(*pair, share * length), (1.0 - share) * length
@@ -323,7 +312,6 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
         depth = rod.length = 0.5 * length
         expect_contacts(AGAIN, call, rod, pair, (n, 0.0, depth), (-n, 0.0, -depth))
     call = "particles a and b at the same position; TwoSidedRod(a, b, length=2).contacts()"
-    why = "The ends are at the same position, so there is no direction between them. Take +Y as "
-    why += "the direction from a to b."
+    why = "The ends are at the same position. Take +Y as the direction from a to b."
     same = [Particle(), Particle()]
     expect_contacts(why, call, TwoSidedRod(*same, 2.0), same, (UP, 0.0, -2.0), (-UP, 0.0, 2.0))

@@ -39,11 +39,9 @@ def expect_contact(
     names = [f"sphere {i}" for i in range(len(particles))] if len(particles) > 2 else ("a", "b")
     why = about.cause
     if (b, a) == ends:
-        why = "The contact's particle must come earlier in the list than its other, which is None "
-        why += "for the ground."
+        why = "The contact's particle comes earlier in the list than its other."
     expect_particles((a, b), ends, names, cause=why)
-    why = "The normal is wrong. It points from contact.other to contact.particle at the time of "
-    why += "the impact, or out of the ground."
+    why = "The normal points from other, or the ground, to particle, at the time of the impact."
     name = "; the normal of the contact"
     # Positions of up to 90 m, rounded, at closing speeds of about 1 m/s; grazing loses more.
     expect_close(normal, n, slips, then=name, cause=why, tolerance=1e-8)
@@ -90,8 +88,7 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
     why = "The first impact happens only after the end of the duration, so it doesn't count. "
     early, name = 0.999 * first, f"; ground.next_impact({0.999 * first})"
     expect_none(ground.next_impact(early), then=name, cause=f"{why}Return None.")
-    why = "You left out an impact exactly at the end of the duration, which still counts. Compare "
-    why += "the time of the impact with the duration, using <= instead of <."
+    why = "An impact exactly at the end of the duration still counts. Use <= instead of <."
     late = ground.next_impact(float(time)) is not None
     right, name = f"an impact after {first:.6g} s", f"; ground.next_impact({time!r})"
     expect_that(late, "None, as if there were no impact", right, then=name, cause=why)

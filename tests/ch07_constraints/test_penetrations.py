@@ -40,8 +40,7 @@ def expect_two(moves: Any) -> None:
 def test_the_lighter_particle_moves_farther(rng: Random) -> None:
     place, q, m, deep = vector(rng), vector(rng), unit_vector(rng), positive_number(rng, 0.1, 0.9)
     ma, mb = positive_number(rng), positive_number(rng)
-    share_of_a = "Divide the depth between both particles: a moves by mb / (ma + mb) of it, so the "
-    share_of_a += "lighter particle moves farther."
+    share_of_a = "Move a by mb / (ma + mb) of the depth, so that the lighter one moves farther."
     for p, n, depth, first, second, share, cause in (
         (Triple((0.0, 2.0, 0.0)), Triple((0.0, 1.0, 0.0)), 0.5, 2.0, 6.0, 0.75, share_of_a),
         (place, m, deep, ma, mb, mb / (ma + mb), share_of_a),
@@ -75,8 +74,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
             }  # fmt: skip
         move, back, name = n * (share * depth), n * ((share - 1.0) * depth), "; a.position"
         expect_close(a.position, p + move, slips, then=name, tolerance=ROUNDED, unit="m")
-        why = "a is at the right position, but moves[0] is not the displacement of a. Return the "
-        why += "vector by which you moved a."
+        why = "The position of a is right. Return the vector by which you moved a as moves[0]."
         expect_close(moves[0], move, then="; moves[0]", cause=why, tolerance=1e-15, unit="m")
         slips = {
             "You moved b toward a. The normal points from b to a, so move b against the normal.":
@@ -87,22 +85,19 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
                 "You moved b correctly, but the vector that you returned for b points the opposite "
                 "way. Return the vector that you added to the position of b.": -back
             }
-        why = "Particle b moves by the rest of the depth, against the normal. Return this "
-        why += "displacement as the second move, or zero if b doesn't move."
+        why = "Particle b moves by the rest of the depth, against the normal, as moves[1] says."
         name = "; moves[1]"
         expect_close(moves[1], back, slips, then=name, cause=why, tolerance=1e-15, unit="m")
         name = "; b.position"
         expect_close(b.position, q + back, then=name, cause=why, tolerance=ROUNDED, unit="m")
-        why = "After this move there is no overlap left. Set the contact's penetration to 0, "
-        why += "although the book's listing doesn't (E-8)."
+        why = "No overlap is left. Set the penetration to 0, although the book doesn't (E-8)."
         expect_close(c.penetration, 0.0, then="; c.penetration", cause=why, unit="m")
 
 
 @pytest.mark.exercise("B7.4", asks="If the penetration is 0 or negative", read=TWICE)
 def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     p, q, n = vector(rng), vector(rng), unit_vector(rng)
-    gap = "You closed a gap. A negative penetration means that the particles don't touch, so don't "
-    gap += "move them, however small the gap is."
+    gap = "You closed a gap. A negative penetration means a gap, however small. Move nothing."
     for depth, mass, cause in (
         (0.0, 2.0,
          "You moved the particles, but the penetration is 0, so they just touch. Don't move "
@@ -126,8 +121,7 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
             ("moves[1]", moves[1], ZERO, zero),
         ):
             expect_close(now, before, then=f"; {name}", cause=why, tolerance=0.0, unit="m")
-        why = "You changed the penetration although no particle moved. Set it to 0 only after you "
-        why += "have moved a particle."
+        why = "No particle moved, so leave the penetration as it is."
         expect_close(c.penetration, depth, then="; c.penetration", cause=why, unit="m")
         with calls("Both moves are the same object. Return two separate vectors.", more=True):
             moves[0].x += 1.0
@@ -137,9 +131,7 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
         c = Contact(a, b, normal=Vector3(*n), restitution=0.5, penetration=0.5)
         c.resolve_penetration()
     expect_close(c.penetration, 0.0, then="; c.penetration", unit="m")
-    with calls(
-        "Nothing moved, so return zero vectors, not the first moves (E-27).", more=True
-    ):
+    with calls("Nothing moved, so return zero vectors, not the first moves (E-27).", more=True):
         moves = c.resolve_penetration()
     expect_close(moves[0], ZERO, then="; moves[0]", unit="m")
     expect_close(moves[1], ZERO, then="; moves[1]", unit="m")
@@ -170,8 +162,7 @@ def test_the_moves_are_new_vectors(rng: Random) -> None:
         moves[0].x += 1.0
         moves[1].x += 1.0
     expect_unchanged("c.normal", c.normal, n)
-    why = "resolve_penetration has changed a velocity. It should change only positions, and leave "
-    why += "velocities to resolve_velocity."
+    why = "resolve_penetration should change only positions, but it changed a velocity."
     for name, particle, wanted in (("a", a, p + n * 0.25), ("b", b, q - n * 0.25)):
         got, position = particle.position, f"; {name}.position"
         expect_close(got, wanted, then=position, tolerance=ROUNDED, unit="m")
@@ -192,8 +183,7 @@ def test_a_resting_body_stays_on_the_ground() -> None:
         # Up to a millimeter counts as rest; rounding leaves some 1e-15 m.
         name = "; the lowest height of the body"
         expect_between(min(heights), -1e-3, 1e-3, then=name, unit="m")
-        why = "The bounce includes the velocity that gravity adds in each time step. Pass the "
-        why += "duration to resolve_velocity, which leaves this velocity out."
+        why = "Pass the duration to resolve_velocity, so that gravity's velocity doesn't bounce."
         name = "; the largest height of the body"
         expect_between(max(heights), -1e-3, 1e-3, then=name, cause=why, unit="m")
         # Without the rule it is at 0.08 m/s, at a restitution of 0.5, and more.

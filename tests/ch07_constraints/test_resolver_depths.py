@@ -71,8 +71,7 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         expect_close(got, depths, slips, then=f"{name}contact", cause=why, unit="m")
         why = "Count how many times you resolve a contact, and return that count."
         expect_exactly(used, limit, then=RETURNED, cause=why, unit="resolutions")
-        why = "resolve_penetrations has changed velocities. It should change only positions, and "
-        why += "leave velocities to resolve_velocities."
+        why = "Here, change only positions. Leave velocities to resolve_velocities."
         got, name = tuple(ball.velocity.x for ball in balls), "; the velocities of the balls"
         expect_close(got, (1.0, 0.0, -1.0), then=name, cause=why, unit="m/s")
     for pairs in (((1, 0), (2, 1)), ((2, 1), (1, 0))):
@@ -150,14 +149,11 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             why += "contact.particle along this contact's own normal, and add that of "
             why += "contact.other."
             if q == end == -1 and p == 0:
-                why = "Particle a moved, so subtract its move along this contact's normal from the "
-                why += "penetration. Skip contact.other if it is None."
+                why = "Subtract the move of a along this normal. Skip contact.other if it is None."
             elif wanted == -5.0:
-                why = "You updated a contact whose particles haven't moved. Compare particles with "
-                why += "`is`, and skip contact.other if it is None."
+                why = "Its particles haven't moved. Compare with `is`, and skip an other of None."
             elif got == -5.0:
-                why = "You didn't update this contact, although a particle of it has moved. Check "
-                why += "both contact.particle and contact.other."
+                why = "Its particle has moved. Check both contact.particle and contact.other."
             slips = {
                 "You added the move of contact.particle along this contact's normal. Subtract it.":
                     -5.0 + own + other,
@@ -172,8 +168,7 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
 
 @pytest.mark.exercise("B7.6", asks="the number of resolutions in each phase", read=RESOLVER)
 def test_both_phases_have_their_own_limit() -> None:
-    own = "Your two phases share one limit, but each of them may make up to `iterations` "
-    own += "resolutions. Pass the full limit to both."
+    own = "Your two phases share one limit. Pass the full limit of `iterations` to both."
     default = "The resolver was created without iterations, so the limit of each phase is twice "
     default += "the number of contacts. Count only contacts in which a particle can move."
     for iterations, speed, left, right, wanted, cause in (
@@ -195,8 +190,7 @@ def test_both_phases_have_their_own_limit() -> None:
             resolver = ContactResolver(iterations)
             resolver.resolve_contacts(contacts, 0.5)
         expect_exactly(resolver.iterations_used, wanted, then="; resolver.iterations_used")
-        why = "The balls are in the wrong positions. Call resolve_penetrations once, after you "
-        why += "have called resolve_velocities."
+        why = "Call resolve_penetrations once, after you have called resolve_velocities."
         got = math.fsum(ball.position.x for ball in balls)
         name = "; the sum of the balls' positions along x"
         expect_close(got, 3.0, then=name, cause=why, tolerance=1e-14, unit="m")

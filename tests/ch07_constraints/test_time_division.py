@@ -72,8 +72,7 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
         time_division_step([p], GroundPlane([p]), h)
     expect_close(p.position, place, then=PLACE, unit="m")
     expect_close(p.velocity, v, then=VELOCITY, unit="m/s")
-    why = "You left the force in the accumulator. Call kick(0.0) on every particle, also on an "
-    why += "immovable one."
+    why = "You left the force in the accumulator. Call kick(0.0) on immovable particles, too."
     expect_close(p.force_accumulator, ZERO, then="; p.force_accumulator", cause=why, unit="N")
 
 
@@ -91,16 +90,13 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         why += "what is left of the step: subtract the time of the impact."
         seen, found, asked, _ = dropped(why, 5.0, e, h, times)
         if len(found) > 1000 and asked[-1] == h:
-            why = "You pass the whole duration to next_impact again after each impact, so the step "
-            why += "never ends. Pass only the time that is left in the step."
+            why = "You pass the whole duration to next_impact again. Pass only what is left."
         elif len(found) > 1000:
             why = f"Your ball stops bouncing. {ZERO_DURATION}"
         elif len(found) > bounces and found[1][2] < 1e-9:
-            why = "You resolved an impact before you moved the particles. Move all of them to the "
-            why += "time of the impact first."
+            why = "You resolved an impact before you moved the particles to its time."
         elif len(found) > bounces:
-            why = "You found more impacts than there are. Subtract the time of each impact from "
-            why += "the rest of the step, and pass what is left to next_impact."
+            why = "You found too many. Pass only the time that is left to next_impact."
         expect_exactly(len(found), bounces, then=IMPACTS, cause=why, unit="impacts")
         # Some 200 flights, each with a few roundings of 10 m.
         name = "; the final height in m and the final velocity along y in m/s"
@@ -116,8 +112,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
 
 @pytest.mark.exercise("B7.12", asks="of its contact with a duration of 0", read=READ)
 def test_a_restitution_of_1_loses_no_energy() -> None:
-    why = "The energy has changed, although no bounce loses any energy at a restitution of 1. "
-    why += "Check how you move the particles between two impacts."
+    why = "No bounce loses energy here. Check how you move the particles between two impacts."
     seen, found, _, _ = dropped(why, 2.0, 1.0, FRAME, 1200)
     heights = [height + velocity**2 / 20.0 for height, velocity in seen]
     # 1200 steps, each with a few roundings of 2 m.
@@ -142,18 +137,15 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
     # The last bounces that floats can distinguish are 1e-9 s apart.
     started, ends = (len(seen) - 1) * FRAME, 1.8973666
     if abs(started + FRAME - time - ends) < 1e-7:
-        why = "The time in your error is the time that is left in the step. Pass the time since "
-        why += "the start of the step."
+        why = "You passed the time that is left in the step. Pass the time since its start."
     name = "; the start of the last step plus error.time"
     expect_close(started + time, ends, then=name, cause=why, tolerance=1e-7, unit="s")
     why = many if impacts == 1001 else wrong
     expect_exactly(impacts, 1000, then="; error.impacts", cause=why)
-    why = "A particle that lies on the ground has one impact after another at time 0. Raise "
-    why += "TooManyImpacts after max_impacts impacts."
+    why = "On the ground, one impact follows another at time 0. Raise TooManyImpacts."
     _, _, _, ended = dropped(why, 0.0, 0.5, FRAME, 1)
     expect_close(ended or (0, -1.0), (1000, 0.0), then="; error.impacts and error.time in s")
-    why = "You raised an error after three impacts, but max_impacts=3 allows them. Raise it only "
-    why += "if there is another impact."
+    why = "max_impacts=3 allows three impacts. Raise TooManyImpacts only if there is another."
     _, _, _, ended = dropped(why, 5.0, 0.5, 2.6, 1, most=3)
     expect_that(ended is None, "TooManyImpacts", "no error")
     for most in (3, 1):
@@ -163,8 +155,7 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         impacts, time = ended or (0, 0.0)
         why = many if impacts == most + 1 else wrong
         expect_exactly(impacts, most, then="; error.impacts", cause=why)
-        why = "Your impacts come too early, because you damped the velocity at each impact. Apply "
-        why += "the damping once, at the end of the step."
+        why = "You damped the velocity at each impact. Damp it once, at the end of the step."
         ends = (1.0, 2.0, 2.5, 2.75)[most]
         expect_close(time, ends, then="; error.time", cause=why, tolerance=1e-12, unit="s")
         speed = -10.0 * 0.5**most
@@ -316,8 +307,7 @@ def test_penetrations_are_not_resolved() -> None:
 def test_a_step_rejects_invalid_arguments() -> None:
     p = Particle(Vector3(0.0, 5.0, 0.0), Vector3(1.0, 2.0, 3.0))
     p.add_force(Vector3(1.0, 0.0, 0.0))
-    positive = "The duration must be positive and finite. Call positive from arguments.py, which "
-    positive += "raises the error for you."
+    positive = "The duration must be positive and finite. Call positive from arguments.py."
     whole = "max_impacts must be a whole number of at least 1. Call whole from arguments.py, which "
     whole += "raises the error for you. It also rejects True, which Python treats as the int 1."
     for duration, most, error, cause in (
@@ -333,8 +323,7 @@ def test_a_step_rejects_invalid_arguments() -> None:
                 error,
                 allowed=lambda: time_division_step([Particle()], GroundPlane([]), 0.5, 1),
             )
-        why = "time_division_step raised the right error, but only after it had changed the "
-        why += "particle. Check both arguments before you change anything."
+        why = "You had already changed the particle. Check both arguments before that."
         expect_unchanged("p.position", p.position, (0.0, 5.0, 0.0), cause=why)
         expect_unchanged("p.velocity", p.velocity, (1.0, 2.0, 3.0), cause=why)
         expect_unchanged("p's force", p.force_accumulator, (1.0, 0.0, 0.0), cause=why)

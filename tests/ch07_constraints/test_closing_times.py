@@ -21,29 +21,23 @@ def test_when_a_gap_closes(rng: Random) -> None:
     rest = "The velocity is 0, but the acceleration closes the gap. Solve gap + a t^2 / 2 = 0."
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0,
-         "There is no acceleration, so the body crosses the gap at constant speed. Return gap / "
-         "-v, without dividing by the acceleration."),
+         "Without acceleration, return gap / -v. Don't divide by the acceleration."),
         (5.0, 0.0, -10.0, 1.0, rest),
         (15.0, 10.0, -10.0, 3.0,
-         "The body first moves away and then falls back to the ground. Return the positive "
-         "solution of the equation."),
+         "The body first moves away and then falls back. Return the positive solution."),
         (40.0, -10.0, -10.0, 2.0,
          "The negative solution is in the past. Return the positive one."),
         (6.0, -5.0, 2.0, 2.0,
-         "The body slows down but still reaches the ground. Return the smaller of the two "
-         "positive solutions."),
+         "The body slows down but arrives. Return the smaller one of the positive solutions."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0,
          "The body is slow, but it reaches the ground after 1 s. Don't treat its speed as 0."),
         (5e-7, 0.0, -1e-6, 1.0,
-         "The acceleration is small, but it brings the body to the ground after 1 s. Don't treat "
-         "the acceleration as 0."),
+         "The acceleration is small, but it brings the body here. Don't treat it as 0."),
         (0.0, 10.0, -10.0, 2.0,
-         "At t = 0 the body is just leaving the ground, which is not an impact. Return the time "
-         "when it comes back."),
+         "The body is just leaving the ground. Return the time when it comes back."),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),
-         "The body starts slightly inside the ground and moves out of it, which is not an impact. "
-         "Return the time when it comes back."),
+         "The body moves out of the ground. Return the time when it comes back."),
         (-5.0, 3.0, -10.0, 0.3,
          "The number under the square root is negative, because the body turns around before it "
          "leaves the ground. Return the time when it turns around."),

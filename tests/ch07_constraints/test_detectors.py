@@ -33,15 +33,13 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     lowest = "Whatever its velocity is, compare y - radius with the height of the ground."
     for above, cause in (
         (0.125,
-         "The particle is above the ground and doesn't touch it. Compare y - radius with the "
-         "height of the ground, and return an empty list here."),
+         "Compare y - radius with the height of the ground, and return an empty list here."),
         (1e-6,
          "The particle is 1e-6 m above the ground and doesn't touch it. Return an empty list."),
         (-0.5, lowest),
         (-0.125, lowest),
         (0.0,
-         "You returned no contact, but the particle just touches the ground. Return a contact "
-         "with a penetration of 0, so that a body at rest keeps its contact."),
+         "A particle that just touches needs a contact, with a penetration of 0."),
         (-80.0, f"You returned no contact for a particle 80 m below the ground's height. {DEEP}"),
     ):  # fmt: skip
         for radius in (0.0, 0.25):
@@ -125,14 +123,11 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
          "They touch, because their centers are 1 m apart. If you use cells, compute their "
          "indices with math.floor, because int rounds toward 0."),
         (LEFT * -3.0, LEFT * -5.0, 1.0, LEFT, 0.0,
-         "Their centers are exactly two radii apart, so they just touch. Return a contact with a "
-         "penetration of 0."),
+         "Their centers are exactly two radii apart. Their penetration is 0."),
         (LEFT * 1e-17, LEFT * -2.0, 1.0, LEFT, 0.0,
-         "Apart from rounding, their centers are two radii apart, so they touch. If you use "
-         "cells, make them a little larger than two radii."),
+         "Apart from rounding, they touch. If you use cells, make them a little larger."),
         (place, place, 1.0, UP, 2.0,
-         "Both centers are at the same position, so there is no direction between them. Use +Y as "
-         "the normal."),
+         "Both centers are at the same position. Use +Y as the normal."),
     ):  # fmt: skip
         with calls(cause):
             a, b = Particle(Vector3(*p)), Particle(Vector3(*q))

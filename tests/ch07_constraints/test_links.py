@@ -244,17 +244,13 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
         (0.5, 1.5, [], between),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
         (0.25, 0.5, [(n, c, 0.5 * length)],
-         "The distance exceeds max_length, so the link pulls like a cable. Return a contact "
-         "whose normal points from a to b."),
+         "The distance exceeds max_length, so pull: the normal points from a to b."),
         (0.5, 1.0, [(n, c, 0.0)],
-         "The distance is exactly max_length, so the link is taut. Return a contact with a "
-         "penetration of 0."),
+         "The distance is exactly max_length. Return a contact with a penetration of 0."),
         (1.5, 2.0, [(-n, c, 0.5 * length)],
-         "The distance is below min_length, so the link pushes. Return a contact whose normal "
-         "points from b to a."),
+         "The distance is below min_length, so push: the normal points from b to a."),
         (1.0, 2.0, [(-n, c, 0.0)],
-         "The distance is exactly min_length, so the link has reached its lower limit. Return a "
-         "contact with a penetration of 0."),
+         "The distance is exactly min_length. Return a contact with a penetration of 0."),
         (0.0, 2.0, [],
          "A min_length of 0 means that there is no lower limit. Return an empty list."),
     ):  # fmt: skip

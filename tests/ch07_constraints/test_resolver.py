@@ -69,7 +69,7 @@ def test_the_fastest_contact_is_resolved_first() -> None:
         expect_close(got, STAGES[wanted], slips, then=SPEEDS, unit="m/s")
         why = COUNT
         if used == limit == 9:
-            why = "You returned 9, the limit, but after three resolutions no contact closes."
+            why = "You returned 9, the limit. Stop after three, when no contact closes any more."
         expect_exactly(used, wanted, then=RETURNED, cause=why, unit="resolutions")
 
 
@@ -130,11 +130,9 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
     pairs = ((4, 3), (2, 1), (3, 2), (1, 0))
     for limit, leaves, cause in (
         (2, 2,
-         "Each resolution passes the whole velocity on to the next ball, so only the third ball "
-         "moves after two resolutions. Stop at the limit."),
+         "After two resolutions only the third ball moves. Stop at the limit."),
         (4, 4,
-         "Only the last ball should move after four resolutions. Always resolve the contact that "
-         "closes fastest."),
+         "Only the last ball moves. Always resolve the contact that closes fastest."),
         (50, 4,
          "After four resolutions no contact is closing, so stop before you reach the limit."),
     ):  # fmt: skip
@@ -151,22 +149,17 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
 @pytest.mark.exercise("B7.5", asks="or when no contact closes faster than", read=FASTEST)
 def test_only_closing_contacts_are_resolved(rng: Random) -> None:
     n = unit_vector(rng)
-    noise = (
-        "1e-13 m/s is below VELOCITY_TOLERANCE, so treat it as a rounding error and skip it."
-    )
+    noise = "1e-13 m/s is below VELOCITY_TOLERANCE, so treat it as a rounding error and skip it."
     slow = "1e-11 m/s is faster than VELOCITY_TOLERANCE (1e-12 m/s), so resolve this contact."
     for closing, depth, wanted, cause in (
         (1e-13, 0.0, 0, noise),
         (1e-11, 0.0, 1, slow),
         (0.5, -1.0, 1,
-         "You skipped a closing contact because its penetration is negative. Resolve every "
-         "contact that closes, whatever its penetration is."),
+         "Resolve every contact that closes, even if its penetration is negative."),
         (-0.5, 1.0, 0,
-         "You resolved a contact that is already separating at 0.5 m/s. Skip it, however deep "
-         "it is."),
+         "It is already separating at 0.5 m/s. Skip it, however deep it is."),
         (0.0, 1.0, 0,
-         "You resolved a contact that is deep but not closing, as the book's listing does. Skip "
-         "it, and leave its depth to resolve_penetrations."),
+         "It doesn't close. Skip it, and leave its depth to resolve_penetrations."),
         (1e-13, 1.0, 0, noise),
         (1e-11, 1.0, 1, slow),
     ):  # fmt: skip

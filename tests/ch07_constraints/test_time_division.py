@@ -94,7 +94,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         elif len(found) > 1000:
             why = f"Your ball stops bouncing. {ZERO_DURATION}"
         elif len(found) > bounces and found[1][2] < 1e-9:
-            why = "You resolved an impact before you moved the particles to its time."
+            why = "You resolved it before you moved the particles. Move them to its time first."
         elif len(found) > bounces:
             why = "You found too many. Pass only the time that is left to next_impact."
         expect_exactly(len(found), bounces, then=IMPACTS, cause=why, unit="impacts")
@@ -162,8 +162,10 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         damped = "You applied the damping before you raised TooManyImpacts. Damping acts only at "
         damped += "the end of a complete step"
         slips = {
-            "You raised the error while the particles were still at the last allowed impact. Move "
-            "them to the time of the next impact first.": (0.0, -speed),
+            "The particles are still at the last allowed impact. Move them to the next one.": (
+                0.0,
+                -speed,
+            ),
             many: (0.0, -0.5 * speed),
             f"{damped}, so raise the error first.": (0.0, speed * 0.5**ends),
             f"{damped}. Raise the error first.": (0.0, speed * 0.5**9.0),
@@ -250,8 +252,11 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
         time_division_step([p], ground, h)
     # Some roundings of 5 m/s.
     slips = {
-        "You used p.acceleration, which doesn't include the force. Use last_acceleration instead, "
-        "which includes force / mass.": (3.0 * h, bounced(high, 0.25 * a, h)[0], 0.0)
+        "You used p.acceleration instead of last_acceleration.": (
+            3.0 * h,
+            bounced(high, 0.25 * a, h)[0],
+            0.0,
+        )
     }
     wanted = (3.0 * h, height, 0.0)
     expect_close(p.position, wanted, slips, then=PLACE, tolerance=1e-13, unit="m")
@@ -288,11 +293,9 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
 def test_penetrations_are_not_resolved() -> None:
     for speed, height, then, cause in (
         (3.0, 0.5, 3.0,
-         "The particle is below the ground but moves out of it, so there is no impact. Let it fly, "
-         "and don't resolve its penetration."),
+         "The particle moves out of the ground. Let it fly, without any impact."),
         (-3.0, -0.25, 1.5,
-         "You moved the particle out of the ground, but time_division_step resolves only "
-         "velocities. Call only resolve_velocity.")
+         "Don't move the particle out of the ground. Call only resolve_velocity.")
     ):  # fmt: skip
         with calls(cause):
             p = Particle(Vector3(0.0, -1.0, 0.0), Vector3(0.0, speed, 0.0), mass=2.0)

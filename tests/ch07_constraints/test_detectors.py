@@ -34,12 +34,10 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     for above, cause in (
         (0.125,
          "Compare y - radius with the height of the ground, and return an empty list here."),
-        (1e-6,
-         "The particle is 1e-6 m above the ground and doesn't touch it. Return an empty list."),
+        (1e-6, "It is 1e-6 m above the ground and doesn't touch it. Return an empty list."),
         (-0.5, lowest),
         (-0.125, lowest),
-        (0.0,
-         "A particle that just touches needs a contact, with a penetration of 0."),
+        (0.0, "A particle that just touches needs a contact, with a penetration of 0."),
         (-80.0, f"You returned no contact for a particle 80 m below the ground's height. {DEEP}"),
     ):  # fmt: skip
         for radius in (0.0, 0.25):

@@ -21,6 +21,8 @@ from impacts import expect_list, expect_particles
 UP = Triple((0.0, 1.0, 0.0))
 CABLE = "book 7.4.1, and the docstring of Cable.contacts"
 ROD = "book 7.4.2, E-9, and the docstring of Rod.contacts"
+PERIOD = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
+PULL = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
 LIMITS = "exercise 7.6, and the docstring of Limits.contacts"
 TWO_SIDED = "the docstring of TwoSidedRod.contacts"
 BOTH = pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
@@ -29,9 +31,7 @@ AGAIN = "The attributes have changed since the first call. Read all of them agai
 WAYS = ((2.0, 3.0, 6.0), (-6.0, 2.0, 3.0), (3.0, -6.0, -2.0))
 
 
-def ends(
-    rng: Random, kind: str, anchored: bool = False
-) -> tuple[list[Any], Any, Triple, float, str]:
+def ends(rng: Random, kind: str, anchored: bool = False) -> Any:
     """Return the particles, the second end, its direction and distance, and the begin of a call.
 
     The second end is a particle, or a vector as an anchor. Positions are whole numbers, so the
@@ -77,10 +77,9 @@ def expect_contacts(
     got = told(found, particles)
     why = named(len(got), cause if got else f"You returned no contact. {cause}", counts or {})
     expect_exactly(len(got), len(wanted), cause=why, unit="contacts")
-    for i, (seen, right) in enumerate(zip(got, wanted, strict=True)):
+    for i, (seen, (n, c, deep)) in enumerate(zip(got, wanted, strict=True)):
         which = f"the {('first', 'second')[i]} contact" if len(wanted) > 1 else "the contact"
         a, b, normal, restitution, depth = seen
-        n, c, deep = right
         why = f"The particles are wrong. Pass a as particle and {'None' if anchored else 'b'} as "
         expect_particles((a, b), (0, -1 if anchored else 1), cause=f"{why}other.")
         slips = {"Your normal points the wrong way.": -n}
@@ -91,8 +90,7 @@ def expect_contacts(
         why = "You passed the penetration as the restitution. The order of the arguments is "
         why += "Contact(particle, other, normal, restitution, penetration)."
         if restitution != deep:
-            why = "The contact has the wrong restitution. Pass "
-            why += f"{'self.restitution' if c else 0} to Contact instead."
+            why = f"Pass {'self.restitution' if c else 0} to Contact as the restitution."
         expect_close(restitution, c, then=f"; the restitution of {which}", cause=why)
         sign = "It must be positive, so that the resolver corrects the distance between the ends."
         if len(wanted) > 1:
@@ -116,8 +114,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         particles[0].mass = math.inf
         text = text.replace("a at", "a (immovable) at")
     none = "The cable is longer than max_length. Return no contact only if it is shorter."
-    taut = f"The cable is taut and pulls a toward {name}. Divide the vector from a to {name} by "
-    taut += "its length to get the normal."
+    taut = f"The cable is taut. The normal is the unit vector from a to {name}."
     for high, counts, cause in (
         (1023.0 / 1024.0 * length, {none: 0}, taut),
         (0.75 * length, {none: 0}, taut),
@@ -158,10 +155,8 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     both = "You returned two contacts, as the book's text asks (E-9). This Rod follows the book's "
     both += "listing, so return only the contact that pulls or pushes. TwoSidedRod has two."
     none = "The rod has exactly the right length and needs no contact. Return an empty list."
-    pulls = f"stretched and pulls a toward {name}. Return a contact whose normal points from a to "
-    pulls += f"{name}."
-    pushes = f"compressed and pushes a away from {name}. Return a contact whose normal points from "
-    pushes += f"{name} to a."
+    pulls = f"stretched and pulls a toward {name}. The normal points from a to {name}."
+    pushes = f"compressed and pushes a away from {name}. The normal points from {name} to a."
     for share, normal, cause in (
         (0.75, n, f"The rod is {pulls}"),
         (1.25, -n, f"The rod is {pushes}"),
@@ -203,11 +198,7 @@ def pendulum(cause: str, degrees: float, h: float, steps: int) -> Any:
         return swung(AnchoredRod(bob, Vector3(), 1.0), bob, h, steps)
 
 
-@pytest.mark.exercise(
-    "B7.8",
-    asks="You can hang a pendulum from it",
-    read="book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))",
-)
+@pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it", read=PERIOD)
 def test_a_pendulum_swings_in_its_period() -> None:
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
         why = "The rod's contact should only remove the velocity along the rod, without a bounce."
@@ -222,11 +213,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
         expect_close(got, 1.0, then=name, cause=why, tolerance=1e-12, unit="m")
 
 
-@pytest.mark.exercise(
-    "B7.8",
-    asks="You can hang a pendulum from it",
-    read="book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L",
-)
+@pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it", read=PULL)
 def test_a_string_bears_three_times_the_weight() -> None:
     why = "At the bottom the rod carries the weight m g and bends the path, which takes 2 m g."
     seen = pendulum(why, 90.0, 0.0005, 1173)  # a quarter of its period
@@ -295,8 +282,7 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
 def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     pair, _, n, length, text = ends(rng, "TwoSidedRod")
     counts = {
-        "You returned only one contact. Return two contacts in every case: one that pulls and one "
-        "that pushes.": 1,
+        "You returned only one contact. Return two contacts in every case.": 1,
         "You returned no contact. Return both, even if the rod's length is right.": 0,
     }
     why = "The first contact pulls and the second one pushes, with opposite penetrations."

@@ -20,10 +20,7 @@ ZERO = (0.0, 0.0, 0.0)
 MOVE = "book 7.2.2, E-8, and the docstring of Contact.resolve_penetration"
 TWICE = "E-27, and the docstring of Contact.resolve_penetration"
 REST = "book 7.2.3, E-26, and the docstring of Contact.resolve"
-IN_PLACE = (
-    "You changed the contact's normal in place, as *= does. Use * to compute each move, because it "
-    "creates a new vector."
-)
+IN_PLACE = "You changed the contact's normal in place, as *= does. Use * to compute a move."
 ROUNDED = 8e-14  # a few roundings of numbers up to 10
 
 

@@ -19,10 +19,7 @@ ZERO, UP = Triple((0.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0))
 FASTEST = "book 7.3.1, and the docstring of ContactResolver.resolve_velocities"
 RETURNED = "; the return value"
 SPEEDS = "; the velocities of the balls along x"
-COUNT = (
-    "Count how many times you resolve a contact, and return that count, even if the limit was "
-    "reached."
-)
+COUNT = "Count the resolutions, and return that count, even if the limit was reached."
 # The velocities in the first check after up to three resolutions.
 STAGES = (
     (1.0, 0.0, -3.0),
@@ -43,10 +40,7 @@ def test_the_fastest_contact_is_resolved_first() -> None:
         (((1, 0), (2, 1)), 9, "You resolved the left pair first.",
          "After two resolutions the right pair closes again, so resolve it once more."),
     ):  # fmt: skip
-        with calls(
-            f"{cause} Compare the separating velocities of all contacts again before each "
-            "resolution."
-        ):
+        with calls(f"{cause} Compare all separating velocities before each resolution."):
             balls = [Particle(Vector3(i), Vector3(v)) for i, v in enumerate(STAGES[0])]
             contacts = [Contact(balls[i], balls[j], Vector3(1.0), 0.5) for i, j in pairs]
             used = ContactResolver().resolve_velocities(contacts, limit, 0.5)

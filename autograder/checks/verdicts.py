@@ -83,8 +83,8 @@ class Recorder:
         """
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
-            if exercise_of(item) not in self.config.arranged.known:
-                raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise")
+            if (exercise := exercise_of(item)) not in self.config.arranged.known:
+                raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise, {exercise}")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
         real_names = [item.name for item in items]

@@ -10,7 +10,7 @@ from random import Random
 from typing import Any
 
 from ch02_vectors.vector import Vector3
-from ch05_forces.forces import Airbrake, Drag, ForceRegistry, Gravity, InverseSquareGravity
+from ch05_forces.forces import Airbrake, ForceRegistry
 from ch05_forces.particle import Particle
 from ch05_forces.sniper import SniperRange
 
@@ -23,17 +23,23 @@ def xyz(v: Vector3) -> Components:
     return v.x, v.y, v.z
 
 
-def state_of(particle: Particle) -> State:
+def march(particle: Particle, generator: Any, duration: float, steps: int) -> State:
+    """Move a particle on which one generator acts, if there is one."""
+    for _ in range(steps):
+        if generator is not None:
+            generator.update_force(particle, duration)
+        particle.integrate(duration)
     return xyz(particle.position), xyz(particle.velocity)
 
 
-def pushed(force: Components, mass: float, damping: float, duration: float, frames: int) -> State:
-    """Push a particle from rest at the origin with the same force in every step."""
-    particle = Particle(mass=mass, damping=damping)
-    for _ in range(frames):
-        particle.add_force(Vector3(*force))
-        particle.integrate(duration)
-    return state_of(particle)
+class Push:
+    """A generator of a constant force."""
+
+    def __init__(self, force: Components) -> None:
+        self.force = Vector3(*force)
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        particle.add_force(self.force)
 
 
 class RecordingGenerator:
@@ -102,36 +108,6 @@ def asked(immovable: Sequence[int], acts: Sequence[tuple], alike: bool = True) -
     return calls
 
 
-class Push:
-    """A generator of a constant force."""
-
-    def __init__(self, force: Components) -> None:
-        self.force = Vector3(*force)
-
-    def update_force(self, particle: Particle, duration: float) -> None:
-        particle.add_force(self.force)
-
-
-def gathered(by_hand: Components, pushes: Sequence[Components]) -> list[Components]:
-    """Add one force directly, and one force per push by a generator.
-
-    Returns:
-        The sum when the registry is full, after an update, and when it is empty again.
-    """
-    particle = Particle(mass=2.0)
-    particle.add_force(Vector3(*by_hand))
-    registry = ForceRegistry()
-    generators = [Push(push) for push in pushes]
-    for generator in generators:
-        registry.add(particle, generator)
-    sums = [xyz(particle.force_accumulator)]
-    registry.update_forces(0.5)
-    sums.append(xyz(particle.force_accumulator))
-    registry.remove(particle, generators[0])
-    registry.clear()
-    return [*sums, xyz(particle.force_accumulator)]
-
-
 def asked_while_it_changes(what: str) -> list[int]:
     """Update twice while the first of three generators changes the registry.
 
@@ -167,40 +143,6 @@ def asked_while_it_changes(what: str) -> list[int]:
     return counts
 
 
-def fall(
-    gravity: Components, mass: float, damping: float, duration: float, frames: int
-) -> tuple[State, State]:
-    """Let two particles fall, one by the generator and one by its constant acceleration."""
-    by_force = Particle(mass=mass, damping=damping)
-    built_in = Particle(acceleration=Vector3(*gravity), mass=mass, damping=damping)
-    generator = Gravity(Vector3(*gravity))
-    for _ in range(frames):
-        generator.update_force(by_force, duration)
-        by_force.integrate(duration)
-        built_in.integrate(duration)
-    return state_of(by_force), state_of(built_in)
-
-
-def with_drag(
-    velocity: Components,
-    k1: float,
-    k2: float,
-    mass: float,
-    duration: float,
-    frames: int,
-    gravity: float = 0.0,
-) -> State:
-    """Move a particle from the origin with drag, and with gravity as an acceleration along -Y."""
-    particle = Particle(
-        velocity=Vector3(*velocity), acceleration=Vector3(0.0, -gravity, 0.0), mass=mass
-    )
-    drag = Drag(k1, k2)
-    for _ in range(frames):
-        drag.update_force(particle, duration)
-        particle.integrate(duration)
-    return state_of(particle)
-
-
 def braked(seed: int, tries: int) -> list[float]:
     """Brake particles for one step each with k above m / h.
 
@@ -221,19 +163,6 @@ def braked(seed: int, tries: int) -> list[float]:
         particle.integrate(duration)
         shares.append(particle.velocity.x / speed)
     return shares
-
-
-def orbit(
-    start: State, mu: float, mass: float, duration: float, frames: int, center: Components
-) -> State:
-    """Move a particle by inverse-square gravity and return its state relative to the center."""
-    position = Vector3(*center) + Vector3(*start[0])
-    particle = Particle(position, Vector3(*start[1]), mass=mass)
-    gravity = InverseSquareGravity(Vector3(*center), mu)
-    for _ in range(frames):
-        gravity.update_force(particle, duration)
-        particle.integrate(duration)
-    return xyz(particle.position - Vector3(*center)), xyz(particle.velocity)
 
 
 def winds(seeds: Sequence[int], changes: int) -> list[list[Components]]:

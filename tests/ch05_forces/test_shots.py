@@ -1,4 +1,4 @@
-"""Firing a shot on the sniper range and finding what it hits, project 4.2b."""
+"""Firing a shot on the sniper range, what it hits and the points for it, project 4.2b."""
 
 from __future__ import annotations
 
@@ -8,23 +8,17 @@ from typing import Any
 
 import pytest
 
+from calls import calls
 from ch02_vectors.vector import Vector3
-from ch05_forces.sniper import SniperRange, hit_on_the_way
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_exactly,
-    expect_that,
-    expect_unchanged,
-    is_plain,
-    scoped,
-    xyz,
-)
+from ch05_forces.sniper import SniperRange, hit_on_the_way, ring_points
+from draw import Components, Triple
+from expect import about, expect_close, expect_exactly, expect_that, is_plain, named, xyz
+from unmoved import expect_kept
 
 SHOOT = "the docstring of shoot"
+RING = "the docstring of ring_points"
 WAY = "the docstring of hit_on_the_way"
-NO_HOLE = "no hole (None)"
+EARLY = "This call fires no bullet, so return False before you reduce shots_left."
 # The targets of sniper.py, by their distance: x, y, distance and factor.
 TARGETS = {
     50.0: (-1.5, 1.5, 50.0, 1),
@@ -32,326 +26,264 @@ TARGETS = {
     150.0: (2.0, 1.5, 150.0, 3),
     200.0: (5.0, 1.5, 200.0, 4),
 }
+RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # as in sniper.py: radius and points
 
 
 def draw_angles(rng: Random) -> tuple[float, float]:
     return round(rng.uniform(0.05, 0.19), 4), round(rng.uniform(0.05, 0.19), 4)
 
 
-@pytest.mark.exercise("P4.2b", asks="starts at MUZZLE with MUZZLE_SPEED")
+def aimed(azimuth: float, elevation: float) -> Triple:
+    """Return the velocity of a bullet that is fired in this direction."""
+    x, z = math.sin(azimuth), math.cos(azimuth)
+    return 120.0 * Triple((math.cos(elevation) * x, math.sin(elevation), math.cos(elevation) * z))
+
+
+@pytest.mark.exercise("P4.2b", asks="The smallest ring in RINGS that contains (x, y)", read=RING)
+def test_only_the_smallest_ring_counts(rng: Random) -> None:
+    only = (
+        "Only the smallest ring around the hole counts. A hole scores 10 points up to 0.1 m from "
+        "the center, 5 up to 0.25 m, 2 up to 0.5 m, and 0 beyond."
+    )
+    edge = "A hole exactly on the edge of a ring belongs to it. Compare with <= instead of <."
+    use = "Compare the true distance, math.hypot(x, y), with the radii."
+    early = "You return 0 before you check the larger rings. Only return 0 after the loop."
+    add = "You add up the points of all rings around the hole. Count only the smallest ring."
+    largest = "You return the points of the largest ring. Check the smallest ring first."
+    turn = rng.uniform(0.1, 1.4)
+    around = [
+        (away * math.cos(angle), away * math.sin(angle), points, only, {})
+        for away, points in (
+            (0.0, 10), (0.0999, 10), (0.1001, 5), (0.24, 5), (0.26, 2), (0.49, 2), (0.51, 0)
+        )
+        for angle in (turn, turn + math.pi)
+    ]  # fmt: skip
+    for x, y, wanted, cause, slips in (
+        (0.3, -0.3, 2, only,
+         {f"You compare the squared distance with the radii. {use}": 5,
+          f"You add x and y. {use}": 10, early: 0}),
+        (0.0, 0.3, 2, only, {f"You compare only x with the radii of the rings. {use}": 10}),
+        (0.3, 0.0, 2, only, {f"You compare only y with the radii of the rings. {use}": 10}),
+        (0.08, -0.08, 5, only, {f"This hole is not inside the 0.1 m ring. {use}": 10}),
+        (0.2, 0.2, 2, only, {f"You use the larger of |x| and |y|. {use}": 5}),
+        *around,
+        (0.1, 0.0, 10, edge, {}), (0.0, -0.25, 5, edge, {}),
+        (-0.5, 0.0, 2, edge, {}), (0.3, 0.4, 2, edge, {}),
+    ):  # fmt: skip
+        away = math.hypot(x, y)
+        shown = f"ring_points({x:.6g}, {y:.6g}), for a hole {away:.4g} m from the center"
+        with calls(cause, shown):
+            got = ring_points(x, y)
+        if cause is only:
+            every = sum(points for radius, points in RINGS if away <= radius)
+            slips = {**slips, add: every, largest: 2}
+        expect_exactly(got, wanted, cause=named(got, cause, slips))
+
+
+@pytest.mark.exercise("P4.2b", asks="starts at MUZZLE with MUZZLE_SPEED", read=SHOOT)
 def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
-    about.read = SHOOT
     a, e = draw_angles(rng)
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
-        about.call = f"range = SniperRange(1); range.shoot(azimuth={azimuth}, "
-        about.call += f"elevation={elevation})"
-        at = SniperRange(1)
-        about.cause = (
-            "shoot must fire a bullet here. MUZZLE and GRAVITY are tuples, so make vectors "
-        )
-        about.cause += "of them, as in Vector3(*MUZZLE)."
-        fired = at.shoot(azimuth, elevation)
-        about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
-        about.cause += "fire a bullet, store it in self.bullet, and return True."
-        nothing = "shoot returned nothing. Return True after a bullet is fired."
-        expect_that(fired is not None, "nothing (None)", "True", cause=nothing)
-        expect_exactly(fired, True)
-        expect_exactly(at.bullet is None, False, then="; range.bullet is None")
-        bullet: Any = at.bullet
-        about.cause = "The velocity of the bullet is wrong. Its vertical part is speed x "
-        about.cause += "sin(elevation) and its horizontal part speed x cos(elevation), rotated "
-        about.cause += "from Z toward X by the azimuth."
-        wanted = (
-            120.0 * math.cos(elevation) * math.sin(azimuth),
-            120.0 * math.sin(elevation),
-            120.0 * math.cos(elevation) * math.cos(azimuth),
-        )
-        got = xyz(bullet.velocity)
+        with calls("MUZZLE and GRAVITY are tuples. Make vectors of them, as in Vector3(*MUZZLE)."):
+            game = SniperRange(1)
+            fired = game.shoot(azimuth=azimuth, elevation=elevation)
+        cause = "shoot must fire a bullet here, store it in self.bullet, and return True."
+        expect_exactly(fired, True, cause=cause)
+        expect_exactly(game.bullet is None, False, then="; game.bullet is None", cause=cause)
+        bullet: Any = game.bullet
+        x, y, z = wanted = aimed(azimuth, elevation)
         slips = {
-            "The velocity of your bullet is a unit vector. Multiply it by MUZZLE_SPEED.": [
-                part / 120.0 for part in wanted
-            ],
-            "You swapped the azimuth and the elevation. The elevation sets the vertical part "
-            "of the velocity, and the azimuth rotates the horizontal part.": (
-                120.0 * math.cos(azimuth) * math.sin(elevation),
-                120.0 * math.sin(azimuth),
-                wanted[2],
-            ),
-            "Your azimuth rotates the shot in the wrong direction. A positive azimuth must rotate "
-            "it from Z toward X, so that x is positive.": (-wanted[0], *wanted[1:]),
-            "You swapped the sine and the cosine of the azimuth. With an azimuth of 0, the "
-            "bullet must fly along Z.": wanted[::-1],
-            "Your bullet is too fast, because its horizontal part is the whole speed. Multiply "
-            "the horizontal part by cos(elevation).": (
-                120.0 * math.sin(azimuth),
-                wanted[1],
-                120.0 * math.cos(azimuth),
-            ),
-            "You converted the angles from degrees to radians. They are already in radians, so "
-            "use them unchanged.": (
-                120.0 * math.cos(math.radians(elevation)) * math.sin(math.radians(azimuth)),
-                120.0 * math.sin(math.radians(elevation)),
-                120.0 * math.cos(math.radians(elevation)) * math.cos(math.radians(azimuth)),
-            ),
-        }
-        blame(got, slips)
-        expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
-        about.cause = "Your bullet doesn't start at the muzzle. Use MUZZLE as its position."
-        got = xyz(bullet.position)
-        expect_close(got, (0, 1.5, 0), then="; range.bullet.position, in m")
-        about.cause = "Gravity doesn't act on your bullet. Use GRAVITY as its acceleration."
-        got = xyz(bullet.acceleration)
-        expect_close(got, (0, -2, 0), then="; range.bullet.acceleration, in m/s^2")
-        about.cause = "The bullet's mass must be BULLET_MASS, and its damping must be 1."
-        numbers = (bullet.mass, bullet.damping)
-        expect_close(numbers, (1.0, 1.0), then="; range.bullet.mass and range.bullet.damping")
-        about.cause = (
-            "shoot doesn't count this shot. Reduce shots_left by 1 when you fire a bullet."
-        )
+            "The velocity of your bullet is a unit vector. Multiply it by MUZZLE_SPEED.":
+                wanted / 120.0,
+            "You swapped the azimuth and the elevation.": aimed(elevation, azimuth),
+            "Your azimuth rotates the shot in the wrong direction.": (-x, y, z),
+            "You swapped the sine and the cosine of the azimuth.": (z, y, x),
+            "Your bullet is too fast, because its horizontal part is the whole speed.":
+                (120.0 * math.sin(azimuth), y, 120.0 * math.cos(azimuth)),
+            "You converted the angles from degrees, but they are already in radians.":
+                aimed(math.radians(azimuth), math.radians(elevation)),
+        }  # fmt: skip
+        expect_close(
+            bullet.velocity, wanted, slips, then="; game.bullet.velocity", unit="m/s",
+            cause="The vertical part must be speed x sin(elevation), and the horizontal part speed "
+            "x cos(elevation), rotated from Z toward X by the azimuth.",
+        )  # fmt: skip
+        for name, got, right, unit, cause in (
+            ("position", bullet.position, (0, 1.5, 0), "m",
+             "Your bullet doesn't start at the muzzle. Use MUZZLE as its position."),
+            ("acceleration", bullet.acceleration, (0, -2, 0), "m/s^2",
+             "Gravity doesn't act on your bullet. Use GRAVITY as its acceleration."),
+            ("mass", bullet.mass, 1.0, "kg", "The bullet's mass must be BULLET_MASS."),
+            ("damping", bullet.damping, 1.0, "", "The bullet's damping must be 1."),
+        ):  # fmt: skip
+            expect_close(got, right, then=f"; game.bullet.{name}", unit=unit, cause=cause)
+        cause = "shoot doesn't count this shot. Reduce shots_left by 1 when you fire a bullet."
         minus = "You set shots_left to -1, because =- is not -=. Write self.shots_left -= 1."
-        blame(at.shots_left, [(-1, minus)])
-        expect_exactly(at.shots_left, 9, then="; range.shots_left")
+        cause = named(game.shots_left, cause, {minus: -1})
+        expect_exactly(game.shots_left, 9, then="; game.shots_left", cause=cause)
 
 
-@pytest.mark.exercise("P4.2b", asks="the wind acts on it through self.forces")
+@pytest.mark.exercise("P4.2b", asks="the wind acts on it through self.forces", read=SHOOT)
 def test_the_wind_acts_on_the_bullet() -> None:
-    about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
-    about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
-    about.call += "range.bullet.force_accumulator, in N"
-    about.cause = (
-        "The wind must act on the bullet exactly once. In shoot, call self.forces.add once, "
-    )
-    about.cause += "with the new bullet first and the wind second."
-    at = SniperRange(1)
-    at.wind.velocity = Vector3(4, 0, 20)
-    at.shoot(0.0, 0.0)
-    at.forces.update_forces(0.5)
-    bullet: Any = at.bullet
+    with calls("Call self.forces.add exactly once in shoot: first the bullet, then the wind."):
+        game = SniperRange(1)
+        game.wind.velocity = Vector3(4, 0, 20)
+        game.shoot(0.0, 0.0)
+        game.forces.update_forces(0.5)
+        got = game.bullet.force_accumulator
     # K1 and K2 are 0.02 and 0.0003; relative to the air the bullet has (-4, 0, 100).
-    drag = 0.02 + 0.0003 * math.hypot(4.0, 100.0)
-    wanted = (4.0 * drag, 0.0, -100.0 * drag)
-    got = xyz(bullet.force_accumulator)
-    twice = "You registered the wind for your bullet twice. Register it only once."
-    never = "The wind doesn't act on your bullet. In shoot, register the wind for the new bullet "
-    never += "in self.forces."
-    blame(got, [([2.0 * part for part in wanted], twice), ((0.0, 0.0, 0.0), never)])
-    expect_close(got, wanted)
+    wanted = Triple((4.0, 0.0, -100.0)) * (0.02 + 0.0003 * math.hypot(4.0, 100.0))
+    slips = {
+        "You registered the wind for your bullet twice.": 2.0 * wanted,
+        "The wind doesn't act on your bullet.": (0.0, 0.0, 0.0),
+    }
+    expect_close(got, wanted, slips, unit="N")
 
 
-@pytest.mark.exercise("P4.2b", asks="The rifle does not fire while another bullet is in flight")
+@pytest.mark.exercise(
+    "P4.2b", asks="The rifle does not fire while another bullet is in flight", read=SHOOT
+)
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
-    about.read = SHOOT
     a, e = draw_angles(rng)
-    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60)"
-    at = SniperRange(1)
-    about.cause = "Your bullet must move by its velocity times the duration of the step. "
-    about.cause += "Integrate it exactly once per step in update, and never in shoot."
-    at.shoot(a, e)
-    at.update(1.0 / 60.0)
-    bullet: Any = at.bullet
-    place = xyz(bullet.position)
-    wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
-    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call bullet.integrate.")])
-    if place[1] > wanted[1]:
-        about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
-        about.cause += "Call it once in update, and never in shoot."
-    name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
-    expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
-    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s; "
-    about.call += "fired = range.shoot(0.0, 0.0)"
-    about.cause = "You fire a second bullet while the first one is in flight. Return False instead."
-    expect_exactly(at.shoot(0.0, 0.0), False, then="; fired")
-    early = "The second call of shoot fires no bullet, so it must not change shots_left. Return "
-    early += "False before you reduce shots_left."
-    expect_exactly(at.shots_left, 9, then="; range.shots_left", cause=early)
-    bullet = at.bullet
-    expect_close(xyz(bullet.position), place, then="; range.bullet.position, in m")
+    cause = "Integrate the bullet exactly once per step in update, and never in shoot."
+    with calls(cause):
+        game = SniperRange(1)
+        game.shoot(a, e)
+        game.update(1.0 / 60.0)
+    x, y, _ = place = xyz(game.bullet.position)
+    wanted = aimed(a, e)[0] / 60.0, 1.5 + aimed(a, e)[1] / 60.0
+    if y > wanted[1]:
+        cause = f"Your bullet moves too far. {cause}"
+    then, way = "; x and y of game.bullet.position, in m", "the docstring of update"
+    slips = {"Your update doesn't move the bullet.": (0.0, 1.5)}
+    expect_close((x, y), wanted, slips, then=then, cause=cause, read=way, tolerance=1e-12)
+    with calls(
+        "A bullet is in flight, so fire no other one. Return False instead.",
+        f"game = SniperRange(1); game.shoot({a}, {e}); one step of 1/60 s; game.shoot(0.0, 0.0)",
+    ):
+        fired = game.shoot(0.0, 0.0)
+    expect_exactly(fired, False)
+    expect_exactly(game.shots_left, 9, then="; game.shots_left", cause=EARLY)
+    expect_close(game.bullet.position, place, then="; game.bullet.position", unit="m")
 
 
-@pytest.mark.exercise("P4.2b", asks="or if no shots are left")
+@pytest.mark.exercise("P4.2b", asks="or if no shots are left", read=SHOOT)
 def test_without_shots_left_none_is_fired() -> None:
-    about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
-    about.call += "range.bullet = None; fired = range.shoot(0.0, 0.0)"
-    about.cause = "You fire a bullet although no shots are left. Return False if shots_left is 0."
-    at = SniperRange(1)
-    at.shots_left = 1
-    fired = at.shoot(0.0, 0.0)
-    expect_exactly(
-        fired,
-        True,
-        call="range.shots_left = 1; range.shoot(0.0, 0.0)",
-        cause="There is one shot left, so shoot must fire it and return True.",
-    )
-    at.bullet = None
-    expect_exactly(at.shoot(0.0, 0.0), False, then="; fired")
-    expect_exactly(at.shots_left, 0, then="; range.shots_left")
-    expect_exactly(at.bullet is None, True, then="; range.bullet is None")
+    with calls("There is one shot left, so shoot must fire it and return True."):
+        game = SniperRange(1)
+        game.shots_left = 1
+        fired = game.shoot(0.0, 0.0)
+    expect_exactly(fired, True)
+    with calls("No shots are left, so fire no bullet. Return False if shots_left is 0.", more=True):
+        game.bullet = None
+        fired = game.shoot(0.0, 0.0)
+    expect_exactly(fired, False)
+    expect_exactly(game.shots_left, 0, then="; game.shots_left", cause=EARLY)
+    expect_exactly(game.bullet is None, True, then="; game.bullet is None")
 
 
 # hit_on_the_way
 
 
-@scoped
-def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -> tuple[str, Any]:
-    """Return the call and the hole that a path makes, as numbers, or None."""
-    about(f"hit_on_the_way(start=Vector3{start}, end=Vector3{end})", read=WAY)
-    first, last = Vector3(*start), Vector3(*end)
-    hole = hit_on_the_way(first, last)
-    for name, now, before in (("start", first, start), ("end", last, end)):
-        only_read = f"You change {name}, which hit_on_the_way must only read. Calculate with its "
-        only_read += "components instead, or work on a copy."
-        expect_unchanged(name, xyz(now), before, cause=only_read)
-    about.cause = "Return a Hole with the target that was hit, x, y and points."
-    if hole is None:
-        return about.call, None
-    expect_that(not is_plain(hole), repr(hole), "a Hole, or None")
-    target = hole.target
-    return about.call, (
-        target.x,
-        target.y,
-        target.distance,
-        target.factor,
-        hole.x,
-        hole.y,
-        hole.points,
-    )
-
-
-@scoped
 def expect_hole(
-    start: tuple[float, float, float],
-    end: tuple[float, float, float],
-    wanted: tuple[float, float, float, int],
+    path: tuple[Components, Components],
+    wanted: tuple[float, float, float, int] | None,
+    cause: str,
     *,
-    wrong: str | None = None,
+    wrong: str = "",
 ) -> None:
-    """Expect this hole. ``wrong`` is the cause if there is a hole, but in a different target."""
-    about.read = WAY
-    about.call, got = way_of(start, end)
-    expect_that(got is not None, NO_HOLE, f"a hole in the target at {wanted[0]:g} m")
-    about.cause = wrong or about.cause
-    distance, *hole = wanted
-    x, y, points = hole
+    """Expect a hole: the distance of its target, x, y and points. None means no hole.
+
+    ``wrong`` is the cause if there is a hole, but in a different target.
+    """
+    with calls(cause):
+        start, end = Vector3(*path[0]), Vector3(*path[1])
+        hole = hit_on_the_way(start, end)
+    expect_kept("start", xyz(start), path[0])
+    expect_kept("end", xyz(end), path[1])
+    expect_that(wanted is not None or hole is None, "a hole", "no hole (None)")
+    if wanted is None:
+        return
+    distance, x, y, points = wanted
     middle, height, _, factor = TARGETS[distance]
+    expect_that(hole is not None, "no hole (None)", f"a hole in the target at {distance:g} m")
+    about(cause="Return a Hole with the target that was hit, x, y and points.")
+    expect_that(not is_plain(hole), repr(hole), "a Hole, or None")
+    target, got = hole.target, (hole.x, hole.y, hole.points)
+    target = target.x, target.y, target.distance, target.factor
     then = "; x, y, distance and factor of the hole's target"
-    expect_close(got[:4], TARGETS[distance], then=then, tolerance=1e-12)
+    expect_close(target, TARGETS[distance], then=then, tolerance=1e-12, cause=wrong or cause)
     if wrong:
-        about.cause = (
-            "Your hole is wrong. Find the point where the path crosses the target's plane, and "
+        cause = (
+            "Measure x and y from the target's center to where the path crosses its plane. Get the "
+            "points from ring_points."
         )
-        about.cause += "measure x and y from the target's center. Get the points from ring_points."
     slips = {
-        "Your points are those of the ring alone. Multiply them by the target's factor, which is "
-        f"{factor} here.": (x, y, points / factor),
-        "Your x and y have the wrong sign. Subtract the target's center from the point where the "
-        "path crosses its plane, not the other way around.": (-x, -y, points),
-        "Your x and y are the position of the hole in the world. Subtract the target's center.": (
-            x + middle,
-            y + height,
-            points,
-        ),
-    }
-    blame(got[4:], slips)
+        "Your points are those of the ring alone. Multiply them by the target's factor.":
+            (x, y, points / factor),
+        "Your x and y have the wrong sign. Subtract the target's center from them.":
+            (-x, -y, points),
+        "Your x and y are the position of the hole in the world. Subtract the target's center.":
+            (x + middle, y + height, points),
+    }  # fmt: skip
     # Positions of 200 m, some roundings each.
-    expect_close(got[4:], hole, then="; x, y and points of the hole", tolerance=1e-12)
+    then = "; x, y and points of the hole"
+    expect_close(got, (x, y, points), slips, then=then, cause=cause, tolerance=1e-12)
 
 
-@scoped
-def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, float]) -> None:
-    about.read = WAY
-    about.call, got = way_of(start, end)
-    expect_that(got is None, "a hole", NO_HOLE)
-
-
-@pytest.mark.exercise("P4.2b", asks="If the crossing point lies inside a ring")
+@pytest.mark.exercise("P4.2b", asks="If the crossing point lies inside a ring", read=WAY)
 def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
-    away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = (
-        "The path goes through a target, but you find no hole. Find x and y where it crosses "
+    none = (
+        "The path goes through a target, but you find no hole. Find x and y where it crosses the "
+        "target's plane, and subtract the target's center before you call ring_points."
     )
-    about.cause += (
-        "the target's plane, and subtract the target's center before you call ring_points."
+    nearest = "You check only the nearest target. Check every target along the path."
+    quarter = (
+        "You use x and y at the wrong point. The path crosses the target's plane a quarter of the "
+        "way from start to end, so interpolate x and y there."
     )
+    away, along = round(rng.uniform(0.02, 0.06), 3), Triple((0.0, 0.0, 1.0))
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
-            start = (middle + x, height + y, distance - 1.0)
-            end = (middle + x, height + y, distance + 1.0)
-            hole = (distance, x, y, 10 * factor)
-            expect_hole(
-                start,
-                end,
-                hole,
-                wrong="Your target is wrong. Return the one whose plane the path crosses.",
-            )
-        about.cause = "You check only the nearest target. Check every target along the path."
-    about.cause = "You use x and y at the wrong point. The path crosses the target's plane a "
-    about.cause += "quarter of the way from start to end, so interpolate x and y there."
-    start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
-    expect_hole(start, end, (100.0, 0.0, 0.0, 20))
-    start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
-    expect_hole(start, end, (100.0, 0.0, 0.3, 4))
+            place = Triple((middle + x, height + y, distance))
+            path, hole = (place - along, place + along), (distance, x, y, 10 * factor)
+            wrong = "Your target is wrong. Return the one whose plane the path crosses."
+            expect_hole(path, hole, none if distance == 50.0 else nearest, wrong=wrong)
+    for y, points in ((0.0, 20), (0.3, 4)):
+        path = (0.5, 0.5 + y, 99.0), (-3.5, 4.5 + y, 103.0)
+        expect_hole(path, (100.0, 0.0, y, points), quarter)
 
 
-@pytest.mark.exercise("P4.2b", asks="if start.z < distance <= end.z")
+@pytest.mark.exercise("P4.2b", asks="if start.z < distance <= end.z", read=WAY)
 def test_a_path_that_misses_the_target_makes_no_hole() -> None:
-    for start, end, cause in (
-        (
-            (-2.1, 1.5, 49.0),
-            (-2.1, 1.5, 51.0),
-            "You count a path that passes outside the target's largest ring as a hit. Return None "
-            "if ring_points returns 0.",
-        ),
-        (
-            (-1.5, 1.5, 40.0),
-            (-1.5, 1.5, 49.9),
-            "The path ends before it reaches the target, so there is no hole. Return None.",
-        ),
-        (
-            (-1.5, 1.5, 50.1),
-            (-1.5, 1.5, 60.0),
-            "The path starts behind the target, so it does not cross the target's plane. "
-            "Return None.",
-        ),
-        (
-            (-1.5, 1.5, 51.0),
-            (-1.5, 1.5, 49.0),
-            "The path crosses the target's plane from behind, which does not count as a hit. "
-            "Return None.",
-        ),
-        (
-            (-1.5, 1.5, 50.0),
-            (-1.5, 1.5, 50.0),
-            "The path has no length, so end.z - start.z is 0. Check that start.z < distance before "
-            "you divide by end.z - start.z.",
-        ),
-        (
-            (3.5, 1.5, 49.0),
-            (-1.5, 1.5, 51.0),
-            "The path crosses the target's plane at x = 1, outside the target. Use x and y at "
-            "the plane, not at the end of the path, where x is -1.5.",
-        ),
-        (
-            (-1.5, 1.5, 50.0),
-            (-1.5, 1.5, 52.0),
-            "The path starts exactly on the target's plane, and the previous step has already "
-            "checked this point. Count a target only if start.z < distance.",
-        ),
-    ):
-        about.cause = cause
-        expect_no_hole(start, end)
-    about.cause = "The path ends exactly on the target's plane, which also counts as a hit. Use "
-    about.cause += "the condition start.z < distance <= end.z."
-    expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
+    middle = (-1.5, 1.5)
+    for path, hole, cause in (
+        (((-2.1, 1.5, 49.0), (-2.1, 1.5, 51.0)), None,
+         "The path passes outside the largest ring. Return None if ring_points returns 0."),
+        (((*middle, 40.0), (*middle, 49.9)), None,
+         "The path ends before it reaches the target, so there is no hole. Return None."),
+        (((*middle, 50.1), (*middle, 60.0)), None,
+         "The path starts behind the target, so it makes no hole. Return None."),
+        (((*middle, 51.0), (*middle, 49.0)), None,
+         "The path crosses the plane from behind, which makes no hole. Return None."),
+        (((*middle, 50.0), (*middle, 50.0)), None,
+         "You divide by end.z - start.z, which is 0. Check that start.z < distance first."),
+        (((3.5, 1.5, 49.0), (*middle, 51.0)), None,
+         "The path crosses the target's plane outside the target. Use x and y at the plane, not "
+         "at the end of the path."),
+        (((*middle, 50.0), (*middle, 52.0)), None,
+         "The previous step has checked the start. Count a target only if start.z < distance."),
+        (((*middle, 48.0), (*middle, 50.0)), (50.0, 0.0, 0.0, 10),
+         "The end of the path counts as a hit. Use start.z < distance <= end.z."),
+    ):  # fmt: skip
+        expect_hole(path, hole, cause)
 
 
-@pytest.mark.exercise("P4.2b", asks="Find the first hole that a bullet makes")
+@pytest.mark.exercise("P4.2b", asks="Find the first hole that a bullet makes", read=WAY)
 def test_a_long_path_hits_the_first_target_on_it() -> None:
-    about.cause = "The path hits two targets, but you find no hole. Return the hole in the nearer "
-    about.cause += "target."
-    farther = "The path hits two targets, and you return the hole in the farther one. Check the "
-    farther += "nearer target first, because it stops the bullet."
-    expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10), wrong=farther)
-    about.cause = "You stop at the first target, which the path misses. Continue with the next "
-    about.cause += "target after a miss."
-    expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
-    expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))
+    first = "The path hits two targets. Return the hole in the nearer one, which stops the bullet."
+    expect_hole(((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0)), (50.0, 0.0, 0.0, 10), first, wrong=first)
+    miss = "The path misses the first target. Continue with the next one after a miss."
+    for x, distance, points in ((-0.5, 100.0, 20), (2.0, 150.0, 30)):
+        path = (x, 1.5, 25.0), (x, 1.5, distance + 25.0)
+        expect_hole(path, (distance, 0.0, 0.0, points), miss)

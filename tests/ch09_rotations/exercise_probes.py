@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from ch09_rotations.exercises import (
-    balance_offset,
-    center_of_stones,
-    masses_beside,
-    product_without_j_and_k,
-)
+from ch09_rotations import exercises
 from ch09_rotations.quaternion import Quaternion
 
 Stones = list[tuple[str, float, float, float]]
@@ -31,15 +26,12 @@ def multiplications(a: tuple[float, float], b: tuple[float, float]) -> int:
     for q, (r, i) in ((first, a), (second, b)):
         q.r, q.i, q.j, q.k = (Counted(part) for part in (r, i, 0.0, 0.0))
     Counted.made = 0
-    product_without_j_and_k(first, second)
+    exercises.product_without_j_and_k(first, second)
     return Counted.made
 
 
 def stones_after(name: str, stones: Stones) -> tuple[object, Stones]:
     """Return the result of a function of exercise 9.7, and its list after the call."""
     stones = [*stones]
-    if name == "center_of_stones":
-        return center_of_stones(stones), stones
-    if name == "balance_offset":
-        return balance_offset(stones, 0.3), stones
-    return masses_beside(stones, 0.3), stones
+    angle = () if name == "center_of_stones" else (0.3,)
+    return getattr(exercises, name)(stones, *angle), stones

@@ -1,4 +1,4 @@
-"""Quaternions: length and product, build tasks B9.7 and B9.8."""
+"""Quaternions: length, product, and rotated vectors, build tasks B9.7, B9.8 and B9.10."""
 
 from __future__ import annotations
 
@@ -7,15 +7,19 @@ from random import Random
 
 import pytest
 
+from calls import calls
+from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
-from draw import number
-from expect import about, expect_close, expect_exactly
-from turning import Quad, draw_quad, expect_kept, hamilton, named, rijk, short
+from draw import Triple, number, vector
+from expect import about, expect_close, expect_exactly, expect_that, expect_unchanged, named, xyz
+from turning import LOOSE, TIGHT, Quad, draw_quad, expect_kept, hamilton, rijk, short, turned
 
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
+CONJUGATE = "the docstring of conjugate"
+ROTATE = "the docstring of rotate"
 PRODUCT = "book 9.4.9"
-RETURN_NEW = "return a new Quaternion with the result."
+NEW = "and return a new Quaternion with the result."
 
 
 def draw_four(rng: Random) -> Quad:
@@ -23,268 +27,235 @@ def draw_four(rng: Random) -> Quad:
     return number(rng), number(rng), number(rng), number(rng)
 
 
-@pytest.mark.exercise("B9.7", asks="Compute the length, sqrt(r^2 + i^2 + j^2 + k^2)")
+def scaled(q: Quad, factor: float) -> Quad:
+    """Return a quaternion whose components are multiplied by a factor."""
+    return tuple(component * factor for component in q)
+
+
+@pytest.mark.exercise("B9.7", asks="Compute the length, sqrt(r^2 + i^2 + j^2 + k^2)", read=LENGTH)
 def test_the_length_of_four_components(rng: Random) -> None:
-    about(
-        cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2).",
-        read=LENGTH,
-    )
-    about.call = "Quaternion(2, -5, 4, 6).magnitude()"
-    got = Quaternion(2.0, -5.0, 4.0, 6.0).magnitude()
     slips = {
         "Your result is the sum of the squares. Take the square root of it.": 81.0,
-        "You leave out r. Add r^2 to the other three squares.": math.sqrt(77.0),
-        "You leave out i. Add i^2 to the other three squares.": math.sqrt(56.0),
-        "You leave out j. Add j^2 to the other three squares.": math.sqrt(65.0),
-        "You leave out k. Add k^2 to the other three squares.": math.sqrt(45.0),
+        "You leave out r.": math.sqrt(77.0),
+        "You leave out i.": math.sqrt(56.0),
+        "You leave out j.": math.sqrt(65.0),
+        "You leave out k.": math.sqrt(45.0),
         "the sum of the four components": 7.0,
         "the sum of the four absolute values": 17.0,
     }
-    expect_close(got, 9.0, cause=named(got, about.cause, slips))
-    q = draw_four(rng)
-    about.call = f"q = Quaternion{short(q)}; q.magnitude()"
-    quaternion = Quaternion(*q)
-    got = quaternion.magnitude()
-    expect_close(got, math.hypot(*q))
-    expect_kept("q", rijk(quaternion), q)
+    for a in ((2.0, -5.0, 4.0, 6.0), draw_four(rng)):
+        with calls("The magnitude is sqrt(r^2 + i^2 + j^2 + k^2)."):
+            q = Quaternion(*a)
+            got = q.magnitude()
+        expect_close(got, math.hypot(*a), slips)
+        expect_kept("q", rijk(q), a)
 
 
-@pytest.mark.exercise("B9.7", asks="Return True if the length is 1 to within")
+@pytest.mark.exercise("B9.7", asks="Return True if the length is 1 to within", read=LENGTH)
 def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
-    about.read = LENGTH
-    q = draw_quad(rng)
-    for length, wanted in (
-        (1.0, True),
-        (1.0 + 9e-7, True),
-        (1.0 - 9e-7, True),
-        (1.0 + 1.1e-6, False),
-        (1.0 - 1.1e-6, False),
-        (0.0, False),
-        (-3.0, False),
-    ):
-        scaled = tuple(component * length for component in q)
-        about.call = f"q = Quaternion{short(scaled)}, whose length is {abs(length)}; q.is_unit()"
+    drawn = draw_quad(rng)
+    samples = [(1.0, True), (1.0 + 9e-7, True), (1.0 - 9e-7, True), (1.0 + 1.1e-6, False)]
+    for length, wanted in (*samples, (1.0 - 1.1e-6, False), (0.0, False), (-3.0, False)):
         off = f"The length differs from 1 by {abs(abs(length) - 1.0):.2g}, which is"
-        about.cause = f"{off} more than UNIT_TOLERANCE (1e-6), so return False."
+        cause = f"{off} more than UNIT_TOLERANCE (1e-6), so return False."
         if wanted:
-            about.cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. "
-            about.cause += "Compare the length itself, not its square."
+            cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. Test it, not its square."
         elif 0.9 < length < 1.0:
-            about.cause = "You accept every length below 1. Compare the absolute value of "
-            about.cause += "length - 1 with UNIT_TOLERANCE (1e-6)."
-        quaternion = Quaternion(*scaled)
-        got = quaternion.is_unit()
+            cause = "You accept every length below 1. Use the absolute value of length - 1."
+        a = scaled(drawn, length)
+        with calls(cause, f"q = Quaternion{short(a)}, of length {abs(length)}; q.is_unit()"):
+            q = Quaternion(*a)
+            got = q.is_unit()
         expect_exactly(got, wanted)
-        expect_kept("q", rijk(quaternion), scaled)
-    cause = (
-        "You reject a half-turn, where r is 0. The length of this quaternion is 1, so return True."
-    )
-    about("Quaternion(0, 0.6, 0, 0.8).is_unit()", cause=cause)
-    got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
+        expect_kept("q", rijk(q), a)
+    with calls("You reject a half-turn, where r is 0. The length is 1, so return True."):
+        got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
     expect_exactly(got, True)
 
 
-@pytest.mark.exercise("B9.7", asks="by dividing each component by the length")
+@pytest.mark.exercise("B9.7", asks="by dividing each component by the length", read=NORMALIZE)
 def test_normalized_it_has_length_one(rng: Random) -> None:
-    about.read = NORMALIZE
     drawn, near = draw_four(rng), draw_quad(rng)
-    opposite = tuple(-component for component in drawn)
-    for q in (drawn, opposite, tuple(component * (1.0 + 5e-7) for component in near)):
-        length = math.hypot(*q)
-        about.cause = "Divide each of the four components by the length."
-        quaternion = Quaternion(*q)
-        about.call = f"q = Quaternion{short(q)}; q.normalize(); q"
-        returned = quaternion.normalize()
-        wanted = tuple(component / length for component in q)
-        got = rijk(quaternion)
-        in_turn = [*q]
+    for a in (drawn, scaled(drawn, -1.0), scaled(near, 1.0 + 5e-7)):
+        with calls("Divide each of the four components by the length."):
+            q = Quaternion(*a)
+            returned = q.normalize()
+        length, in_turn = math.hypot(*a), [*a]
         for place in range(4):
             in_turn[place] /= math.hypot(*in_turn)
         slips = {
-            "You compute the length again after you have changed a component. Compute it only "
-            "once, before the first change.": in_turn,
-            "The quaternion hasn't changed. Assign the new values to the components of self, "
-            "because a new quaternion is lost when the method returns.": q,
-            "You divide by the squared length instead of the length.": [c / length**2 for c in q],
-            "You multiply by the length instead of dividing by it.": [c * length for c in q],
+            "You compute the length again after the first change. Compute it only once.": in_turn,
+            "The quaternion hasn't changed. Assign the new values to self.r, self.i and so on.": a,
+            "You divide by the squared length instead of the length.": scaled(a, length**-2),
+            "You multiply by the length instead of dividing by it.": scaled(a, length),
         }
-        if length != 1.0 and abs(length - 1.0) < 1e-6:
-            about.cause = (
-                "The length is not exactly 1, although is_unit() accepts it. Divide by it."
-            )
+        if abs(length - 1.0) < 1e-6:
             slips = {
                 "You leave this quaternion unchanged because is_unit() accepts it. Its length is "
-                "not exactly 1, so divide by it.": q
+                "not exactly 1, so divide by it.": a
             }
-        expect_close(got, wanted, cause=named(got, about.cause, slips, wanted))
-    about.cause = "normalize works in place, so it shouldn't return anything."
-    about.call = f"Quaternion{short(q)}.normalize()"
-    expect_exactly(returned, None)
+        expect_close(rijk(q), scaled(a, 1.0 / length), slips, then="; q")
+    cause = "normalize works in place, so it shouldn't return anything."
+    expect_exactly(returned, None, cause=cause)
 
 
-@pytest.mark.exercise("B9.7", asks="so it becomes (1, 0, 0, 0), the reference")
+@pytest.mark.exercise("B9.7", asks="so it becomes (1, 0, 0, 0), the reference", read=NORMALIZE)
 def test_zero_becomes_the_reference() -> None:
-    about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
-    about.cause = (
-        "The zero quaternion has a length of 0, so you can't divide by its length. Set it to (1, "
-        "0, 0, 0), which is the rotation by 0."
-    )
-    quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
-    quaternion.normalize()
-    about.cause = "You leave the zero quaternion as it is. Set it to (1, 0, 0, 0), the rotation by "
-    about.cause += "0, because it has no direction."
-    expect_close(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))
+    with calls("It has no direction, so set it to (1, 0, 0, 0), the rotation by 0."):
+        q = Quaternion(0.0, 0.0, 0.0, 0.0)
+        q.normalize()
+    slips = {"You leave the zero quaternion as it is.": (0.0, 0.0, 0.0, 0.0)}
+    expect_close(rijk(q), (1.0, 0.0, 0.0, 0.0), slips, then="; q")
 
 
-@pytest.mark.exercise("B9.7", asks="NaN, infinite or as large as 1e200")
+@pytest.mark.exercise("B9.7", asks="NaN, infinite or as large as 1e200", read=LENGTH)
 @pytest.mark.robust
 def test_is_unit_rejects_huge_components_and_nan(rng: Random) -> None:
-    about.read = LENGTH
-    q = draw_quad(rng)
-    about.cause = (
-        "You test whether the length is too far from 1, which is False for NaN. Test whether it is "
-        "close enough to 1 instead."
-    )
-    for length in (math.nan, math.inf):
-        scaled = tuple(component * length for component in q)
-        about.call = f"Quaternion{short(scaled)}.is_unit()"
-        got = Quaternion(*scaled).is_unit()
+    drawn = draw_quad(rng)
+    not_finite = "You test if it is too far from 1, which is False for NaN. Test if it is near 1."
+    huge = "The square of 1e200 is too large for a float. Compute the length with magnitude()."
+    samples = [(scaled(drawn, length), not_finite) for length in (math.nan, math.inf)]
+    for a, cause in (*samples, ((1e200, 0.0, 0.0, 1e200), huge)):
+        with calls(cause):
+            got = Quaternion(*a).is_unit()
         expect_exactly(got, False)
-    about.call = "Quaternion(1e200, 0, 0, 1e200).is_unit()"
-    about.cause = (
-        "You square 1e200, and the square is too large for a float. Compute the length with "
-        "magnitude() instead."
-    )
-    got = Quaternion(1e200, 0.0, 0.0, 1e200).is_unit()
-    expect_exactly(got, False)
 
 
-@pytest.mark.exercise("B9.7", asks="as large as 1e200 and as small as 1e-200")
+@pytest.mark.exercise("B9.7", asks="as large as 1e200 and as small as 1e-200", read=NORMALIZE)
 @pytest.mark.robust
 def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
-    about.read = NORMALIZE
-    q = draw_four(rng)
-    length = math.hypot(*q)
-    wanted = tuple(component / length for component in q)
-    about.cause = (
-        "You square the components, but their squares don't fit into a float. Call math.hypot "
-        "instead, which works for numbers of any size."
-    )
-    for scale in (1e200, 1e-200):
-        scaled = tuple(component * scale for component in q)
-        about.call = f"q = Quaternion{short(scaled)}; q.magnitude() / {scale}"
-        got = Quaternion(*scaled).magnitude() / scale
-        expect_close(got, length)
-        quaternion = Quaternion(*scaled)
-        about.call = f"q = Quaternion{short(scaled)}; q.normalize(); q"
-        quaternion.normalize()
-        expect_close(rijk(quaternion), wanted)
+    drawn = draw_four(rng)
+    length = math.hypot(*drawn)
+    for scale in ("e200", "e-200"):
+        a = tuple(float(f"{component}{scale}") for component in drawn)
+        with calls("The squares of the components don't fit into a float. Use math.hypot instead."):
+            q = Quaternion(*a)
+            got = q.magnitude()
+        expect_close(got / float(f"1{scale}"), length, then=f" / 1{scale}")
+        with calls(about.cause):
+            q = Quaternion(*a)
+            q.normalize()
+        expect_close(rijk(q), scaled(drawn, 1.0 / length), then="; q")
 
 
-@pytest.mark.exercise("B9.8", asks="Return the new quaternion (r, -i, -j, -k)")
+@pytest.mark.exercise("B9.8", asks="Return the new quaternion (r, -i, -j, -k)", read=CONJUGATE)
 def test_the_conjugate_turns_back(rng: Random) -> None:
-    about.read = "the docstring of conjugate"
-    q = draw_four(rng)
-    quaternion = Quaternion(*q)
-    about.call = f"q = Quaternion{short(q)}; q.conjugate()"
-    about.cause = (
-        "The conjugate keeps r and reverses the signs of i, j and k. Return it as a new quaternion."
-    )
-    got = rijk(quaternion.conjugate())
-    expect_kept("q", rijk(quaternion), q, f"Leave q as it is, and {RETURN_NEW}")
-    r, i, j, k = q
-    wanted = (r, -i, -j, -k)
+    r, i, j, k = draw_four(rng)
+    with calls("Return a new quaternion with the same r and the opposite i, j and k."):
+        q = Quaternion(r, i, j, k)
+        conjugate = q.conjugate()
+    expect_kept("q", rijk(q), (r, i, j, k), f"Leave q as it is, {NEW}")
     slips = {
-        "You reverse all four signs. Keep the sign of r.": (-r, -i, -j, -k),
-        "You reverse the sign of r. Keep it, and reverse the signs of i, j and k.": (-r, i, j, k),
-        "the original quaternion": q,
+        "You reverse all four signs.": (-r, -i, -j, -k),
+        "You reverse the sign of r.": (-r, i, j, k),
+        "the original quaternion": (r, i, j, k),
     }
-    why = named(got, about.cause, slips)
-    expect_close(got, wanted, cause=why, tolerance=0.0)
-
-
-def componentwise(a: Quad, b: Quad) -> Quad:
-    """Return the products of the components that are in the same place."""
-    return a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]
-
-
-def without_cross(a: Quad, b: Quad) -> Quad:
-    """Return the product of two quaternions without the vector product of their vector parts."""
-    r, *_ = hamilton(a, b)
-    i, j, k = (a[0] * q + p * b[0] for p, q in zip(a[1:], b[1:], strict=True))
-    return r, i, j, k
-
-
-def without_dot(a: Quad, b: Quad) -> Quad:
-    """Return the product of two quaternions without the scalar product of their vector parts."""
-    return a[0] * b[0], *hamilton(a, b)[1:]
+    expect_close(rijk(conjugate), (r, -i, -j, -k), slips, tolerance=0.0)
 
 
 PRODUCT_SLIPS = {
-    componentwise: "You multiply the quaternions component by component. Instead, multiply each of "
-    "the four terms of the first by each of the four terms of the second, which gives 16 products.",
-    without_cross: "You leave out the products of two different letters, such as i j = k. They are "
-    "the vector product v x v' of the two vector parts, so add it.",
-    without_dot: "You leave out the products i i, j j and k k. Each of them is -1, so subtract i "
-    "i', j j' and k k' in the scalar part.",
-}
+    "You multiply the quaternions component by component. Instead, multiply each of the four terms "
+    "of the first by each of the four terms of the second, which gives 16 products.":
+        lambda a, b: tuple(p * q for p, q in zip(a, b, strict=True)),
+    "You leave out the products of two different letters, such as i j = k. They are the vector "
+    "product v x v' of the two vector parts, so add it.":
+        lambda a, b: (hamilton(a, b)[0], *(a[0] * Triple(b[1:]) + b[0] * Triple(a[1:]))),
+    "You leave out the products i i, j j and k k. Each of them is -1, so subtract i i', j j' and "
+    "k k' in the scalar part.": lambda a, b: (a[0] * b[0], *hamilton(a, b)[1:]),
+}  # fmt: skip
 
 
-@pytest.mark.exercise("B9.8", asks="check that i · j = k, j · k = i and k · i = j")
+@pytest.mark.exercise("B9.8", asks="check that i · j = k, j · k = i and k · i = j", read=PRODUCT)
 def test_the_table_of_i_j_and_k() -> None:
-    about.read = PRODUCT
-    units = {
-        "1": (1.0, 0.0, 0.0, 0.0),
-        "i": (0.0, 1.0, 0.0, 0.0),
-        "j": (0.0, 0.0, 1.0, 0.0),
-        "k": (0.0, 0.0, 0.0, 1.0),
-    }
-    about.cause = (
-        "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j. If you swap two "
-        "different factors, their product changes sign."
-    )
+    units = {letter: tuple(float(n == m) for m in range(4)) for n, letter in enumerate("1ijk")}
+    cause = "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j, but j i = -k."
     products = []
     for first, a in units.items():
         for second, b in units.items():
-            about.call = f"Quaternion{short(a)} * Quaternion{short(b)}, which is {first} {second}"
-            one, other = Quaternion(*a), Quaternion(*b)
-            products.append((about.call, f"{first} {second}", a, b, rijk(one * other)))
-            instead = f"Leave both factors as they are, and {RETURN_NEW}"
-            expect_kept("the first factor", rijk(one), a, instead)
-            expect_kept("the second factor", rijk(other), b, instead)
+            with calls(cause):
+                p, q = Quaternion(*a), Quaternion(*b)
+                product = p * q
+            products.append((about.call, first, second, a, b, rijk(product)))
+            expect_kept("the first factor", rijk(p), a, f"Leave both factors as they are, {NEW}")
+            expect_kept("the second factor", rijk(q), b, f"Leave both factors as they are, {NEW}")
     in_reverse = all(got == hamilton(b, a) for *_, a, b, got in products)
-    for wrong, why in PRODUCT_SLIPS.items():
+    for why, wrong in PRODUCT_SLIPS.items():
         if all(got == wrong(a, b) for *_, a, b, got in products):
-            about.cause = why
-    for call, name, a, b, got in products:
-        about.call, wanted = call, hamilton(a, b)
-        first, second = name.split()
+            cause = why
+    for call, first, second, a, b, got in products:
+        wanted = hamilton(a, b)
+        name = f"{first} {second}"
         right = "-" * (min(wanted) < 0.0) + "1ijk"[[*map(abs, wanted)].index(1.0)]
         slips = {
-            f"Your product {name} has the wrong sign. The rule is {name} = {right}.": [
-                -component for component in wanted
-            ]
-        }
+            f"Your product {name} has the wrong sign. The rule is {name} = {right}.":
+                scaled(wanted, -1.0)
+        }  # fmt: skip
         if in_reverse:
             slips = {
                 "You multiply the factors in the wrong order. Your result is "
                 f"{second} {first} instead of {name}.": hamilton(b, a)
             }
-        expect_close(got, wanted, cause=named(got, about.cause, slips), tolerance=0.0)
+        why = named(got, cause, slips)
+        expect_close(got, wanted, call=f"{call}, which is {name}", cause=why, tolerance=0.0)
 
 
-@pytest.mark.exercise("B9.8", asks="which rotates by q and then by self", weight=2)
+@pytest.mark.exercise("B9.8", asks="which rotates by q and then by self", weight=2, read=PRODUCT)
 def test_the_product_of_any_two(rng: Random) -> None:
-    about.read = PRODUCT
-    a, b = draw_four(rng), draw_four(rng)
-    first, second = Quaternion(*a), Quaternion(*b)
-    about.call = f"a, b = Quaternion{short(a)}, Quaternion{short(b)}; a * b"
-    about.cause = (
-        "With the vector parts v and v', the scalar part of the product is r r' - v . v', and the "
-        "vector part is r v' + r' v + v x v'. Return a new quaternion."
-    )
-    got = rijk(first * second)
+    p, q = draw_four(rng), draw_four(rng)
+    with calls("The product is r r' - v . v' and r v' + r' v + v x v', with the vector part v."):
+        a, b = Quaternion(*p), Quaternion(*q)
+        product = a * b
     # Four products of up to 90.
-    expect_close(got, hamilton(a, b), tolerance=1e-12)
-    expect_kept("a", rijk(first), a)
-    expect_kept("b", rijk(second), b)
+    expect_close(rijk(product), hamilton(p, q), tolerance=1e-12)
+    expect_kept("a", rijk(a), p)
+    expect_kept("b", rijk(b), q)
+
+
+def rotate_slips(q: Quad, v: Triple) -> dict[str, tuple[float, ...]]:
+    """Return the results of likely mistakes in rotate."""
+    r, u = q[0], Triple(q[1:])
+    back, once, alone = (r, *-u), hamilton(q, (0.0, *v)), (0.0, *v)
+    first = "You put r last. It comes first, as in Quaternion(0, x, y, z)."
+    r_last = hamilton(hamilton(q, (*v, 0.0)), back)
+    across = u.cross(v)
+    twice = u.cross(across)
+    formula = "In v + 2 r (u x v) + 2 u x (u x v), you leave out the 2 of the"
+    return {
+        "Your code ignores the sign of r, which is negative here.": turned((abs(r), *u), v),
+        "You rotate in the opposite direction. Either you compute q* (0, v) q, with the conjugate "
+        "on the wrong side, or you compute v x u instead of u x v.": turned(back, v),
+        "You compute q (0, v), without q* on the right. Multiply by q* too.": once[1:],
+        "You compute (0, v) q*, without q on the left.": hamilton(alone, back)[1:],
+        "You compute q (0, v) q. Use the conjugate of q on the right.": hamilton(once, q)[1:],
+        first: r_last[1:],
+        f"{first} The result begins with r, too.": r_last[:3],
+        "You return r, i and j of the product.": (0.0, *turned(q, v)[:2]),
+        "In v + 2 r (u x v) + 2 u x (u x v), your third term has the wrong sign. Compute "
+        "u x (u x v), not (u x v) x u.": v + 2.0 * r * across - 2.0 * twice,
+        f"{formula} second term. Multiply this term by 2.": v + r * across + 2.0 * twice,
+        f"{formula} third term. Multiply this term by 2.": v + 2.0 * r * across + twice,
+        "the original v": v,
+    }
+
+
+@pytest.mark.exercise("B9.10", asks="return the result as a new vector", weight=2, read=ROTATE)
+def test_rotates_a_vector(rng: Random) -> None:
+    half = math.sqrt(0.5)
+    drawn = [(scaled(draw_quad(rng), size), vector(rng)) for size in (1.0, -1.0, 1.0 + 5e-7)]
+    for a, b in (((half, 0.0, 0.0, half), Triple((1.0, 2.0, 3.0))), *drawn):
+        with calls("Return the vector part of q (0, v) q*, where q* is the conjugate of q."):
+            q, v = Quaternion(*a), Vector3(*b)
+            got = q.rotate(v)
+        expect_kept("the vector", v, b, "Return a new vector instead.")
+        if isinstance(got, Quaternion):
+            cause = "You return the whole product, which is a Quaternion. Return Vector3(i, j, k)."
+            expect_that(False, f"Quaternion{short(rijk(got))}", "a Vector3", cause=cause)
+        # Rounding of a vector of length up to 17, or the effect of a length that is off by 5e-7.
+        near = LOOSE if abs(math.hypot(*a) - 1.0) < 1e-9 else 1e-4
+        near = TIGHT if b == (1.0, 2.0, 3.0) else near
+        expect_close(xyz(got), turned(a, b), rotate_slips(a, b), tolerance=near)
+        expect_kept("q", rijk(q), a)
+    with calls("You return v itself. Return a new vector, even if the rotation is by 0."):
+        v = Vector3(*b)
+        Quaternion().rotate(v).invert()
+    expect_unchanged("v", v, b)

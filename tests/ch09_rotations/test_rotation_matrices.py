@@ -9,19 +9,14 @@ from random import Random
 
 import pytest
 
+from calls import calls
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
-from draw import components, positive_number
-from expect import (
-    about,
-    expect_close,
-    expect_exactly,
-    scoped,
-)
+from draw import Triple, positive_number, vector
+from expect import about, expect_close, expect_exactly
 from turning import (
     IDENTITY,
     TIGHT,
-    Nine,
     Quad,
     draw_quad,
     draw_slight_turn,
@@ -32,7 +27,6 @@ from turning import (
     quad,
     rijk,
     same_sign,
-    short,
     transposed,
     written,
 )
@@ -44,205 +38,163 @@ TO = "the docstring of to_quaternion"
 HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7.0))
 
 
-@scoped
-def expect_rotation(m: Nine, wanted: bool) -> None:
-    """Expect is_rotation to accept or refuse a matrix."""
-    about(f"m = {written(m)}; m.is_rotation()", read=IS_ROTATION)
-    expect_exactly(Matrix3(*m).is_rotation(), wanted)
+def expect_rotation(wanted: bool, cause: str, *matrices: Sequence[float]) -> None:
+    """Expect is_rotation to accept or refuse matrices."""
+    for m in matrices:
+        with calls(cause, f"m = {written(m)}; m.is_rotation()"):
+            got = Matrix3(*m).is_rotation()
+        expect_exactly(got, wanted)
 
 
-@pytest.mark.exercise("B9.6", asks="Return True if the matrix only rotates")
+def scaled(m: Sequence[float], *factors: float) -> list[list[float]]:
+    """Return a matrix multiplied by each of the factors."""
+    return [[factor * number for number in m] for factor in factors]
+
+
+@pytest.mark.exercise("B9.6", asks="Return True if the matrix only rotates", read=IS_ROTATION)
 def test_accepts_rotations(rng: Random) -> None:
-    about.cause = "You reject the identity, but it is a rotation by 0. So return True."
-    expect_rotation(IDENTITY, True)
-    about.cause = (
-        "You reject a rotation, probably because of rounding errors. Don't compare the scalar "
-        "products of the rows with ==. Accept errors of up to ROTATION_TOLERANCE."
-    )
-    quarter = (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
-    if not Matrix3(*quarter).is_rotation():
-        about.cause = (
-            "You reject a rotation, and not because of rounding errors: you reject one by exactly "
-            "90 degrees, too. Compare the scalar products of the rows with 1 and 0."
-        )
-    for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
-        expect_rotation(m, True)
-    about.cause = (
-        "You reject a half-turn, but it is a rotation. Its rows are perpendicular unit vectors, "
-        "and its determinant is 1."
-    )
-    expect_rotation(HALF_TURN, True)
+    expect_rotation(True, "You reject the identity, but it is a rotation by 0.", IDENTITY)
+    cause = "You reject a rotation, probably because of rounding errors. Don't compare with ==, "
+    cause += "but accept errors of up to ROTATION_TOLERANCE."
+    if not Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0).is_rotation():
+        cause = "You reject a rotation, and not because of rounding errors: you reject one by 90 "
+        cause += "degrees, too. Compare the scalar products of the rows with 1 and 0."
+    expect_rotation(True, cause, matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)))
+    cause = "You reject a half-turn, but its rows are perpendicular unit vectors, and its "
+    expect_rotation(True, f"{cause}determinant is 1.", HALF_TURN)
 
 
-@pytest.mark.exercise("B9.6", asks="without scaling, shear or reflection")
+@pytest.mark.exercise("B9.6", asks="without scaling, shear or reflection", read=IS_ROTATION)
 def test_rejects_matrices_that_are_not_rotations(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
-    a, b, c, d, e, f, g, h, i = m
-    about.cause = (
-        "You accept a matrix whose rows are not unit vectors. Check that the scalar product of "
-        "each row with itself is 1."
-    )
-    expect_rotation(tuple(2.0 * number for number in m), False)
-    expect_rotation((0.0,) * 9, False)
-    for row in range(3):
-        n = [*m]
-        n[3 * row : 3 * row + 3] = [1.5 * number for number in n[3 * row : 3 * row + 3]]
-        expect_rotation(tuple(n), False)
-    about.cause = (
-        "You accept this matrix because its determinant is 1. Its rows have the lengths 2, 0.5 and "
-        "1, so it is not a rotation. Check the length of each row too."
-    )
-    expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False)
-    about.cause = (
-        "You accept a reflection. Its rows are perpendicular unit vectors, but its determinant is "
-        "negative, so check the sign of the determinant too."
-    )
-    expect_rotation((d, e, f, a, b, c, g, h, i), False)
-    expect_rotation(tuple(-number for number in HALF_TURN), False)
+    cause = "You accept a matrix whose rows are not unit vectors. Check that the scalar product of "
+    cause += "each row with itself is 1."
+    rows = ([1.5 * n if place // 3 == row else n for place, n in enumerate(m)] for row in range(3))
+    expect_rotation(False, cause, *scaled(m, 2.0), (0.0,) * 9, *rows)
+    cause = "You accept this matrix because its determinant is 1. Check the length of each row too."
+    expect_rotation(False, cause, (2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0))
+    cause = "You accept a reflection. Its rows are perpendicular unit vectors, but its determinant "
+    cause += "is negative, so check the sign of the determinant too."
     # The determinant of a mirror with nearly orthonormal rows is near -1, on either side of it.
-    for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
-        expect_rotation(tuple(scale * number for number in m), False)
-    about.cause = (
-        "You accept a matrix that shears. Its rows are unit vectors, but they are not "
-        "perpendicular, so check the scalar products of different rows too."
-    )
+    mirrors = *scaled(HALF_TURN, -1.0), *scaled(m, -1.0, -1.0 - 4e-6, 4e-6 - 1.0)
+    expect_rotation(False, cause, (*m[3:6], *m[:3], *m[6:]), *mirrors)
+    cause = "You accept a matrix that shears. Its rows are unit vectors, but they are not "
+    cause += "perpendicular, so check the scalar products of different rows too."
     s, t = math.sin(0.3), math.cos(0.3)
-    for n in (
-        (1.0, 0.0, 0.0, s, t, 0.0, 0.0, 0.0, 1.0),
-        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, s, 0.0, t),
-        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, s, t),
-    ):
-        expect_rotation(n, False)
+    leaning = (s, t, 0.0, 0.0, 0.0, 1.0), (0.0, 1.0, 0.0, s, 0.0, t), (0.0, 1.0, 0.0, 0.0, s, t)
+    expect_rotation(False, cause, *((1.0, 0.0, 0.0, *rows) for rows in leaning))
 
 
-@pytest.mark.exercise("B9.6", asks="both within ROTATION_TOLERANCE")
+@pytest.mark.exercise("B9.6", asks="both within ROTATION_TOLERANCE", read=IS_ROTATION)
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = "It may differ from {} by at most ROTATION_TOLERANCE (1e-5)."
-    for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
-        about.cause = f"Return {wanted} here, because the scalar product of each row with itself "
-        about.cause += f"is {1.0 + 2.0 * scale:.6f}. {limit.format(1)}"
+    for scale in (4e-6, -4e-6, 7e-6, -7e-6):
+        wanted = abs(scale) < 5e-6
+        cause = f"Return {wanted} here, because the scalar product of each row with itself is "
+        cause += f"{1.0 + 2.0 * scale:.6f}. {limit.format(1)}"
         if wanted:
-            about.cause += " The determinant only has to be positive."
+            cause += " The determinant only has to be positive."
         elif scale < 0.0:
-            about.cause += " Here the difference from 1 is negative, so take its absolute value."
-        expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
+            cause += " Here the difference from 1 is negative, so take its absolute value."
+        expect_rotation(wanted, cause, *scaled(m, 1.0 + scale))
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
-        n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
-        about.cause = f"Return {wanted} here, because the scalar product of the first two rows is "
-        about.cause += f"{angle:.2g}. {limit.format(0)}"
-        expect_rotation(n, wanted)
+        cause = f"Return {wanted} here, because the scalar product of the first two rows is "
+        cause += f"{angle:.2g}. {limit.format(0)}"
+        expect_rotation(wanted, cause, (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0))
 
 
-@pytest.mark.exercise("B9.6", asks="NaN, infinite or as large as 1e200")
+@pytest.mark.exercise("B9.6", asks="NaN, infinite or as large as 1e200", read=IS_ROTATION)
 @pytest.mark.robust
 def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
-    m = matrix_of(draw_quad(rng))
-    about.cause = (
-        "The squares of these numbers are too large for a float, so ** raises OverflowError. Write "
-        "a * a instead of a**2, so that the square is inf and you return False."
-    )
-    expect_rotation(tuple(1e200 * number for number in m), False)
+    cause = "The squares of these numbers are too large for a float, so ** raises OverflowError. "
+    cause += "Write a * a instead of a**2, so that the square is inf and you return False."
+    expect_rotation(False, cause, *scaled(matrix_of(draw_quad(rng)), 1e200))
 
 
-@pytest.mark.exercise("B9.6", asks="if an entry is NaN, infinite or")
+@pytest.mark.exercise("B9.6", asks="if an entry is NaN, infinite or", read=IS_ROTATION)
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_a_matrix_that_is_not_finite_is_not_a_rotation(bad: float) -> None:
-    about.cause = "" if math.isnan(bad) else "Here inf * 0 is NaN. "
-    about.cause += (
-        "Every comparison with NaN is False, so a check for errors above ROTATION_TOLERANCE misses "
-        "NaN. Instead, check that every error is at most ROTATION_TOLERANCE."
-    )
+    cause = "" if math.isnan(bad) else "Here inf * 0 is NaN. "
+    cause += "Every comparison with NaN is False, so a check for errors above ROTATION_TOLERANCE "
+    cause += "misses NaN. Instead, check that every error is at most ROTATION_TOLERANCE."
     for place in range(9):
-        m = [*IDENTITY]
-        m[place] = bad
-        expect_rotation(tuple(m), False)
+        expect_rotation(False, cause, (*IDENTITY[:place], bad, *IDENTITY[place + 1 :]))
 
 
-def from_slips(q: Quad) -> dict[str, Nine]:
+def from_slips(q: Quad) -> dict[str, Sequence[float]]:
     """Return the matrices that likely mistakes give for a quaternion."""
-    m = matrix_of(q)
-    halves = [number if place in (0, 4, 8) else 0.5 * number for place, number in enumerate(m)]
-    diagonal = [0.5 * (1.0 + m[place]) if place in (0, 4, 8) else m[place] for place in range(9)]
+    m = [*enumerate(matrix_of(q))]
     return {
-        "You return the transpose, as the book prints it (E-11). Swap the rows and "
-        "columns.": transposed(m),
-        "You unpack the quaternion as i, j, k, r. It begins with r, as in `r, i, j, k = "
-        "q`.": matrix_of((q[3], *q[:3])),
-        "You leave out the factor 2 in the off-diagonal entries. Double all six of them.": halves,
-        "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the sum of two "
-        "squares from 1.": diagonal,
-        "You leave out the factor 2 in all nine numbers.": [
-            diagonal[place] if place in (0, 4, 8) else halves[place] for place in range(9)
-        ],
-    }
+        "You return the transpose, as the book prints it (E-11).": transposed(matrix_of(q)),
+        "You unpack the quaternion as i, j, k, r. It begins with r.": matrix_of((q[3], *q[:3])),
+        "You leave out the factor 2 in the off-diagonal entries. Double all six of them.":
+            [0.5 * n if place % 4 else n for place, n in m],
+        "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the squares.":
+            [n if place % 4 else 0.5 * (1.0 + n) for place, n in m],
+        "You leave out the factor 2 in all nine numbers.":
+            [0.5 * (n if place % 4 else 1.0 + n) for place, n in m],
+    }  # fmt: skip
 
 
-@pytest.mark.exercise("B9.12", asks="The columns of the matrix are the axes X, Y and Z")
+FORMULAS = (
+    *("1 - 2 (j^2 + k^2)", "2 (i j - k r)", "2 (i k + j r)"),
+    *("2 (i j + k r)", "1 - 2 (i^2 + k^2)", "2 (j k - i r)"),
+    *("2 (i k - j r)", "2 (j k + i r)", "1 - 2 (i^2 + j^2)"),
+)
+
+
+@pytest.mark.exercise("B9.12", asks="The columns of the matrix are the axes X, Y and Z", read=FROM)
 def test_ninety_degrees_about_each_axis(rng: Random) -> None:
-    about.read = FROM
-    half = math.sqrt(0.5)
-    about.cause = "The columns of the matrix should be the axes X, Y and Z after the rotation."
+    half, cause = math.sqrt(0.5), "The columns should be the axes X, Y and Z after the rotation."
     # Only a rotation about no axis of its own tells all mistakes apart.
     drawn = draw_quad(rng)
-    about.call = f"q = Quaternion{short(drawn)}; Matrix3.from_quaternion(q), row by row"
-    got = entries(Matrix3.from_quaternion(Quaternion(*drawn)))
-    why = named(got, about.cause, from_slips(drawn), matrix_of(drawn)) + entry_of(got, drawn)
-    for q, axes, wanted in (
-        ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
-        ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
-        ((half, 0.0, 0.0, half), "Z", (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
+    with calls(cause):
+        got = Matrix3.from_quaternion(Quaternion(*drawn))
+    got, right = entries(got), matrix_of(drawn)
+    why = named(got, cause, from_slips(drawn), right)
+    pairs = zip(got, right, FORMULAS, strict=True) if len(got) == 9 else ()
+    wrong = [formula for one, other, formula in pairs if not abs(one - other) < 1e-9]
+    if len(wrong) == 1:
+        why += f" The number there is {wrong[0]}."
+    for axis, a, wanted in (
+        ("X", (half, half, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
+        ("Y", (half, 0.0, half, 0.0), (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
+        ("Z", (half, 0.0, 0.0, half), (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
     ):
-        about.call = f"q = Quaternion{short(q)}, a rotation by 90 degrees about {axes}; "
-        about.call += "Matrix3.from_quaternion(q), row by row"
-        got = entries(Matrix3.from_quaternion(Quaternion(*q)))
-        expect_close(got, wanted, cause=why, tolerance=TIGHT)
+        with calls(cause):
+            q = Quaternion(*a)
+            m = Matrix3.from_quaternion(q)
+        then = f", row by row, of a rotation by 90 degrees about {axis}"
+        expect_close(entries(m), wanted, then=then, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.12", asks="rotates vectors in the same way as the quaternion")
+@pytest.mark.exercise("B9.12", asks="rotates vectors in the same way as the quaternion", read=FROM)
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
-    about(
-        cause="Check the sign and the factor 2 in every term of the nine numbers.",
-        read=FROM,
-    )
     for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):
-        q = tuple(scale * component for component in draw_quad(rng))
-        quaternion = Quaternion(*q)
-        about.call = f"q = Quaternion{short(q)}; Matrix3.from_quaternion(q), row by row"
-        got = entries(Matrix3.from_quaternion(quaternion))
+        a = tuple(scale * component for component in draw_quad(rng))
+        with calls("Check the sign and the factor 2 in every term of the nine numbers."):
+            q = Quaternion(*a)
+            m = Matrix3.from_quaternion(q)
+        got, wanted = entries(m), matrix_of(a)
         # A length that is off by 5e-7 is accepted, and may be corrected or not.
         near = TIGHT if abs(scale) == 1.0 else 1e-5
-        why = named(got, about.cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
-        expect_close(got, matrix_of(q), cause=why, tolerance=near)
-        expect_kept("q", rijk(quaternion), q)
-
-
-def entry_of(got: Sequence[float], q: Quad) -> str:
-    """Return the formula of the only number of the matrix of q that is wrong, or an empty text."""
-    formulas = (
-        *("1 - 2 (j^2 + k^2)", "2 (i j - k r)", "2 (i k + j r)"),
-        *("2 (i j + k r)", "1 - 2 (i^2 + k^2)", "2 (j k - i r)"),
-        *("2 (i k - j r)", "2 (j k + i r)", "1 - 2 (i^2 + j^2)"),
-    )
-    pairs = zip(got, matrix_of(q), strict=True) if len(got) == 9 else ()
-    wrong = [place for place, (one, other) in enumerate(pairs) if not abs(one - other) < 1e-9]
-    return f" The number there is {formulas[wrong[0]]}." if len(wrong) == 1 else ""
+        why = named(got, about.cause, from_slips(a), wanted if near == TIGHT else ())
+        expect_close(got, wanted, then=", row by row", cause=why, tolerance=near)
+        expect_kept("q", rijk(q), a)
 
 
 def half_turn(axis: Sequence[float]) -> Quad:
     """Return a half-turn about an axis. Its r is exactly 0."""
-    x, y, z = (component / math.hypot(*axis) for component in axis)
-    return 0.0, x, y, z
+    return (0.0, *(Triple(axis) / math.hypot(*axis)))
 
 
-@scoped
-def expect_back(q: Quad) -> None:
+def expect_back(q: Quad, cause: str) -> None:
     """Expect q or -q from the matrix of the quaternion q."""
-    about.read = TO
-    m = matrix_of(q)
-    about.call = f"m = {written(m)}; m.to_quaternion()"
-    got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
+    n = matrix_of(q)
+    with calls(cause, f"m = {written(n)}; m.to_quaternion()"):
+        got = same_sign(rijk(Matrix3(*n).to_quaternion()), q)
     r, i, j, k = q
     opposite = "You return the conjugate of the right quaternion."
     equal = {
@@ -255,97 +207,82 @@ def expect_back(q: Quad) -> None:
     if letter != "r":
         opposite = f"Your r has the wrong sign if {letter} is the largest component. Compute r "
         opposite += f"from {equal[letter]}."
-    slips = {
-        opposite: (-r, i, j, k),
-        "You lose the signs of the components, because a square root is never negative.": [
-            abs(component) for component in q
-        ],
-        "twice the quaternion": [2.0 * component for component in q],
-        "half of the quaternion": [0.5 * component for component in q],
-    }
     products = (r, i * r * r, j * r * r, k * r * r)
     length = math.hypot(*products) or 1.0
     multiplied = "You multiply by r, as in (m[2, 1] - m[1, 2]) / 4 * r, which is "
     multiplied += "((m[2, 1] - m[1, 2]) / 4) * r. Write (m[2, 1] - m[1, 2]) / (4 * r)."
-    slips[multiplied] = products
-    slips[f"{multiplied} Do the same for j and k."] = [one / length for one in products]
-    for place, name in enumerate("ijk", start=1):
-        other = [-c if p == place else c for p, c in enumerate(q)]
-        slips[f"Only the sign of {name} is wrong. The correct equation is {equal[name]}."] = other
+    slips = {
+        opposite: (-r, i, j, k),
+        "You lose the signs of the components, because a square root is never negative.":
+            [abs(component) for component in q],
+        "twice the quaternion": [2.0 * component for component in q],
+        "half of the quaternion": [0.5 * component for component in q],
+        multiplied: products,
+        f"{multiplied} Do the same for j and k.": [one / length for one in products],
+    }  # fmt: skip
+    for name, wrong in zip("ijk", ((r, -i, j, k), (r, i, -j, k), (r, i, j, -k)), strict=True):
+        slips[f"Only the sign of {name} is wrong. The correct equation is {equal[name]}."] = wrong
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
     why = named(got, signs, slips)
-    if why != signs:
-        about.cause = why
-    elif r == 0.0 and size < 1.0 and isinstance(got, tuple):
-        lost = [abs(g * g - c * c) for g, c in zip(got, q, strict=True) if type(g) is float]
-        if len(lost) == 4 and max(lost) < TIGHT:  # only signs differ
-            about.cause = "You take the signs from differences such as m[2, 1] - m[1, 2], which "
-            about.cause += "are 0 in a half-turn. Use sums instead, such as m[0, 1] + m[1, 0] = "
-            about.cause += "4 i j."
+    if why == signs:
+        why = cause
+        if r == 0.0 and size < 1.0 and isinstance(got, tuple):
+            lost = [abs(g * g - c * c) for g, c in zip(got, q, strict=True) if type(g) is float]
+            if len(lost) == 4 and max(lost) < TIGHT:  # only signs differ
+                why = "You take the signs from differences such as m[2, 1] - m[1, 2], which are 0 "
+                why += "in a half-turn. Use sums instead, such as m[0, 1] + m[1, 0] = 4 i j."
     # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.
-    expect_close(got, q, tolerance=TIGHT)
+    expect_close(got, q, cause=why, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.13", asks="Convert a rotation matrix to a unit quaternion", weight=2)
+@pytest.mark.exercise(
+    "B9.13", asks="Convert a rotation matrix to a unit quaternion", weight=2, read=TO
+)
 def test_back_from_a_matrix(rng: Random) -> None:
-    about.cause = (
-        "The sum of the diagonal is 4 r^2 - 1, which gives r. Compute the others from m[2, 1] - "
-        "m[1, 2] = 4 i r, m[0, 2] - m[2, 0] = 4 j r and m[1, 0] - m[0, 1] = 4 k r."
-    )
-    expect_back((1.0, 0.0, 0.0, 0.0))
+    cause = "The sum of the diagonal is 4 r^2 - 1, which gives r. The others follow from m[2, 1] - "
+    cause += "m[1, 2] = 4 i r, m[0, 2] - m[2, 0] = 4 j r and m[1, 0] - m[0, 1] = 4 k r."
+    expect_back((1.0, 0.0, 0.0, 0.0), cause)
     for longest in range(3):
         # Two of i, j and k are negative, so that no two lost signs look alike.
         axis = [-positive_number(rng, 0.5, 5.0) for _ in range(3)]
         axis[longest] = 10.0
         for angle in (0.9, 2.6):  # either r or the component of the longest axis is the largest
-            expect_back(quad(axis, angle))
-    for _ in range(4):
-        expect_back(draw_quad(rng))
-    expect_back(quad(components(rng), -0.9))
-    about.cause = (
-        "This matrix is a rotation, although the product of its diagonal is negative. Check it "
-        "with is_rotation(), which uses the full determinant."
-    )
-    expect_back(quad((2.0, 2.1, 1.0), 3.0))
+            expect_back(quad(axis, angle), cause)
+    for q in (*(draw_quad(rng) for _ in range(4)), quad(vector(rng), -0.9)):
+        expect_back(q, cause)
+    cause = "The product of the diagonal is negative, but this is a rotation. Call is_rotation()."
+    expect_back(quad((2.0, 2.1, 1.0), 3.0), cause)
 
 
-@pytest.mark.exercise("B9.13", asks="Start with the component whose number is the largest")
+@pytest.mark.exercise("B9.13", asks="Start with the component whose number is the largest", read=TO)
 def test_back_from_a_half_turn(rng: Random) -> None:
-    about.cause = (
-        "In a half-turn r is 0 or almost 0, so a result that you compute from r is inaccurate. "
-        "Find the largest of r, i, j and k first, and compute the others from it."
-    )
+    cause = "In a half-turn r is 0 or almost 0, so a result that you compute from r is inaccurate. "
+    cause += "Find the largest of r, i, j and k first, and compute the others from it."
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
-        expect_back((0.0, *axis))
+        expect_back((0.0, *axis), cause)
     for longest in range(3):
-        axis = [0.1 * component for component in components(rng)]
-        axis[longest] = 10.0
-        expect_back(half_turn(axis))
+        tilted = [*(0.1 * vector(rng))]
+        tilted[longest] = 10.0
+        expect_back(half_turn(tilted), cause)
         for less in (1e-3, 1e-9, -1e-9):
-            expect_back(quad(axis, math.pi - less))
-    about.cause = (
-        "Several components are equally large here. Make sure that your code always picks one of "
-        "them, for example by comparing with >= instead of >."
-    )
+            expect_back(quad(tilted, math.pi - less), cause)
+    cause = "Several components are equally large here. Compare with >= to always pick one of them."
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
-        expect_back(half_turn(axis))
-    about.cause = "You don't divide by the largest component here. Compare all four to find it."
+        expect_back(half_turn(axis), cause)
+    cause = "You don't divide by the largest component here. Compare all four to find it."
     for axis in permutations((0.0, 1e-6, 1.0)):
-        expect_back(half_turn(axis))
+        expect_back(half_turn(axis), cause)
 
 
-@pytest.mark.exercise("B9.13", asks="so normalize the quaternion at the end")
+@pytest.mark.exercise("B9.13", asks="so normalize the quaternion at the end", read=TO)
 def test_the_result_has_length_one(rng: Random) -> None:
-    cause = (
-        "This matrix differs slightly from a rotation, and so the length of your quaternion is not "
-        "1. Normalize the quaternion before you return it."
-    )
-    about(cause=cause, read=TO)
-    half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
-    half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
-    for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
-        m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
-        about.call = f"m = {written(m)}; the length of m.to_quaternion()"
-        got = rijk(Matrix3(*m).to_quaternion())
-        expect_close(math.hypot(*got) if isinstance(got, tuple) else got, 1.0, tolerance=TIGHT)
+    axes = ((4.0, 3.0, 0.0), (0.0, 4.0, 3.0), (3.0, 0.0, 4.0), (2.0, 2.0, 1.0))
+    for drawn in (draw_quad(rng), quad(vector(rng), 0.3), *map(half_turn, axes)):
+        [n] = scaled(matrix_of(drawn), 1.0 + 3e-6)
+        with calls("Normalize the quaternion, because this matrix is only nearly a rotation."):
+            m = Matrix3(*n)
+            q = m.to_quaternion()
+        got = rijk(q)
+        length = math.hypot(*got) if isinstance(got, tuple) else got
+        expect_close(length, 1.0, then="; the length of the result", tolerance=TIGHT)

@@ -8,37 +8,35 @@ from random import Random
 
 import pytest
 
+from calls import calls
 from ch09_rotations.exercise_probes import stones_after
 from ch09_rotations.exercises import balance_offset, center_of_stones, masses_beside
 from ch09_rotations.probes import entered_stones
 from draw import number, positive_number
-from expect import about, expect_close, expect_exactly, expect_unchanged
-from turning import TIGHT, named
+from expect import expect_close, expect_exactly, expect_unchanged
+from turning import TIGHT
 
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
-SIDES = "masses_beside(stones, angle={}), the masses to the left and right of the edge"
+TOP = "the docstring at the top of exercises.py"
 DATA = "exercise 9.7, and the docstring at the top of stones.py"
-
+USE = "Call center_of_mass with the masses and the (x, y) positions of the stones."
+Pair = tuple[float, float]
 Stones = list[tuple[str, float, float, float]]
-NAMES = ("a pebble", "slate", "a pebble", "quartz")  # two stones may share a name
 
 
 def draw_stones(rng: Random, count: int = 4) -> Stones:
     """Draw stones within 1 m. Two have the same name, and two the same mass."""
-    masses = [positive_number(rng, 0.05, 0.9) for _ in range(3)]
-    return [
-        (name, mass, positive_number(rng, 0.0, 1.0), positive_number(rng, 0.0, 1.0))
-        for name, mass in list(zip(NAMES, (*masses, masses[0]), strict=True))[:count]
-    ]
+    a, b, c = (positive_number(rng, 0.05, 0.9) for _ in range(3))
+    names = (("a pebble", a), ("slate", b), ("a pebble", c), ("quartz", a))
+    places = [(positive_number(rng, 0.0, 1.0), positive_number(rng, 0.0, 1.0)) for _ in names]
+    return [(*named, *place) for named, place in zip(names, places, strict=True)][:count]
 
 
 def draw_telling_stones(rng: Random) -> Stones:
     """Draw stones for which every likely mistake puts one on the wrong side of an edge at 0.3."""
-    a, b, c, d = (
-        round(positive_number(rng, 0.9, 1.1) * mass, 3) for mass in (0.22, 0.07, 0.47, 0.51)
-    )
+    a, b, c, d = (round(rng.uniform(0.9, 1.1) * mass, 3) for mass in (0.22, 0.07, 0.47, 0.51))
     return [
         ("a pebble", a, 0.43, 0.94),
         ("slate", b, 0.28, 0.61),
@@ -48,15 +46,11 @@ def draw_telling_stones(rng: Random) -> Stones:
     ]
 
 
-def listed(stones: Stones) -> str:
-    """Return stones as they are written in a call, one per line, with six digits per number."""
-    each = (f"({name!r}, {m:.6g}, {x:.6g}, {y:.6g})" for name, m, x, y in stones)
-    return "[" + ",\n    ".join(each) + "]"
-
-
 def with_stones(stones: Stones, call: str) -> str:
-    """Return what is called: a function of these stones."""
-    return f"stones = {listed(stones)}, where each stone is (name, mass, x, y); {call}"
+    """Return what is called: a function of these stones, which are written one per line."""
+    each = (f"({name!r}, {m:.6g}, {x:.6g}, {y:.6g})" for name, m, x, y in stones)
+    lines = ",\n    ".join(each)
+    return f"stones = [{lines}], where each stone is (name, mass, x, y); {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -70,45 +64,37 @@ def left_of(point: complex, angle: float) -> float:
     return (point * complex(math.cos(angle), -math.sin(angle))).imag
 
 
-def from_edge(stones: Stones, angle: float) -> list[tuple[float, float]]:
+def from_edge(stones: Stones, angle: float) -> list[Pair]:
     """Return the distance of each stone to the left of the edge, and its mass."""
     line = left_of(middle(stones), angle)
     return [(left_of(complex(x, y), angle) - line, mass) for _, mass, x, y in stones]
 
 
-def beside(stones: Stones, angle: float) -> tuple[float, float]:
+def beside(stones: Stones, angle: float) -> Pair:
     """Return the masses on the left and on the right of the edge."""
     sides = from_edge(stones, angle)
     left = math.fsum(mass for side, mass in sides if side > 0.0)
     return left, math.fsum(mass for side, mass in sides if side < 0.0)
 
 
-def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
-    """Return the centers of mass that likely mistakes give."""
-    swapped = middle(stones).imag, middle(stones).real
-    ends = {
-        "You take the mean of the positions, which ignores the masses. Pass the masses to "
-        "center_of_mass.": middle([(n, 1.0, x, y) for n, _, x, y in stones]),
-        "You leave out the first stone, which has the same name as the third. Count every "
-        "stone.": middle(stones[1:] or stones),
-        "You leave out the last stone.": middle(stones[:-1] or stones),
-        "You don't divide by the total mass.": middle(stones) * sum(m for _, m, _, _ in stones),
-    }
-    slips = {name: (z.real, z.imag) for name, z in ends.items()}
-    return {"You swap x and y. Pass each position as (x, y).": swapped} | slips
-
-
-@pytest.mark.exercise("9.7", asks="compute the center of mass (x, y) of a box")
+@pytest.mark.exercise("9.7", asks="compute the center of mass (x, y) of a box", read=CENTER)
 def test_the_center_of_a_box_with_stones(rng: Random) -> None:
-    about.read = CENTER
-    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     for count in (4, 1):
         stones = draw_stones(rng, count)
-        about.call = with_stones(stones, "center_of_stones(stones)")
-        got = center_of_stones(stones)
+        with calls(USE, with_stones(stones, "center_of_stones(stones)")):
+            got = center_of_stones(stones)
         wanted = middle(stones)
-        why = named(got, about.cause, center_slips(stones))
-        expect_close(got, (wanted.real, wanted.imag), cause=why, tolerance=TIGHT)
+        ends = {
+            "You swap x and y. Pass each position as (x, y).": complex(wanted.imag, wanted.real),
+            "You take the mean of the positions, which ignores the masses. Pass the masses to "
+            "center_of_mass.": middle([(n, 1.0, x, y) for n, _, x, y in stones]),
+            "You leave out the first stone, which has the same name as the third. Count every "
+            "stone.": middle(stones[1:] or stones),
+            "You leave out the last stone.": middle(stones[:-1] or stones),
+            "You don't divide by the total mass.": wanted * sum(m for _, m, _, _ in stones),
+        }
+        slips = {name: (z.real, z.imag) for name, z in ends.items()}
+        expect_close(got, (wanted.real, wanted.imag), slips, tolerance=TIGHT)
 
 
 def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
@@ -116,93 +102,71 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     center = middle(stones)
     cosine, sine = math.cos(angle), math.sin(angle)
     sides = sorted((left_of(complex(x, y), angle), mass) for _, mass, x, y in stones)
-    passed = accumulate(mass for _, mass in sides)
     half = 0.5 * math.fsum(mass for _, mass in sides)
+    passed = accumulate(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     # The first angle is 0, and the offset is then positive.
     sign = "You measure the offset to the right, so its sign is wrong. Measure it to the left."
     if angle:
-        sign = "Your offset is never negative. If the edge passes to the right of the corner, "
-        sign += "return a negative number."
+        sign = "Your offset is never negative. It must be if the edge is right of the corner."
     return {
         sign: -left_of(center, angle),
-        "You add the two products. Subtract sin(angle) x from cos(angle) y.": cosine * center.imag
-        + sine * center.real,
-        "You swap sine and cosine. The offset is cos(angle) y - sin(angle) x.": sine * center.imag
-        - cosine * center.real,
-        "You measure the offset along the edge. Measure it at a right angle to the edge, to the "
-        "left.": left_of(center, angle - 0.5 * math.pi),
+        "You add the two products.": cosine * center.imag + sine * center.real,
+        "You swap sine and cosine.": sine * center.imag - cosine * center.real,
+        "You measure the offset along the edge.": left_of(center, angle - 0.5 * math.pi),
         "You treat the angle as degrees.": left_of(center, math.radians(angle)),
         "You place the edge so that half of the mass is on each side (E-32). Place it directly "
         "below the center of mass instead.": offset,
     }
 
 
-@pytest.mark.exercise("9.7", asks="The offset is positive if the edge passes")
+@pytest.mark.exercise("9.7", asks="The offset is positive if the edge passes", read=OFFSET)
 def test_where_the_edge_must_lie(rng: Random) -> None:
-    about.read = OFFSET
     stones = draw_stones(rng)
-    cause = (
-        "The edge must be below the center of mass. If it is parallel to X, its offset is the y of "
-        "the center of mass."
-    )
-    about(with_stones(stones, "balance_offset(stones, angle=0)"), cause=cause)
-    got = balance_offset(stones, 0.0)
-    why = named(got, about.cause, offset_slips(stones, 0.0))
-    expect_close(got, middle(stones).imag, cause=why, unit="m", tolerance=TIGHT)
-    about.cause = (
-        "The offset should be the scalar product of the center of mass and (-sin(angle), "
-        "cos(angle))."
-    )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
-    for angle in (small, -small, large, -large, large + math.tau, 0.5 * math.pi):
-        about.call = with_stones(stones, f"balance_offset(stones, angle={angle})")
+    for angle in (0, small, -small, large, -large, large + math.tau, 0.5 * math.pi):
+        cause = "The offset is the scalar product of the center and (-sin(angle), cos(angle))."
+        if angle == 0:
+            cause = "The edge is parallel to X and below the center. Its offset is the center's y."
+        with calls(cause, with_stones(stones, f"balance_offset(stones, angle={angle})")):
+            got = balance_offset(stones, float(angle))
         wanted = left_of(middle(stones), angle)
-        got = balance_offset(stones, angle)
-        why = named(got, about.cause, offset_slips(stones, angle))
-        expect_close(got, wanted, cause=why, unit="m", tolerance=TIGHT)
+        expect_close(got, wanted, offset_slips(stones, angle), unit="m", tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7", asks="However, they can differ")
+def expect_masses(
+    stones: Stones, angle: float, cause: str, wanted: Pair, slips: dict[str, Pair] | None = None
+) -> None:
+    """Expect the masses to the left and right of the edge."""
+    shown = "pi / 2" if angle == 0.5 * math.pi else f"{angle:g}"
+    call = f"masses_beside(stones, angle={shown}), the masses to the left and right of the edge"
+    with calls(cause, with_stones(stones, call)):
+        got = masses_beside(stones, angle)
+    expect_close(got, wanted, slips, unit="kg", tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7", asks="However, they can differ", read=BESIDE)
 def test_it_balances_though_the_masses_differ() -> None:
-    about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
-    about.call = with_stones(stones, SIDES.format(0))
-    about.cause = (
-        "The edge is at y = 0.5, so there is 1 kg on its left, where y is larger, and 3 kg on its "
-        "right."
-    )
-    got = masses_beside(stones, 0.0)
     slips = {
         "You give each side half of the total mass, as the book does (E-32). Add up the masses of "
         "the stones on each side instead.": (2.0, 2.0),
-        "You swap the two masses. This edge points along +X, so its left side is the side with the "
-        "larger y.": (3.0, 1.0),
+        "You swap the two masses.": (3.0, 1.0),
         "You count the stones on each side. Add their masses instead.": (1.0, 1.0),
-        "You add up mass times distance. These products are equal on both sides, but the masses "
-        "are not, so add only the masses.": (0.3, 0.3),
-        "You use an edge through the corner of the box. Move the edge to the left by the result of "
-        "balance_offset.": (4.0, 0.0),
+        "You add up mass times distance. Add only the masses.": (0.3, 0.3),
+        "You use an edge through the corner of the box.": (4.0, 0.0),
     }
-    why = named(got, about.cause, slips)
-    expect_close(got, (1.0, 3.0), cause=why, unit="kg", tolerance=TIGHT)
-    about.call = with_stones(stones, SIDES.format("pi / 2"))
-    about.cause = (
-        "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its left."
-    )
-    got = masses_beside(stones, 0.5 * math.pi)
+    cause = "The edge is at y = 0.5, so there is 1 kg on its left, where y is larger, and 3 kg on "
+    expect_masses(stones, 0.0, f"{cause}its right.", (1.0, 3.0), slips)
+    cause = "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its "
     only_y = "You compare y with the offset. The offset of a stone is cos(angle) y - sin(angle) x."
-    about.cause = named(got, about.cause, {only_y: (4.0, 0.0)})
-    expect_close(got, (3.0, 1.0), unit="kg", tolerance=TIGHT)
+    expect_masses(stones, 0.5 * math.pi, f"{cause}left.", (3.0, 1.0), {only_y: (4.0, 0.0)})
 
 
-@pytest.mark.exercise("9.7", asks="A stone belongs to the side on which its center lies")
+@pytest.mark.exercise(
+    "9.7", asks="A stone belongs to the side on which its center lies", read=BESIDE
+)
 def test_the_masses_on_both_sides(rng: Random) -> None:
-    about.read = BESIDE
-    about.cause = (
-        "You put a stone on the wrong side. A stone is to the left of the edge if its offset from "
-        "the corner is greater than the edge's."
-    )
     cases = [(draw_telling_stones(rng), 0.3)]
     while len(cases) < 4:
         stones, angle = draw_stones(rng), number(rng, 0.1, 3.0)
@@ -210,14 +174,12 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
         if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
             cases.append((stones, angle))
     for stones, angle in cases:
-        about.call = with_stones(stones, SIDES.format(angle))
-        got, wanted = tuple(masses_beside(stones, angle)), beside(stones, angle)
-        expect_close(got, wanted, unit="kg", tolerance=TIGHT)
+        cause = "A stone is to the left of the edge if its offset is greater than the edge's."
+        expect_masses(stones, angle, cause, beside(stones, angle))
 
 
-@pytest.mark.exercise("9.7", asks="the stone belongs to neither side")
+@pytest.mark.exercise("9.7", asks="the stone belongs to neither side", read=BESIDE)
 def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
-    about.read = BESIDE
     mass, far = positive_number(rng), positive_number(rng, 0.1, 0.9)
     x, y, angle = positive_number(rng), positive_number(rng), number(rng, 0.3, 1.4)
     across = complex(-math.sin(angle), math.cos(angle)) * far
@@ -226,68 +188,53 @@ def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
         ("left of it", 0.7, x + across.real, y + across.imag),
         ("right of it", 0.7, x - across.real, y - across.imag),
     ]
-    about.call = with_stones(stones, SIDES.format(angle))
-    about.cause = (
-        "You add the stone on the edge to one side, because of a rounding error. Add a stone "
-        "within 1e-9 m of the edge to neither side."
-    )
-    got = tuple(masses_beside(stones, angle))
-    expect_close(got, (0.7, 0.7), unit="kg", tolerance=TIGHT)
+    cause = "You add the stone on the edge to one side, because of a rounding error. Add a stone "
+    expect_masses(stones, angle, f"{cause}within 1e-9 m of the edge to neither side.", (0.7, 0.7))
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
-        about.cause = f"Each stone is only {off:.0e} m from the edge. Add it to neither side."
+        cause = f"Each stone is only {off:.0e} m from the edge. Add it to neither side."
         if off > 1e-9:
-            about.cause = f"Each stone is {off:.0e} m from the edge, so add it to its side. Only "
-            about.cause += "stones within 1e-9 m of the edge belong to neither side."
+            cause = f"Each stone is {off:.0e} m from the edge, so add it to its side. Only stones "
+            cause += "within 1e-9 m of the edge belong to neither side."
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
-        about.call = with_stones(stones, SIDES.format(0))
-        got = tuple(masses_beside(stones, 0.0))
-        expect_close(got, wanted, unit="kg", tolerance=TIGHT)
+        expect_masses(stones, 0.0, cause, wanted)
 
 
-@pytest.mark.exercise("9.7", asks="The functions do not change their arguments", weight=0.5)
+@pytest.mark.exercise(
+    "9.7", asks="The functions do not change their arguments", weight=0.5, read=TOP
+)
 @pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
-    about.read = "the docstring at the top of exercises.py"
     stones = draw_telling_stones(rng)
     angle = "" if name == "center_of_stones" else ", angle=0.3"
-    about.call = with_stones(stones, f"{name}(stones{angle})")
-    about.cause = (
-        "Your function changes the list of stones, which it should only read. Work on a copy of "
-        "the list."
-    )
+    cause = "Your function changes the list of stones, which it should only read. Work on a copy "
+    with calls(f"{cause}of the list.", with_stones(stones, f"{name}(stones{angle})")):
+        got, after = stones_after(name, stones)
+    expect_unchanged("the list", after, stones)
     center = middle(stones)
     wanted = {
         "center_of_stones": (center.real, center.imag),
         "balance_offset": left_of(center, 0.3),
         "masses_beside": beside(stones, 0.3),
     }[name]
-    got, after = stones_after(name, stones)
-    expect_unchanged("the list", after, stones)
-    about.cause = "Your result for these stones is wrong. Compare your formula with the docstring."
-    expect_close(got, wanted, tolerance=TIGHT)
+    cause = "Your result for these stones is wrong. Compare your formula with the docstring."
+    expect_close(got, wanted, cause=cause, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7", asks="Enter at least three stones, and add a line")
+@pytest.mark.exercise("9.7", asks="Enter at least three stones, and add a line", read=DATA)
 def test_your_own_stones() -> None:
-    about("center_of_stones(the stones of your stones.csv)", read=DATA)
-    about.cause = (
-        "Enter your own stones in stones.csv, one stone per line, in kg and m. For example: a "
-        "flat piece of slate,0.212,0.120,0.060"
-    )
-    stones = [tuple(stone) for stone in entered_stones()]
-    name = (
-        "your stones.csv: the number of lines, of which at most 4 count (three stones and the box)"
-    )
-    expect_exactly(min(len(stones), 4), 4, call=name)
-    about.cause = (
-        "Some stones in your file have the same position, but two stones can't be in the same "
-        "spot. Measure the position of each stone separately."
-    )
-    places = {(x, y) for _, _, x, y in stones}
+    with calls(
+        "Enter your own stones in stones.csv, one stone per line, in kg and m. For example: a flat "
+        "piece of slate,0.212,0.120,0.060",
+        "center_of_stones(the stones of your stones.csv)",
+    ):
+        stones = [tuple(stone) for stone in entered_stones()]
+    name = "your stones.csv: the number of lines, of which at most 4 count (three stones and the "
+    expect_exactly(min(len(stones), 4), 4, call=f"{name}box)")
+    cause = "Some stones have the same position. Measure the position of each one separately."
     name = "your stones.csv: the number of different positions, of which at most 3 count"
-    expect_exactly(min(len(places), 3), 3, call=name)
-    about.call = "center_of_stones(your stones)"
-    got = center_of_stones(stones)
+    places = {(x, y) for _, _, x, y in stones}
+    expect_exactly(min(len(places), 3), 3, call=name, cause=cause)
+    with calls(USE, "center_of_stones(your stones)"):
+        got = center_of_stones(stones)
     wanted = middle(stones)
-    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     expect_close(got, (wanted.real, wanted.imag), tolerance=TIGHT)

@@ -53,4 +53,4 @@ def test_each_check_quotes_the_course(chapter: Chapter) -> None:
         found = [q for q in quoted if any(plain(q) in text for text in said)]
         if not (quoted and found == quoted and all(len(q.split()) >= SHORTEST for q in quoted)):
             missing.append(f"{check}: {quoted}")
-    assert not missing, "\n".join(missing)
+    assert not missing, "not in a lesson or docstring so far:\n" + "\n".join(missing)

@@ -185,7 +185,8 @@ def test_a_wrong_submission_is_caught(
     if wrong.caught_by not in [verdict.name for verdict in verdicts]:
         # A later exercise adds to this function, and its check catches the mistake.
         everything = waiting.run([wrong.edit], [e.id for e in chapter.exercises])
-        later = next(v.exercise for v in everything if v.name == wrong.caught_by)
+        later = {v.name: v.exercise for v in everything}.get(wrong.caught_by)
+        assert later, f"{chapter.name}/wrong.toml names an unknown check, {wrong.caught_by}"
         verdicts = waiting.run([wrong.edit], [later])
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
     assert wrong.caught_by in [verdict.name for verdict in failed]

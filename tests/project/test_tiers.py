@@ -60,7 +60,8 @@ def test_the_manifest_says_why_wherever_there_are_robust_checks(
 ) -> None:
     chapter, verdicts = checked
     said = {exercise.id for exercise in chapter.exercises if exercise.robust}
-    assert said == {verdict.exercise for verdict in verdicts if verdict.robust}
+    tested = {verdict.exercise for verdict in verdicts if verdict.robust}
+    assert tested == said, f"add or remove robust in {chapter.name}/chapter.toml: {tested ^ said}"
 
 
 def test_each_reason_is_one_short_sentence_of_its_own() -> None:

@@ -18,7 +18,7 @@ from ch07_constraints.exercises import (
 )
 from ch07_constraints.probes import entered_drops
 from draw import positive_number, vector
-from expect import expect_close, expect_exactly, expect_unchanged
+from expect import expect_close, expect_exactly, expect_unchanged, xyz
 
 DROP = "exercise 7.1, and the docstring of restitution_of_drop"
 TABLE = "the docstring of table_of_drops"
@@ -198,7 +198,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             "You returned the impulse in N s.": force * share * frame,
             "Your ratio is upside down.": force / (share or 1.0),
         }
-        expect_close(got, force * share, slips, tolerance=1e-14, unit="N")
+        expect_close(xyz(got), force * share, slips, tolerance=1e-14, unit="N")
         why = "You changed the vector that was passed in, as *= does. Use force * number."
         expect_unchanged("f", f, force, cause=why)
     with calls("You returned the vector that was passed in. Return a new vector instead."):

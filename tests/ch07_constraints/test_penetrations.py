@@ -66,9 +66,9 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
                     p + n * (depth * first / (1.0 / first + 1.0 / second)),
             }  # fmt: skip
         move, back, name = n * (share * depth), n * ((share - 1.0) * depth), "; a.position"
-        expect_close(a.position, p + move, slips, then=name, tolerance=ROUNDED, unit="m")
+        expect_close(xyz(a.position), p + move, slips, then=name, tolerance=ROUNDED, unit="m")
         why = "The position of a is right. Return the vector by which you moved a as moves[0]."
-        expect_close(moves[0], move, then="; moves[0]", cause=why, tolerance=1e-15, unit="m")
+        expect_close(xyz(moves[0]), move, then="; moves[0]", cause=why, tolerance=1e-15, unit="m")
         slips = {
             "You moved b toward a. The normal points from b to a, so move b against the normal.":
                 -back
@@ -80,9 +80,9 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
             }
         why = "Particle b moves by the rest of the depth, against the normal, as moves[1] says."
         name = "; moves[1]"
-        expect_close(moves[1], back, slips, then=name, cause=why, tolerance=1e-15, unit="m")
+        expect_close(xyz(moves[1]), back, slips, then=name, cause=why, tolerance=1e-15, unit="m")
         name = "; b.position"
-        expect_close(b.position, q + back, then=name, cause=why, tolerance=ROUNDED, unit="m")
+        expect_close(xyz(b.position), q + back, then=name, cause=why, tolerance=ROUNDED, unit="m")
         why = "No overlap is left. Set the penetration to 0, although the book doesn't (E-8)."
         expect_close(c.penetration, 0.0, then="; c.penetration", cause=why, unit="m")
 
@@ -106,17 +106,17 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
         expect_two(moves)
         zero = "No particle moves here, so make both of the moves that you return zero vectors."
         for name, now, before, why in (
-            ("a.position", a.position, p, cause),
-            ("b.position", b.position, q, cause),
-            ("moves[0]", moves[0], ZERO, zero),
-            ("moves[1]", moves[1], ZERO, zero),
+            ("a.position", xyz(a.position), p, cause),
+            ("b.position", xyz(b.position), q, cause),
+            ("moves[0]", xyz(moves[0]), ZERO, zero),
+            ("moves[1]", xyz(moves[1]), ZERO, zero),
         ):
             expect_close(now, before, then=f"; {name}", cause=why, tolerance=0.0, unit="m")
         why = "No particle moved, so leave the penetration as it is."
         expect_close(c.penetration, depth, then="; c.penetration", cause=why, unit="m")
         with calls("Both moves are the same object. Return two separate vectors.", more=True):
             moves[0].x += 1.0
-        expect_close(moves[1], ZERO, then="; moves[1]", unit="m")
+        expect_close(xyz(moves[1]), ZERO, then="; moves[1]", unit="m")
     with calls("Set the penetration to 0, or the next call will move the particles again (E-8)."):
         a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
         c = Contact(a, b, normal=Vector3(*n), restitution=0.5, penetration=0.5)
@@ -124,8 +124,8 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     expect_close(c.penetration, 0.0, then="; c.penetration", unit="m")
     with calls("Nothing moved, so return zero vectors, not the first moves (E-27).", more=True):
         moves = c.resolve_penetration()
-    expect_close(moves[0], ZERO, then="; moves[0]", unit="m")
-    expect_close(moves[1], ZERO, then="; moves[1]", unit="m")
+    expect_close(xyz(moves[0]), ZERO, then="; moves[0]", unit="m")
+    expect_close(xyz(moves[1]), ZERO, then="; moves[1]", unit="m")
 
 
 @pytest.mark.exercise("B7.4", asks="as two new vectors", read=MOVE)
@@ -139,13 +139,13 @@ def test_the_moves_are_new_vectors(rng: Random) -> None:
         moves = c.resolve_penetration()
     expect_unchanged("c.normal", c.normal, n, cause=IN_PLACE)
     why = "Only a can move, by the whole depth. Return its displacement and a zero vector."
-    expect_close(moves[0], n * 0.5, then="; moves[0]", cause=why, tolerance=1e-15, unit="m")
-    expect_close(moves[1], ZERO, then="; moves[1]", cause=why, unit="m")
+    expect_close(xyz(moves[0]), n * 0.5, then="; moves[0]", cause=why, tolerance=1e-15, unit="m")
+    expect_close(xyz(moves[1]), ZERO, then="; moves[1]", cause=why, unit="m")
     with calls(separate, more=True):
         moves[0].x += 1.0
         moves[1].x += 1.0
     expect_unchanged("c.normal", c.normal, n)
-    expect_close(a.position, p + n * 0.5, then="; a.position", tolerance=ROUNDED, unit="m")
+    expect_close(xyz(a.position), p + n * 0.5, then="; a.position", tolerance=ROUNDED, unit="m")
     with calls(separate):
         a, b = Particle(Vector3(*p)), Particle(Vector3(*q))
         c = Contact(a, b, normal=Vector3(*n), restitution=0.5, penetration=0.5)
@@ -157,7 +157,7 @@ def test_the_moves_are_new_vectors(rng: Random) -> None:
     for name, particle, wanted in (("a", a, p + n * 0.25), ("b", b, q - n * 0.25)):
         got, position = particle.position, f"; {name}.position"
         expect_close(got, wanted, then=position, tolerance=ROUNDED, unit="m")
-        expect_close(particle.velocity, ZERO, then=f"; {name}.velocity", cause=why, unit="m/s")
+        expect_close(xyz(particle.velocity), ZERO, then=f"; {name}.velocity", cause=why, unit="m/s")
 
 
 @pytest.mark.exercise("B7.4", asks="Move the two particles apart along the normal", read=REST)

@@ -170,7 +170,7 @@ def test_only_closing_contacts_are_resolved(rng: Random) -> None:
         # Some roundings of numbers up to 20.
         expect_close(got, left, then="; the closing speed", tolerance=5e-14, unit="m/s")
         why = "Change only velocities here, and leave the rest to resolve_penetrations."
-        expect_close(a.position, ZERO, then="; a.position", cause=why, unit="m")
+        expect_close(xyz(a.position), ZERO, then="; a.position", cause=why, unit="m")
         expect_close(c.penetration, depth, then="; c.penetration", cause=why, unit="m")
 
 

@@ -107,7 +107,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
             cause += "or you stop but return the wrong number. Stop when the deepest contact is at "
             cause += "most DEPTH_TOLERANCE, and return the number of resolutions so far."
         expect_exactly(used, wanted, then=RETURNED, cause=cause, unit="resolutions")
-        expect_close(a.position, move, then="; a.position", tolerance=1e-15, unit="m")
+        expect_close(xyz(a.position), move, then="; a.position", tolerance=1e-15, unit="m")
         expect_close(c.penetration, left, then="; c.penetration", unit="m")
     with calls("The list of contacts is empty. Return 0 as the number of resolutions."):
         used = ContactResolver().resolve_penetrations([], 9)

@@ -61,16 +61,16 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
             place + v * h + DOWN * h * h,
     }  # fmt: skip
     wanted = place + v * h + DOWN * (0.5 * h * h)
-    expect_close(p.position, wanted, slips, then=PLACE, unit="m")
-    expect_close(p.velocity, v + DOWN * h, then=VELOCITY, unit="m/s")
+    expect_close(xyz(p.position), wanted, slips, then=PLACE, unit="m")
+    expect_close(xyz(p.velocity), v + DOWN * h, then=VELOCITY, unit="m/s")
     with calls("You changed an immovable particle. Leave its position and its velocity unchanged."):
         p = Particle(Vector3(*place), Vector3(*v), Vector3(*DOWN), mass=math.inf)
         p.add_force(Vector3(1.0, 2.0, 3.0))
         time_division_step([p], GroundPlane([p]), h)
-    expect_close(p.position, place, then=PLACE, unit="m")
-    expect_close(p.velocity, v, then=VELOCITY, unit="m/s")
+    expect_close(xyz(p.position), place, then=PLACE, unit="m")
+    expect_close(xyz(p.velocity), v, then=VELOCITY, unit="m/s")
     why = "You left the force in the accumulator. Call kick(0.0) on immovable particles, too."
-    expect_close(p.force_accumulator, ZERO, then="; p.force_accumulator", cause=why, unit="N")
+    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", cause=why, unit="N")
 
 
 @pytest.mark.exercise("B7.12", asks="stop at each impact to resolve it", read=READ)
@@ -244,14 +244,14 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     without = (3.0 * h, bounced(high, 0.25 * a, h)[0], 0.0)
     slips = {"You used p.acceleration instead of last_acceleration.": without}
     wanted = (3.0 * h, height, 0.0)
-    expect_close(p.position, wanted, slips, then=PLACE, tolerance=1e-13, unit="m")
+    expect_close(xyz(p.position), wanted, slips, then=PLACE, tolerance=1e-13, unit="m")
     slips = {
         "You left out the damping.": (3.0, 2.0 * end, 0.0),
         "You applied the damping for a whole second.": (0.75, 0.5 * end, 0.0),
     }
     why = "Multiply the velocity once by damping ** duration, at the end of the step."
-    wanted = (1.5, end, 0.0)
-    expect_close(p.velocity, wanted, slips, then=VELOCITY, cause=why, tolerance=1e-13, unit="m/s")
+    got, wanted = xyz(p.velocity), (1.5, end, 0.0)
+    expect_close(got, wanted, slips, then=VELOCITY, cause=why, tolerance=1e-13, unit="m/s")
     why = "You left the force in the accumulator, or out of last_acceleration. At the start of the "
     why += "step, call particle.kick(0.0), which corrects both without changing the velocity."
     got, name = (*xyz(p.last_acceleration), *xyz(p.force_accumulator)), "; p.last_acceleration "
@@ -260,7 +260,7 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     with calls("A force lasts for one step. Call kick(0.0) in each step to clear it.", more=True):
         time_division_step([p], ground, h)
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
-    expect_close(p.position, wanted, then=PLACE, tolerance=1e-13, unit="m")
+    expect_close(xyz(p.position), wanted, then=PLACE, tolerance=1e-13, unit="m")
     with calls("The acceleration of q is 8 N / 2 kg = 4 m/s^2. Use its last_acceleration."):
         p, q = Particle(Vector3(0.0, 90.0, 0.0)), Particle(Vector3(9.0, 90.0), mass=2, damping=d)
         q.add_force(Vector3(8.0))
@@ -268,8 +268,8 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     still = (9.0, 90.0, 0.0)
     slips = {"Particle q didn't move. Call kick(0.0) on all, not only on the first one.": still}
     wanted = (9.5, 90.0, 0.0)
-    expect_close(q.position, wanted, slips, then="; q.position", tolerance=1e-13, unit="m")
-    expect_close(q.velocity, (1.0, 0.0, 0.0), then="; q.velocity", tolerance=1e-13, unit="m/s")
+    expect_close(xyz(q.position), wanted, slips, then="; q.position", tolerance=1e-13, unit="m")
+    expect_close(xyz(q.velocity), (1.0, 0.0, 0.0), then="; q.velocity", tolerance=1e-13, unit="m/s")
 
 
 @pytest.mark.exercise("B7.12", asks="Do not resolve its penetration", read=READ)
@@ -281,8 +281,8 @@ def test_penetrations_are_not_resolved() -> None:
         with calls(cause):
             p = Particle(Vector3(0.0, -1.0, 0.0), Vector3(0.0, speed, 0.0), mass=2.0)
             time_division_step([p], GroundPlane([p], restitution=0.5), 0.5)
-        expect_close(p.position, (0.0, height, 0.0), then=PLACE, tolerance=1.5e-13, unit="m")
-        expect_close(p.velocity, (0.0, then, 0.0), then=VELOCITY, unit="m/s")
+        expect_close(xyz(p.position), (0.0, height, 0.0), then=PLACE, tolerance=1.5e-13, unit="m")
+        expect_close(xyz(p.velocity), (0.0, then, 0.0), then=VELOCITY, unit="m/s")
 
 
 @pytest.mark.exercise("B7.12", asks="if the duration is not positive and finite", read=READ)

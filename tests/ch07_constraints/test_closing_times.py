@@ -33,7 +33,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (1e-6, -1e-6, 0.0, 1.0,
          "The body is slow, but it reaches the ground after 1 s. Don't treat its speed as 0."),
         (5e-7, 0.0, -1e-6, 1.0,
-         "The acceleration is small, but it brings the body here. Don't treat it as 0."),
+         "The acceleration is small, but it closes the gap. Don't treat it as 0."),
         (0.0, 10.0, -10.0, 2.0,
          "The body is just leaving the ground. Return the time when it comes back."),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),

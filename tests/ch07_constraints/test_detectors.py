@@ -67,7 +67,7 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                 why = "Create the contact with the particle p, and with None for the ground."
                 expect_particles((a, b), (0, -1), ["p"], cause=why)
                 slips = {"Your normal points down, so p is pushed farther into the ground.": -UP}
-                name, why = "; the normal of the contact", "Use (0, 1, 0), out of the ground."
+                name, why = "; the normal of the contact", "Use (0, 1, 0), which points up."
                 expect_close(normal, UP, slips, then=name, cause=why)
                 name = "; the restitution of the contact"
                 expect_close(restitution, c, then=name, cause=RESTITUTION, tolerance=1e-13)

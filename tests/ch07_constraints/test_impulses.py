@@ -127,7 +127,7 @@ def test_separating_or_immovable_particles_get_no_impulse(rng: Random) -> None:
     w, v = closing_velocities(rng, n)
     for mass, first, second, cause in (
         (2.0, v, w,
-         "They are already separating. Return before you change anything."),
+         "The particles are already separating. Return before you change a velocity."),
         (math.inf, w, v,
          "The sum of their inverse masses is 0. Return before you divide by this sum."),
     ):  # fmt: skip

@@ -153,7 +153,7 @@ def test_only_closing_contacts_are_resolved(rng: Random) -> None:
         (-0.5, 1.0, 0,
          "It is already separating at 0.5 m/s. Skip it, however deep it is."),
         (0.0, 1.0, 0,
-         "It doesn't close. Skip it, and leave its depth to resolve_penetrations."),
+         "It is deep but doesn't close. Skip it, and leave its depth to resolve_penetrations."),
         (1e-13, 1.0, 0, noise),
         (1e-11, 1.0, 1, slow),
     ):  # fmt: skip

@@ -93,7 +93,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         elif len(found) > bounces and found[1][2] < 1e-9:
             why = "You resolved it before you moved the particles. Move them to its time first."
         elif len(found) > bounces:
-            why = "You found too many. Pass only the time that is left to next_impact."
+            why = "You found too many impacts. Pass only the time that is left to next_impact."
         expect_exactly(len(found), bounces, then=IMPACTS, cause=why, unit="impacts")
         # Some 200 flights, each with a few roundings of 10 m.
         name = "; the final height in m and the final velocity along y in m/s"

@@ -19,7 +19,7 @@ from expect import about, expect_between, expect_close, expect_exactly
 from impacts import expect_list, expect_particles
 from unmoved import expect_all_kept
 
-LEFT, UP = Triple((-1.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0))
+LEFT, RIGHT, UP = Triple((-1.0, 0.0, 0.0)), Triple((1.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0))
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
 PAIRS = "the docstring of ParticlePairs.contacts"
 INDICES = "; the indices of the particles in the returned contacts"
@@ -120,9 +120,9 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         (LEFT * 2.0, LEFT, 0.75, LEFT, 0.5,
          "They touch, because their centers are 1 m apart. If you use cells, compute their "
          "indices with math.floor, because int rounds toward 0."),
-        (LEFT * -3.0, LEFT * -5.0, 1.0, LEFT, 0.0,
+        (RIGHT * 3.0, RIGHT * 5.0, 1.0, LEFT, 0.0,
          "Their centers are exactly two radii apart. Their penetration is 0."),
-        (LEFT * 1e-17, LEFT * -2.0, 1.0, LEFT, 0.0,
+        (LEFT * 1e-17, RIGHT * 2.0, 1.0, LEFT, 0.0,
          "Apart from rounding, they touch. If you use cells, make them a little larger."),
         (place, place, 1.0, UP, 2.0,
          "Both centers are at the same position. Use +Y as the normal."),

@@ -29,9 +29,9 @@ def closing_velocities(rng: Random, n: Triple) -> tuple[Triple, Triple]:
 
 @pytest.mark.exercise("B7.3", asks="impulse that changes the separating velocity", read=IMPULSE)
 def test_two_balls_bounce(rng: Random) -> None:
-    m, x = unit_vector(rng), Triple((1.0, 0.0, 0.0))
+    m, left = unit_vector(rng), Triple((-1.0, 0.0, 0.0))
     for v, w, n, ma, mb, c in (
-        (3.0 * x, -x, -x, 1.0, 4.0, 0.5),
+        (Triple((3.0, 0.0, 0.0)), left, left, 1.0, 4.0, 0.5),
         (*closing_velocities(rng, m), m, positive_number(rng), positive_number(rng),
          round(rng.uniform(0.1, 0.9), 3)),
     ):  # fmt: skip

@@ -152,9 +152,9 @@ def test_when_two_spheres_meet(rng: Random) -> None:
     move = -move if move @ m > 0.0 else move
     down, c = (1.0, -positive_number(rng), 2.0), round(rng.uniform(0.1, 0.9), 3)
     far = Triple((-10.8, 1.4, 0.0))  # the sides of a right triangle: 1.4, 4.8 and 5 = 2 r
-    x = Triple((1.0, 0.0, 0.0))
+    right, left = Triple((2.0, 0.0, 0.0)), Triple((-1.0, 0.0, 0.0))
     for p, v, q, w, radius, n, t, slips in (
-        (far, 2.0 * x, ZERO, -x, 2.5, Triple((-0.96, 0.28, 0.0)), 2.0, {
+        (far, right, ZERO, left, 2.5, Triple((-0.96, 0.28, 0.0)), 2.0, {
             "You returned the later of the two solutions, at which the particles have already "
             "passed through each other.": 5.2,
             "You used only one radius.": 3.6 - math.sqrt(4.29) / 3.0,

@@ -33,11 +33,13 @@ def told(contacts: Iterable[Any], particles: Sequence[Any]) -> list[Told]:
 
     The index is -1 for None, and -2 for a particle that is not in the list.
     """
-    found = []
-    for contact in contacts:
-        ends = (number_of(contact.particle, particles), number_of(contact.other, particles))
-        found.append((*ends, xyz(contact.normal), contact.restitution, contact.penetration))
-    return found
+    return [
+        (
+            *(number_of(end, particles) for end in (contact.particle, contact.other)),
+            *(xyz(contact.normal), contact.restitution, contact.penetration),
+        )
+        for contact in contacts
+    ]
 
 
 def kind_of(contacts: Any) -> str:
@@ -67,23 +69,21 @@ def velocity_first(particle: Particle, duration: float) -> None:
         particle.position = place
 
 
-def lying(
-    restitution: float, generated: bool, frames: int, duration: float
-) -> tuple[list[float], float]:
-    """Let a body lie on the ground under 9.81 m/s^2 and return its heights and largest speed.
+def lying(restitution: float, generated: bool) -> tuple[list[float], float]:
+    """Let a body lie on the ground for 15 s, and return its heights and its largest speed.
 
-    Both are read after each step. With ``generated``, gravity is a force that is added by hand in
-    every step. Otherwise it is the body's own acceleration.
+    With ``generated``, gravity is a force that is added by hand in every step. Otherwise it is the
+    body's own acceleration.
     """
-    down = Vector3(0.0, -9.81, 0.0)
+    down, h = Vector3(0.0, -9.81, 0.0), 1.0 / 60.0
     body = Particle(acceleration=None if generated else down, mass=2.0)
     heights, fastest = [], 0.0
-    for _ in range(frames):
+    for _ in range(900):
         if generated:
             body.add_force(down * 2.0)
-        velocity_first(body, duration)
+        velocity_first(body, h)
         if body.position.y <= 0.0:
-            Contact(body, None, Vector3(*UP), restitution, -body.position.y).resolve(duration)
+            Contact(body, None, Vector3(*UP), restitution, -body.position.y).resolve(h)
         heights.append(body.position.y)
         fastest = max(fastest, abs(body.velocity.y))
     return heights, fastest
@@ -91,98 +91,49 @@ def lying(
 
 def resolved(
     bodies: Sequence[tuple[Components, Components, float]],
-    contacts: Sequence[tuple[int, int, Components, float, float]],
-    method: str,
+    contacts: Sequence[Told],
     limit: int,
-    duration: float = 0.5,
-    acceleration: Components = (0.0, 0.0, 0.0),
+    velocities: bool,
 ) -> tuple[int, list[tuple[Components, Components]], list[float]]:
-    """Resolve contacts by one of the resolver's methods, or by resolve_contacts with a limit.
+    """Resolve the velocities of contacts, or else their penetrations.
 
-    A body is a position, a velocity and a mass, and all bodies have the same acceleration. A
-    contact is given as ``told`` returns it. Return the number of iterations used, the positions
-    and velocities of the bodies, and the penetrations of the contacts.
+    A body is a position, a velocity and a mass. A contact is given as ``told`` returns it. Return
+    the number of resolutions, the positions and velocities, and the penetrations.
     """
-    pull = Vector3(*acceleration)
-    particles = [Particle(Vector3(*p), Vector3(*v), pull, mass=m) for p, v, m in bodies]
+    particles = [Particle(Vector3(*p), Vector3(*v), mass=m) for p, v, m in bodies]
     made = [
         Contact(particles[a], None if b < 0 else particles[b], Vector3(*n), c, depth)
         for a, b, n, c, depth in contacts
     ]
-    resolver = ContactResolver(limit if method == "resolve_contacts" and limit else None)
-    used: Any
-    if method == "resolve_velocities":
-        used = resolver.resolve_velocities(made, limit, duration)
-    elif method == "resolve_penetrations":
-        used = resolver.resolve_penetrations(made, limit)
+    resolver = ContactResolver()
+    if velocities:
+        used = resolver.resolve_velocities(made, limit, 0.5)
     else:
-        resolver.resolve_contacts(made, duration)
-        used = resolver.iterations_used
+        used = resolver.resolve_penetrations(made, limit)
     return used, moving(particles), [contact.penetration for contact in made]
 
 
-def stacked(
-    count: int, radius: float, iterations: int | None, frames: int, duration: float
-) -> tuple[list[float], float]:
-    """Stack spheres on the ground under 9.81 m/s^2, and return the results of piled."""
-    down = Vector3(0.0, -9.81, 0.0)
-    spheres = [
-        Particle(Vector3(0.0, (2 * i + 1) * radius, 0.0), acceleration=down) for i in range(count)
-    ]
-    pairs = Neighbors(spheres, radius)
-    return piled(spheres, pairs, ContactResolver(iterations), frames, duration, radius)
+def piled(count: int, limit: int | None, steps: int, detect: bool) -> tuple[list[float], float]:
+    """Stack spheres with a radius of 0.5 m on the ground, and let them lie there.
 
-
-class Neighbors:
-    """Detects the contact of each sphere of a stack with the sphere below it, and no others."""
-
-    def __init__(self, spheres: Sequence[Particle], radius: float) -> None:
-        self.spheres, self.radius = spheres, radius
-
-    def contacts(self) -> list[Contact]:
-        found = []
-        for lower, upper in pairwise(self.spheres):
-            depth = 2.0 * self.radius - (upper.position.y - lower.position.y)
-            if depth >= 0.0:
-                found.append(Contact(upper, lower, Vector3(*UP), 0.0, depth))
-        return found
-
-
-def piled(
-    spheres: Sequence[Particle],
-    pairs: Any,
-    resolver: Any,
-    frames: int,
-    duration: float,
-    radius: float = 0.5,
-) -> tuple[list[float], float]:
-    """Let spheres lie on each other and on the ground. The contacts with the ground are made here.
-
-    Return the final heights, and the largest overlap of two neighbors, or with the ground, after
-    any step.
+    ParticlePairs may ``detect`` the contacts of neighbors. Return the final heights, and the
+    largest overlap of two neighbors, or with the ground, after any step.
     """
-    largest = 0.0
-    for _ in range(frames):
+    down, h, largest = Vector3(0.0, -9.81, 0.0), 1.0 / 60.0, 0.0
+    spheres = [Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=down) for i in range(count)]
+    resolver = ContactResolver(limit)
+    for _ in range(steps):
         for sphere in spheres:
-            velocity_first(sphere, duration)
-        contacts = [
-            Contact(sphere, None, Vector3(*UP), 0.0, radius - sphere.position.y)
-            for sphere in spheres
-            if sphere.position.y <= radius
-        ]
-        resolver.resolve_contacts([*contacts, *pairs.contacts()], duration)
-        places = [-radius, *(sphere.position.y for sphere in spheres)]
-        largest = max(largest, *(2.0 * radius - (b - a) for a, b in pairwise(places)))
+            velocity_first(sphere, h)
+        contacts = ParticlePairs(spheres, 0.5).contacts() if detect else []
+        for upper, lower in zip(spheres, [None] if detect else [None, *spheres], strict=False):
+            depth = 1.0 - (upper.position.y - (lower.position.y if lower else -0.5))
+            if depth >= 0.0:
+                contacts.append(Contact(upper, lower, Vector3(*UP), 0.0, depth))
+        resolver.resolve_contacts(contacts, h)
+        places = [-0.5, *(sphere.position.y for sphere in spheres)]
+        largest = max(largest, *(1.0 - (b - a) for a, b in pairwise(places)))
     return [sphere.position.y for sphere in spheres], largest
-
-
-def thrown_down(speed: float, duration: float) -> tuple[float, float]:
-    """Throw a particle down; return its height after a step, and the height out of contact."""
-    particle = Particle(Vector3(0.0, 1.0, 0.0), Vector3(0.0, -speed, 0.0))
-    particle.integrate(duration)
-    fallen = particle.position.y
-    depths = [contact.penetration for contact in GroundPlane([particle]).contacts()]
-    return fallen, fallen + sum(depths)
 
 
 def ground_of_a_list(heights: Sequence[float]) -> list[list[int]]:
@@ -216,9 +167,8 @@ def looked(count: int, size: float) -> tuple[int, int, int]:
 
     Return that count, the number of contacts that were found, and the number of touching pairs.
     """
-    rng = Random(1)
+    rng, asked = Random(1), [0]
     places = [tuple(rng.uniform(0.0, size) for _ in range(3)) for _ in range(count)]
-    asked = [0]
 
     class Counting(Vector3):
         def __getattribute__(self, name: str) -> Any:

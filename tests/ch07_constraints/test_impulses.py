@@ -3,236 +3,163 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from random import Random
 
 import pytest
 
+from calls import calls
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
-from draw import Components, components, direction, dot, number, positive_number
-from expect import (
-    about,
-    cause_of,
-    expect_close,
-    expect_unchanged,
-    xyz,
-)
-from impacts import of_mass
+from draw import Triple, number, positive_number, unit_vector, vector
+from expect import expect_close, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
-UP = (0.0, 1.0, 0.0)
 IMPULSE = "book 7.1.4, and the docstring of Contact.resolve_velocity"
+REST = "book 7.2.3, and the docstring of Contact.resolve_velocity"
 
 
-def along(
-    v: Components, n: Components, mistakes: Sequence[tuple[float, str]]
-) -> list[tuple[Components, str]]:
-    """Return the mistakes with v + s n in place of each number s."""
-    return [((v[0] + s * n[0], v[1] + s * n[1], v[2] + s * n[2]), name) for s, name in mistakes]
-
-
-def closing_velocities(rng: Random, n: Components) -> tuple[Components, Components]:
+def closing_velocities(rng: Random, n: Triple) -> tuple[Triple, Triple]:
     """Draw two velocities that approach each other along n at 1 m/s or more."""
-    v, w = components(rng), components(rng)
-    while dot(w, n) - dot(v, n) < 1.0:
-        v, w = components(rng), components(rng)
+    v, w = vector(rng), vector(rng)
+    while (w - v) @ n < 1.0:
+        v, w = vector(rng), vector(rng)
     return v, w
 
 
-@pytest.mark.exercise("B7.3", asks="impulse that changes the separating velocity")
+@pytest.mark.exercise("B7.3", asks="impulse that changes the separating velocity", read=IMPULSE)
 def test_two_balls_bounce(rng: Random) -> None:
-    about.read = IMPULSE
-    n = direction(rng)
-    v, w = closing_velocities(rng, n)
-    samples = [
-        ((3.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0, 4.0, 0.5),
-        (v, w, n, positive_number(rng), positive_number(rng), round(rng.uniform(0.1, 0.9), 3)),
-    ]
-    for v, w, n, ma, mb, c in samples:
-        about.call = f"particle a ({ma} kg) with velocity {v}; particle b ({mb} kg) with velocity "
-        about.call += f"{w}; Contact(a, b, normal=Vector3{n}, restitution={c}).resolve_velocity()"
-        a = Particle(velocity=Vector3(*v), mass=ma)
-        b = Particle(velocity=Vector3(*w), mass=mb)
-        about.cause = "The separating velocity must change from v_s to -c v_s. The impulse g is "
-        about.cause += "that change divided by 1 / ma + 1 / mb, and it changes the velocity of a "
-        about.cause += "by n g / ma."
-        Contact(a, b, Vector3(*n), c).resolve_velocity()
-        closing = dot(v, n) - dot(w, n)
+    m, left = unit_vector(rng), Triple((-1.0, 0.0, 0.0))
+    for v, w, n, ma, mb, c in (
+        (Triple((3.0, 0.0, 0.0)), left, left, 1.0, 4.0, 0.5),
+        (*closing_velocities(rng, m), m, positive_number(rng), positive_number(rng),
+         round(rng.uniform(0.1, 0.9), 3)),
+    ):  # fmt: skip
+        with calls(
+            "The separating velocity must change from v_s to -c v_s. The impulse g is that change "
+            "divided by 1 / ma + 1 / mb, and it changes the velocity of a by n g / ma."
+        ):
+            a, b = Particle(velocity=Vector3(*v), mass=ma), Particle(velocity=Vector3(*w), mass=mb)
+            Contact(a, b, normal=Vector3(*n), restitution=c).resolve_velocity()
+        closing, share = (v - w) @ n, ma * mb / (ma + mb)
         change = -(1.0 + c) * closing
-        wanted_a = tuple(p + mb / (ma + mb) * change * q for p, q in zip(v, n, strict=True))
-        wanted_b = tuple(p - ma / (ma + mb) * change * q for p, q in zip(w, n, strict=True))
-        got = xyz(a.velocity)
-        impulse = change * ma * mb / (ma + mb)
+        impulse = change * share
         momentum = "You added the impulse g to the velocity, but an impulse is a change in "
         momentum += "momentum (E-24). Add"
-        unlike = -c * closing * impulse / change  # as if it had been at rest before
-        mistakes = [
-            (change / ma, "You used the change in the separating velocity as the impulse. Divide "
-                          "that change by 1 / ma + 1 / mb to get the impulse."),
-            (change * (1.0 / ma + 1.0 / mb) / ma,
-             "You multiplied the change in the separating velocity by 1 / ma + 1 / mb. Divide it "
-             "by this sum to get the impulse."),
-            (impulse / mb, "The masses are swapped: you divided the impulse on a by the mass of b. "
-                           "Divide it by the mass of a."),
-            (-impulse / ma, "Your impulse has the wrong sign: it pushes a toward b. Push a away "
-                            "from b, along +n."),
-            (unlike / ma,
-             "You computed the impulse as if the separating velocity had been 0 before the "
-             "bounce. With a restitution c, it changes from v_s to -c v_s, so the change is -c "
-             "v_s - v_s."),
-            (0.5 * change,
-             "You gave each body half of the change in velocity, which is right only for equal "
-             "masses. The lighter body changes its velocity more: add n g / ma."),
-            ((1.0 - c) * closing * impulse / change,
-             "You added v_s to the separating velocity after the bounce. The change is the new "
-             "separating velocity minus v_s."),
-            (impulse, f"{momentum} n g / ma instead."),
-            (impulse * ma, "You multiplied the impulse by the mass of a. Divide it by the mass of "
-                           "a, or multiply by the inverse mass."),
-        ]  # fmt: skip
-        seen = cause_of(got, along(v, n, mistakes), about.cause)
+        slips = {
+            "You used the change in the separating velocity as the impulse.": v + n * (change / ma),
+            "You multiplied the change in the separating velocity by 1 / ma + 1 / mb.":
+                v + n * (change / share / ma),
+            "The masses are swapped: you divided g by the mass of b.": v + n * (impulse / mb),
+            "Your impulse has the wrong sign: it pushes a toward b. Push a away from b, along +n.":
+                v - n * (impulse / ma),
+            "You computed the impulse as if the separating velocity had been 0 before the bounce. "
+            "The change is -c v_s - v_s.": v - n * (c * closing * share / ma),
+            "You gave each body half of the change in velocity, which is right only for equal "
+            "masses. The lighter body changes its velocity more: add n g / ma.":
+                v + n * (0.5 * change),
+            "You added v_s to the new separating velocity instead of subtracting it.":
+                v + n * ((1.0 - c) * closing * share),
+            f"{momentum} n g / ma instead.": v + n * impulse,
+            "You multiplied the impulse by the mass of a.": v + n * (impulse * ma),
+        }  # fmt: skip
         # A few roundings of numbers up to 40.
-        expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12, unit="m/s")
-        got = xyz(b.velocity)
-        twice = (
-            "You computed the impulse again for b, after the velocity of a had changed. Compute "
-        )
-        twice += "it once, before you change a velocity, and use it for both."
+        wanted, name = v + n * (impulse / ma), "; a.velocity"
+        expect_close(xyz(a.velocity), wanted, slips, then=name, tolerance=1e-12, unit="m/s")
+        twice = "You computed the impulse again for b. Compute it once, before you change a, for"
         new = closing + impulse / ma  # the separating velocity when only a has its impulse
-        mistakes = [
-            (0.0,
-             "The velocity of b didn't change. The impulse on b is opposite to the impulse g on a, "
-             "so add -n g / mb to the velocity of b."),
-            (-(-c * closing - new) * impulse / change / mb, twice),
-            ((1.0 + c) * new * impulse / change / mb, twice),
-            (impulse / mb,
-             "You pushed b in the same direction as a. The impulse on b is opposite to the impulse "
-             "g on a, so add -n g / mb to the velocity of b."),
-            (-impulse, f"{momentum} -n g / mb instead."),
-            (-impulse * mb, "You multiplied the impulse by the mass of b. Divide it by the mass of "
-                            "b, or multiply by the inverse mass."),
-        ]  # fmt: skip
-        otherwise = "The velocity of a is right, but that of b is wrong. The impulse on b is "
-        otherwise += "opposite to the impulse g on a, so add -n g / mb to the velocity of b."
-        about.cause = cause_of(got, along(w, n, mistakes), otherwise)
-        expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12, unit="m/s")
+        slips = {
+            "The velocity of b didn't change.": w,
+            f"{twice} both.": w + n * ((c * closing + new) * share / mb),
+            f"{twice} a and b.": w + n * ((1.0 + c) * new * share / mb),
+            "You pushed b in the same direction as a.": w + n * (impulse / mb),
+            f"{momentum} -n g / mb instead.": w - n * impulse,
+            "You multiplied the impulse by the mass of b.": w - n * (impulse * mb),
+        }  # fmt: skip
+        why = "The impulse on b is opposite to g, so add -n g / mb to the velocity of b."
+        got, wanted, name = xyz(b.velocity), w - n * (impulse / mb), "; b.velocity"
+        expect_close(got, wanted, slips, then=name, cause=why, tolerance=1e-12, unit="m/s")
 
 
-@pytest.mark.exercise("B7.3", asks="This conserves momentum")
+@pytest.mark.exercise("B7.3", asks="This conserves momentum", read="book 7.1.2 and E-7")
 def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
-    about.read = "book 7.1.2 and E-7"
-    n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
+    n, ma, mb = unit_vector(rng), positive_number(rng), positive_number(rng)
     for c in (0.0, 0.5, 1.0):
         v, w = closing_velocities(rng, n)
-        about.call = f"particle a ({ma} kg) with velocity {v}; particle b ({mb} kg) with velocity "
-        about.call += f"{w}; Contact(a, b, normal=Vector3{n}, restitution={c}).resolve_velocity()"
-        about.cause = "The total momentum has changed, but a collision conserves it. Give b the "
-        about.cause += "opposite of the impulse that you give a."
-        a = Particle(velocity=Vector3(*v), mass=ma)
-        b = Particle(velocity=Vector3(*w), mass=mb)
-        Contact(a, b, Vector3(*n), c).resolve_velocity()
-        va, vb = xyz(a.velocity), xyz(b.velocity)
-        got = tuple(ma * p + mb * q for p, q in zip(va, vb, strict=True))
-        wanted = tuple(ma * p + mb * q for p, q in zip(v, w, strict=True))
-        name = f"{about.call}; the total momentum of a and b"
+        with calls("A collision conserves the momentum. Give b the opposite of a's impulse."):
+            a, b = Particle(velocity=Vector3(*v), mass=ma), Particle(velocity=Vector3(*w), mass=mb)
+            Contact(a, b, normal=Vector3(*n), restitution=c).resolve_velocity()
+        va, vb = Triple(xyz(a.velocity)), Triple(xyz(b.velocity))
         # Some roundings of numbers up to 200.
-        expect_close(got, wanted, call=name, tolerance=1e-11, unit="kg m/s")
-        lost = 0.5 * ma * (dot(v, v) - dot(va, va)) + 0.5 * mb * (dot(w, w) - dot(vb, vb))
-        closing = dot(w, n) - dot(v, n)
-        wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
-        name = f"{about.call}; the kinetic energy that was lost"
-        about.cause = "The bounce loses the wrong amount of energy (E-7). The separating velocity "
-        about.cause += "after it must be minus the restitution times the one before."
-        expect_close(lost, wanted, call=name, tolerance=1e-10, unit="J")
+        got, wanted, name = ma * va + mb * vb, ma * v + mb * w, "; the total momentum of a and b"
+        expect_close(got, wanted, then=name, tolerance=1e-11, unit="kg m/s")
+        lost = 0.5 * ma * (v @ v - va @ va) + 0.5 * mb * (w @ w - vb @ vb)
+        wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * ((w - v) @ n) ** 2
+        why = "v_s after the bounce must be minus the restitution times v_s before (E-7)."
+        name = "; the kinetic energy that was lost"
+        expect_close(lost, wanted, then=name, cause=why, tolerance=1e-10, unit="J")
 
 
-@pytest.mark.exercise("B7.3", asks="no special case for bodies that cannot move")
+@pytest.mark.exercise("B7.3", asks="no special case for bodies that cannot move", read=IMPULSE)
 def test_a_wall_takes_any_impulse(rng: Random) -> None:
-    about.read = IMPULSE
-    n, c, mass = direction(rng), round(rng.uniform(0.1, 0.9), 3), positive_number(rng)
-    v = components(rng)
-    if dot(v, n) > 0.0:
-        v = (-v[0], -v[1], -v[2])
-    wanted = tuple(p - (1.0 + c) * dot(v, n) * q for p, q in zip(v, n, strict=True))
-    turned = tuple(-part for part in n)
-    for told, normal in (("Contact(a, None", n), ("Contact(a, w", n), ("Contact(w, a", turned)):
-        wall = "" if "None" in told else "particle w (immovable) at rest; "
-        about.call = f"particle a ({mass} kg) with velocity {v}; {wall}{told}, "
-        about.call += f"normal=Vector3{normal}, restitution={c}).resolve_velocity()"
-        about.cause = "Only a can move, so it takes the whole change in the separating velocity. "
-        about.cause += "Use 0 as the inverse mass of None and of an immovable particle."
-        a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
-        ends = {"Contact(a, None": (a, None), "Contact(a, w": (a, w), "Contact(w, a": (w, a)}[told]
-        Contact(*ends, Vector3(*normal), c).resolve_velocity()
-        got = xyz(a.velocity)
-        expect_close(got, wanted, then="; a.velocity", tolerance=1e-12, unit="m/s")
-        about.cause = "You changed the velocity of the immovable particle w. Its inverse mass is "
-        about.cause += "0, so the impulse must not change its velocity."
-        got = xyz(w.velocity)
-        expect_close(got, ZERO, then="; w.velocity", unit="m/s")
+    n, c, mass = unit_vector(rng), round(rng.uniform(0.1, 0.9), 3), positive_number(rng)
+    v = vector(rng)
+    v = -v if v @ n > 0.0 else v
+    for ends, normal in (("a, None", n), ("a, w", n), ("w, a", -n)):
+        with calls(
+            "Only a can move, so it takes the whole change in the separating velocity. Use 0 as "
+            "the inverse mass of None and of an immovable particle.",
+            f"particle a ({mass} kg) with velocity {v}; particle w (immovable) at rest; "
+            f"Contact({ends}, normal=Vector3{normal}, restitution={c}).resolve_velocity()",
+        ):
+            a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
+            one, other = {"a, None": (a, None), "a, w": (a, w), "w, a": (w, a)}[ends]
+            Contact(one, other, Vector3(*normal), c).resolve_velocity()
+        wanted, name = v - n * ((1.0 + c) * (v @ n)), "; a.velocity"
+        expect_close(xyz(a.velocity), wanted, then=name, tolerance=1e-12, unit="m/s")
+        why = "The inverse mass of w is 0, so the impulse must not change its velocity."
+        expect_close(xyz(w.velocity), ZERO, then="; w.velocity", cause=why, unit="m/s")
 
 
-@pytest.mark.exercise("B7.3", asks="or if neither particle can move")
+@pytest.mark.exercise("B7.3", asks="or if neither particle can move", read=IMPULSE)
 def test_separating_or_immovable_particles_get_no_impulse(rng: Random) -> None:
-    about.read = IMPULSE
-    v, w, n = components(rng), components(rng), direction(rng)
-    if dot(v, n) < dot(w, n):
-        v, w = w, v
+    n = unit_vector(rng)
+    w, v = closing_velocities(rng, n)
     for mass, first, second, cause in (
         (2.0, v, w,
-         "You changed a velocity, although the particles are already separating and need no "
-         "impulse. Return before you change anything."),
-        (math.inf, w, v, "Both particles are immovable, so the sum of their inverse masses is 0. "
-                         "Return before you divide by this sum."),
+         "The particles are already separating. Return before you change a velocity."),
+        (math.inf, w, v,
+         "The sum of their inverse masses is 0. Return before you divide by this sum."),
     ):  # fmt: skip
-        about(cause=cause)
-        about.call = f"particle a ({of_mass(mass)}) with velocity {first}; particle b "
-        about.call += f"({of_mass(mass)}) with velocity {second}; c = Contact(a, b, "
-        about.call += f"normal=Vector3{n}, restitution=0.5, penetration=1.0); "
-        about.call += "c.resolve_velocity(0.5)"
-        a, b = (Particle(velocity=Vector3(*u), mass=mass) for u in (first, second))
-        Contact(a, b, Vector3(*n), 0.5, 1.0).resolve_velocity(0.5)
-        got = xyz(a.velocity)
-        expect_unchanged("a.velocity", got, first)
-        got = xyz(b.velocity)
-        expect_unchanged("b.velocity", got, second)
-    about.call = f"particle a with velocity {w}, particle b with velocity {v}; "
-    about.call += f"a.add_force(Vector3(1, 2, 3)); c = Contact(a, b, normal=Vector3{n}, "
-    about.call += "restitution=0.0, penetration=-1.0); c.resolve_velocity(0.5)"
-    about.cause = "With a restitution of 0, the separating velocity of a closing contact should "
-    about.cause += "become 0. Don't check the penetration, although it is negative here."
-    a, b = (Particle(velocity=Vector3(*u)) for u in (w, v))
-    a.add_force(Vector3(1.0, 2.0, 3.0))
-    c = Contact(a, b, Vector3(*n), 0.0, -1.0)
-    c.resolve_velocity(0.5)
-    got = dot(xyz(a.velocity), n) - dot(xyz(b.velocity), n)
+        with calls(cause):
+            a = Particle(velocity=Vector3(*first), mass=mass)
+            b = Particle(velocity=Vector3(*second), mass=mass)
+            Contact(a, b, Vector3(*n), restitution=0.5, penetration=1.0).resolve_velocity(0.5)
+        expect_unchanged("a.velocity", a.velocity, first)
+        expect_unchanged("b.velocity", b.velocity, second)
+    with calls("With a restitution of 0, v_s must become 0, whatever the penetration is."):
+        a, b = Particle(velocity=Vector3(*w)), Particle(velocity=Vector3(*v))
+        a.add_force(Vector3(1.0, 2.0, 3.0))
+        c = Contact(a, b, normal=Vector3(*n), restitution=0.0, penetration=-1.0)
+        c.resolve_velocity(0.5)
+    got = n @ xyz(a.velocity) - n @ xyz(b.velocity)
     expect_close(got, 0.0, tolerance=1e-13, then="; the separating velocity", unit="m/s")
     for name, now, before in (
-        ("c.normal", xyz(c.normal), n),
+        ("c.normal", c.normal, n),
         ("c.restitution and c.penetration", (c.restitution, c.penetration), (0.0, -1.0)),
-        ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
+        ("a.force_accumulator", a.force_accumulator, (1.0, 2.0, 3.0)),
     ):
-        about.cause = f"resolve_velocity has changed {name}. It should change only the velocities "
-        about.cause += "of the two particles."
-        expect_unchanged(name, now, before)
+        why = f"resolve_velocity has changed {name}. It should change only the velocities of the "
+        expect_unchanged(name, now, before, cause=f"{why}two particles.")
 
 
-@pytest.mark.exercise("B7.3", asks="the separating velocity to velocity_after(duration)")
+@pytest.mark.exercise("B7.3", asks="the separating velocity to velocity_after(duration)", read=REST)
 def test_a_resting_particle_does_not_bounce(rng: Random) -> None:
-    about.read = "book 7.2.3, and the docstring of Contact.resolve_velocity"
-    h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
-    about.call = f"particle a with velocity ({side}, {-9.0 * h}, 0) and acceleration (0, -9, 0); c "
-    about.call += f"= Contact(a, None, normal=Vector3(0, 1, 0), restitution={c}, "
-    about.call += f"penetration=0.125); c.resolve_velocity({h})"
-    about.cause = "Your bounce includes the velocity that gravity has added in this time step. "
-    about.cause += "Pass the duration to velocity_after, which leaves this velocity out."
-    a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
-    Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
-    got = xyz(a.velocity)
-    expect_close(got, (side, 0.0, 0.0), then="; a.velocity", unit="m/s")
-    about.cause = "resolve_velocity has moved the particle. It should change only velocities, and "
-    about.cause += "leave positions to resolve_penetration."
-    got = xyz(a.position)
-    expect_close(got, ZERO, then="; a.position", unit="m")
+    h, e, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
+    with calls("Pass the duration to velocity_after, so that gravity's velocity doesn't bounce."):
+        a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
+        c = Contact(a, None, Vector3(0.0, 1.0, 0.0), restitution=e, penetration=0.125)
+        c.resolve_velocity(h)
+    expect_close(xyz(a.velocity), (side, 0.0, 0.0), then="; a.velocity", unit="m/s")
+    why = "Change only velocities here, and leave positions to resolve_penetration."
+    expect_close(xyz(a.position), ZERO, then="; a.position", cause=why, unit="m")

@@ -42,10 +42,9 @@ def places_on(
     frames: int,
     *,
     velocity: Sequence[float] = ZERO,
-    mass: float = 1.0,
-    damping: float = 1.0,
     gravity: float = 0.0,
     velocity_first: bool = False,
+    **body: float,
 ) -> list[Components]:
     """Let one generator act on a particle; return its place at the start and after each frame.
 
@@ -55,12 +54,12 @@ def places_on(
     arguments = [Vector3(*n) if isinstance(n, (tuple, list)) else n for n in numbers]
     generator = getattr(penalty if kind == "PenaltyGround" else springs, kind)(*arguments)
     down = Vector3(0.0, -gravity, 0.0)
-    particle = Particle(Vector3(*start), Vector3(*velocity), down, mass=mass, damping=damping)
+    particle = Particle(Vector3(*start), Vector3(*velocity), down, **body)
     places = [xyz(particle.position)]
     for _ in range(frames):
         generator.update_force(particle, duration)
         if velocity_first:
-            acceleration = particle.force_accumulator * (1.0 / mass) + down
+            acceleration = particle.force_accumulator * (1.0 / particle.mass) + down
             particle.clear_forces()
             particle.velocity.add_scaled(acceleration, duration)
             particle.position.add_scaled(particle.velocity, duration)
@@ -70,29 +69,17 @@ def places_on(
     return places
 
 
-def period_on(
-    kind: str,
-    numbers: Sequence[Any],
-    start: Sequence[float],
-    duration: float,
-    frames: int,
-    *,
-    mass: float = 1.0,
-    gravity: float = 0.0,
-) -> float:
-    """Return the period in which such a particle swings about (0, 0, 0), along one axis."""
-    places = places_on(kind, numbers, start, duration, frames, mass=mass, gravity=gravity)
-    return period_of([sum(place) for place in places], duration)
+def period_on(*scene: Any, **body: float) -> float:
+    """Return the period of places_on, where the particle swings about (0, 0, 0) along one axis."""
+    return period_of([sum(place) for place in places_on(*scene, **body)], scene[3])
 
 
-def advance(
-    registry: ForceRegistry, particles: Sequence[Particle], duration: float, frames: int = 1
-) -> None:
+def advance(registry: ForceRegistry, particles: Sequence[Particle], h: float, frames: int) -> None:
     """Let frames pass for all particles, by the book's step."""
     for _ in range(frames):
-        registry.update_forces(duration)
+        registry.update_forces(h)
         for particle in particles:
-            particle.integrate(duration)
+            particle.integrate(h)
 
 
 def momentum_of(particles: Sequence[Particle]) -> list[float]:
@@ -100,82 +87,61 @@ def momentum_of(particles: Sequence[Particle]) -> list[float]:
     return [math.fsum(m[i] for m in momenta) for i in range(3)]
 
 
-def pair_swinging(
-    masses: tuple[float, float],
-    stiffness: float,
-    rest: float,
-    length: float,
-    duration: float,
-    frames: int,
-) -> float:
-    """Let two particles swing on a connection; return the period."""
-    a, b = Particle(mass=masses[0]), Particle(Vector3(0.0, 0.0, length), mass=masses[1])
+def pair_swinging(masses: tuple[float, float], stiffness: float, rest: float) -> float:
+    """Stretch a connection to 1.5 times its length, and let it swing for 5 s; return the period."""
+    h = 1.0 / 2000.0
+    a, b = Particle(mass=masses[0]), Particle(Vector3(0.0, 0.0, 1.5 * rest), mass=masses[1])
     registry = ForceRegistry()
     springs.connect(registry, a, b, stiffness, rest)
     extensions = []
-    for _ in range(frames):
+    for _ in range(10_000):
         extensions.append((b.position - a.position).magnitude() - rest)
-        advance(registry, (a, b), duration)
-    return period_of(extensions, duration)
+        advance(registry, (a, b), h, 1)
+    return period_of(extensions, h)
 
 
 def network(
-    bodies: Sequence[tuple[Components, Components, float]],
-    numbers: tuple[float, float, float],
-    duration: float,
-    frames: int,
+    bodies: Sequence[tuple[Components, Components, float]], numbers: tuple[float, float, float]
 ) -> tuple[list[float], float]:
     """Connect each of these particles to each, with (stiffness, rest length, damping).
 
-    Return the sum of their momenta in the end, and how far the first one is from where it would be
-    without springs.
+    Return the sum of their momenta after 200 frames, and how far the first one is from where it
+    would be without springs.
     """
     particles = [Particle(Vector3(*p), Vector3(*v), mass=m) for p, v, m in bodies]
     registry = ForceRegistry()
     for a, b in combinations(particles, 2):
         springs.connect(registry, a, b, *numbers)
-    advance(registry, particles, duration, frames)
+    advance(registry, particles, 1.0 / 240.0, 200)
     place, velocity, _ = bodies[0]
-    free = [x + v * duration * frames for x, v in zip(place, velocity, strict=True)]
+    free = [x + v / 240.0 * 200 for x, v in zip(place, velocity, strict=True)]
     return momentum_of(particles), math.dist(xyz(particles[0].position), free)
 
 
 def crowded(
-    places: Sequence[Components],
-    distance: float,
-    stiffness: float,
-    damping: float,
-    duration: float,
-    frames: int,
+    places: Sequence[Components], distance: float, stiffness: float, damping: float
 ) -> tuple[float, list[float]]:
-    """Let a crowd move apart; return the smallest distance in the end, and the sum of momenta."""
+    """Let a crowd move apart for 10 s; return its smallest distance and its momentum then."""
     particles = [Particle(Vector3(*place), damping=damping) for place in places]
     registry = ForceRegistry()
     for particle in particles:
         registry.add(particle, springs.Overcrowding(particles, distance, stiffness))
-    advance(registry, particles, duration, frames)
+    advance(registry, particles, 1.0 / 60.0, 600)
     ends = [xyz(particle.position) for particle in particles]
     nearest = min((math.dist(a, b) for a, b in combinations(ends, 2)), default=math.nan)
     return nearest, momentum_of(particles)
 
 
-def chased(
-    start: Components,
-    velocity: Components,
-    stiffness: float,
-    look_ahead: float,
-    duration: float,
-    frames: int,
-) -> list[float]:
-    """Chase a target that flies straight on; return the distance at the start and every frame."""
+def chased(start: Components, velocity: Components, *numbers: float) -> list[float]:
+    """Chase a target that flies straight on for 20 s; return the distances, 240 a second."""
     bullet, target = Particle(), Particle(Vector3(*start), Vector3(*velocity))
-    homing = springs.HomingBullet(target, stiffness, look_ahead)
+    homing = springs.HomingBullet(target, *numbers)
     distances = []
-    for _ in range(frames + 1):
+    for _ in range(4801):
         distances.append(math.dist(xyz(bullet.position), xyz(target.position)))
-        homing.update_force(bullet, duration)
-        bullet.integrate(duration)
-        target.integrate(duration)
+        homing.update_force(bullet, 1.0 / 240.0)
+        bullet.integrate(1.0 / 240.0)
+        target.integrate(1.0 / 240.0)
     return distances
 
 

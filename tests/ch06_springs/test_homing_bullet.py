@@ -121,7 +121,7 @@ def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
         f"p at rest at (0, 0, 0); q at {start} with velocity {w}; 20 s of HomingBullet(target=q, "
         "stiffness=4.0, look_ahead=1.0) in steps of 1/240 s; distance between p and q",
     ):
-        distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
+        distances = chased(start, w, 4.0, 1.0)
     expect_close(distances[-1], 0.0, then=" at the end", tolerance=1e-6, unit="m")
     # Critically damped, c = k T = 4 and c^2 = 4 k m, from rest: after t s (1 + 2 t) e^-2t of the
     # way is left, and w t e^-2t of the velocity's. Of first order, the step is 0.02 off at most.

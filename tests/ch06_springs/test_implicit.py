@@ -101,7 +101,7 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
             idle = "Your result shows no damping. Either you leave it out, or one of its two terms "
             idle += "has the wrong sign."
         errors: dict[str, tuple[float, ...]] = {  # of the equations of each mistake
-            "You return the two results in the wrong order.":
+            "You return the two results in the wrong order. Return the position x' first.":
                 off(method, x, v, k, c, m, h, (new[1], new[0])),
             f"Your result is that of {other}.": off(other, x, v, k, c, m, h, new),
             idle: off(method, x, v, k, 0.0, m, h, new),
@@ -139,7 +139,7 @@ def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> No
         "the error of x with h = 1/200, divided by the error with h = 1/400",
     ):
         long, short = (
-            implicit_steps(method, 1.0, 0.0, 4.0, 0.5, 1.0, 2.0 / n, n)[0] - exact
+            implicit_steps(method, 1.0, 0.0, (4.0, 0.5, 1.0, 2.0 / n), n)[0] - exact
             for n in (400, 800)
         )
     # The next order adds some h of it.
@@ -162,7 +162,7 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
             f"{steps} steps of {method} with stiffness={k:g}, damping=0, mass=1 and duration=1/60, "
             f"from x = 1 and v = {v}; the final energy divided by the initial energy",
         ):
-            x, new = implicit_steps(method, 1.0, v, k, 0.0, 1.0, 1.0 / 60.0, steps)
+            x, new = implicit_steps(method, 1.0, v, (k, 0.0, 1.0, 1.0 / 60.0), steps)
         left = (k * x * x + new * new) / (k + v * v)
         wanted = 1.0 if method == "trapezoidal" else (1.0 + k / 3600.0) ** -steps
         # Each step of the trapezoidal rule rounds numbers that are up to 10^8 times as large as

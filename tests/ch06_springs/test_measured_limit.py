@@ -66,7 +66,7 @@ def test_how_the_particle_is_released() -> None:
     ):
         seen = released()
     expect_that(bool(seen), "the integrator was never called", "the integrator is called")
-    count, place, velocity, mass, damping, before, force, h, drift = seen[0]
+    count, place, velocity, drift, mass, damping, before, force, h = seen[0]
     undamped = "The particle has no damping. Pass the damping to Particle and not to the spring."
     passed, first = "that is passed to the integrator", "when the integrator is first called"
     for got, wanted, what, unit, cause in (

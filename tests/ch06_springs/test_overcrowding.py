@@ -148,7 +148,7 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
         f"6 particles near {places[0]} with damping 0.2, each pushed by Overcrowding(all six, "
         "distance=1.0, stiffness=40.0); 600 steps of 1/60 s",
     ):
-        nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
+        nearest, momentum = crowded(places, 1.0, 40.0, 0.2)
     # Pushed out of the way, each coasts on a little, slowed by the damping.
     before = min(math.dist(a, b) for a in places for b in places if a is not b)
     then = "; the smallest distance between two particles at the end"

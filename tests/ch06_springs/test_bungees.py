@@ -64,15 +64,13 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             _, p, got = stretch(kind, base, offset, ZERO, k, rest, 0.0, cause)
             velocity = xyz(p.velocity)
             slips = {
-                "Your stretched rope pushes, as in the book's listing (E-4). Reverse the sign "
-                "of the force, so that it pulls p toward the other end.": -wanted,
+                "Your stretched rope pushes, as in the book's listing (E-4).": -wanted,
                 none: ZERO,
-                "You multiplied the force by the duration, which is 0.5 s here. Add the force "
-                "itself.": 0.5 * wanted,
+                "You multiplied the force by the duration, which is 0.5 s here.": 0.5 * wanted,
                 "Your force is the stiffness times the whole length of the rope.": -k * offset,
-                "You multiply by the whole offset, so a long rope pulls too strongly. Normalize "
-                "the offset first.": (rest + extension) * wanted,
-            }
+                "You multiply by the whole offset instead of its direction.":
+                    (rest + extension) * wanted,
+            }  # fmt: skip
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
             expect_close(got, wanted, slips, tolerance=1e-12, unit="N")
             expect_unchanged("p.position", p.position, base + offset, cause=UNCHANGED)
@@ -131,8 +129,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
                 "Your damping has no effect while the rope gets shorter."
                 if share > 0.0
                 else "You left out the damping.": full,
-                "Your damping has the wrong sign. It must increase the pull while the rope gets "
-                "longer, and reduce it while the rope gets shorter.": (1.0 + share) * full,
+                "Your damping has the wrong sign.": (1.0 + share) * full,
                 "The damping is so large here that your rope pushes. A rope can only pull, "
                 "so add no force in this case.": (1.0 - share) * full,
                 "Your damping uses only the velocity of p, but the motion of q changes the "

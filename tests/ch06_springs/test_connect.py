@@ -34,8 +34,8 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     wanted = hooke(here - there, v - w, k, rest, c)
     for end in ("a", "b"):
         cause = "Compute the force on a with spring_force, from a's position and velocity relative "
-        cause += "to b. The force on a must be the same whichever end is passed to update_force, "
-        cause += f"which is {end} here."
+        cause += "to b, and with the stiffness, the rest length and the damping. Add it to a, and "
+        cause += f"its opposite to b, whichever end is passed to update_force ({end} here)."
         with calls(cause):
             a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
             b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
@@ -44,25 +44,19 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             s.update_force(a if end == "a" else b, 0.25)
         on_a = a.force_accumulator
         slips = {
-            "Each end gets only half of the force. Apply the full force to each end.": 0.5 * wanted,
-            "You multiplied the force by the duration. Add the force itself, because the step "
-            "multiplies it by the duration later.": 0.25 * wanted,
-            "You swapped the stiffness and the rest length. spring_force takes the stiffness "
-            "first.": hooke(here - there, v - w, rest, k, c),
+            "Each end gets only half of the force.": 0.5 * wanted,
+            "You multiplied the force by the duration.": 0.25 * wanted,
+            "You swapped the stiffness and the rest length.":
+                hooke(here - there, v - w, rest, k, c),
             "Your damping uses only the velocity of a, but the motion of b changes the length too. "
             "Subtract b's velocity from a's.": hooke(here - there, v, k, rest, c),
-            "You halved the stiffness. The whole force of the spring acts on each end, so use "
-            "self.stiffness unchanged.": hooke(here - there, v - w, 0.5 * k, rest, c),
-            "Your damping has the wrong sign. Subtract b's velocity from a's.":
-                hooke(here - there, w - v, k, rest, c),
-            "You left out the damping. Pass it to spring_force, together with the velocity of a "
-            "relative to b.": hooke(here - there, v - w, k, rest),
-            "You add the velocities of a and b. Subtract b's velocity from a's.":
-                hooke(here - there, v + w, k, rest, c),
-            "You subtract a's position from b's, so the force on a points in the wrong "
-            "direction. Subtract b's position from a's.": hooke(there - here, v - w, k, rest, c),
-            "You swapped the forces on a and b. Always compute the force on a from a's "
-            "position minus b's, no matter which end is passed to update_force.": -wanted,
+            "You halved the stiffness.": hooke(here - there, v - w, 0.5 * k, rest, c),
+            "Your damping has the wrong sign.": hooke(here - there, w - v, k, rest, c),
+            "You left out the damping.": hooke(here - there, v - w, k, rest),
+            "You add the velocities of a and b.": hooke(here - there, v + w, k, rest, c),
+            "You subtract a's position from b's, so the force on a points in the wrong direction.":
+                hooke(there - here, v - w, k, rest, c),
+            "You swapped the forces on a and b.": -wanted,
             f"You added no force to a when {end} is passed to update_force. Take both ends from "
             "self.a and self.b, and add a force to each of them in every call.": ZERO,
         }  # fmt: skip
@@ -71,13 +65,11 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
         expect_close(on_a, wanted, slips, then=then.format("a"), unit="N", tolerance=1e-11)
         on_a = Triple(xyz(on_a))
         slips = {
-            "Both ends get the same force, so your spring pushes them in the same direction. "
-            "Apply the opposite force to b.": on_a,
-            "You added no force to b. One call must act on both ends, so add the opposite "
-            "of a's force to b.": ZERO,
+            "Both ends get the same force, so your spring pushes them in the same direction.": on_a,
+            "You added no force to b.": ZERO,
         }
-        cause = "Your force on b is not the exact opposite of the force on a. Compute the force "
-        cause += "once, and apply its opposite to b."
+        cause = "The force on b must be the exact opposite of the force on a. Compute the force "
+        cause += "once, add it to a, and add its opposite to b."
         on_b = b.force_accumulator
         expect_close(on_b, -on_a, slips, then=then.format("b"), unit="N", cause=cause, tolerance=0)
 

@@ -38,8 +38,9 @@ def true_spring(
 def test_the_force_by_its_formula() -> None:
     h = 1.0 / 60.0
     with calls(
-        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position that a "
-        "real spring would reach in h seconds. The acceleration and the damping of p don't matter."
+        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position that "
+        "damped_spring_state gives for the spring after h seconds, and x is the position of p, "
+        "both relative to the anchor."
     ):
         p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
         s = FakeStiffSpring(Vector3(), stiffness=400.0, damping=0.0)
@@ -49,23 +50,19 @@ def test_the_force_by_its_formula() -> None:
     sizes = {
         "You divide by h and then multiply by h again, because the book's listing says 1 / h * "
         "h (E-6). Divide by h * h instead.": size / 3600.0,
-        "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
-        "position that a real spring would reach in h seconds.": -400.0,
-        "Your force points away from T. Either you subtract T from x, or you measure the position "
-        "from p to the anchor. Use the vector from the anchor to p, and T - x.": -size,
-        "You divide by h only once, where h is the duration. An acceleration a moves p by a * h^2 "
-        "in one step, so divide T - x by h^2.": size / 60.0,
-        "You divide T by h^2 instead of T - x, where h is the duration. Subtract the current "
-        "position first.": 3600.0 + size,
+        "You use the force of a real spring, -k x.": -400.0,
+        "Your force points away from T.": -size,
+        "You divide by h only once.": size / 60.0,
+        "You divide T by h^2 instead of T - x.": 3600.0 + size,
         "You use the velocity that a real spring would give p. Use its position, which is the "
         "first number that damped_spring_state returns.": -3600.0 * (20 * math.sin(1 / 3) + 1.0),
-        "Your force gives p the velocity on a real spring, and not its position. Use (T - x) / h^2 "
-        "- v / h, where T is the position and h the duration.": -1200.0 * math.sin(1.0 / 3.0),
-        "You pass the damping of the particle to damped_spring_state. Pass self.damping, that of "
-        "the spring.": 3600.0 * (true_spring((1.0,), (0.0,), 400.0, 0.5, 1.0, h)[0] - 1.0),
+        "Your force gives p the velocity on a real spring, and not its position.":
+            -1200.0 * math.sin(1.0 / 3.0),
+        "You pass the damping of the particle to damped_spring_state, not that of the spring.":
+            3600.0 * (true_spring((1.0,), (0.0,), 400.0, 0.5, 1.0, h)[0] - 1.0),
         "Your force is twice as large as it should be. In one step, an acceleration a moves p by a "
         "* h^2 and not by a * h^2 / 2, so divide by h^2.": 2.0 * size,
-    }
+    }  # fmt: skip
     slips = {slip: (wrong, 0.0, 0.0) for slip, wrong in sizes.items()}
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
     expect_close(got, (size, 0.0, 0.0), slips, tolerance=1e-10, unit="N")
@@ -82,12 +79,9 @@ def test_the_force_by_its_formula() -> None:
         "Your force contains the term -v, as printed in the book (E-6), but v is a velocity "
         "and not an acceleration. Subtract v / h instead, where h is the duration of the "
         "step.": size + 120.0 - 2.0,
-        "You add v / h instead of subtracting it, where h is the duration. p already moves by v h "
-        "without a force.": size + 240.0,
-        "You compute where a real spring would take a particle at rest. Pass its velocity to "
-        "damped_spring_state.": -120.0,
-        "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
-        "well, where h is the duration of the step.": size + 120.0,
+        "You add v / h instead of subtracting it.": size + 240.0,
+        "You compute where a real spring would take a particle at rest.": -120.0,
+        "Your force ignores the velocity v, as if the particle were at rest.": size + 120.0,
         "You compute the force only along the offset from the anchor, which is zero here. Compute "
         "it separately for x, y and z.": 0.0,
     }
@@ -131,15 +125,14 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         offset, free = place - anchor, place + v * h
         wanted = anchor + true_spring(offset, v, k, c, m, h)
         slips = {
-            "Your force does not depend on the mass, so it is really an acceleration. Multiply "
-            "it by particle.mass.": free + (wanted - free) / m,
-            "You compute where a real spring would move a particle of 1 kg. Pass the mass of p to "
-            "damped_spring_state.": anchor + true_spring(offset, v, k, c, 1.0, h),
-            "You compute where a real spring without damping would move p. Pass self.damping to "
-            "damped_spring_state.": anchor + true_spring(offset, v, k, 0.0, m, h),
-            "You compute where a real spring with its anchor at (0, 0, 0) would move p. Use the "
-            "position of p relative to self.anchor.": true_spring(place, v, k, c, m, h),
-        }
+            "Your force does not depend on the mass.": free + (wanted - free) / m,
+            "You compute where a real spring would move a particle of 1 kg.":
+                anchor + true_spring(offset, v, k, c, 1.0, h),
+            "You compute where a real spring without damping would move p.":
+                anchor + true_spring(offset, v, k, 0.0, m, h),
+            "You compute where a real spring with its anchor at (0, 0, 0) would move p.":
+                true_spring(place, v, k, c, m, h),
+        }  # fmt: skip
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
         expect_close(end, wanted, slips, tolerance=1e-11, unit="m")
 

@@ -26,14 +26,9 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
     here, v, there, w, f = vector(rng), vector(rng), vector(rng), vector(rng), vector(rng)
     k, ahead = positive_number(rng), positive_number(rng)
     down = Triple((0.0, -9.0, 0.0))
-    for time, cause in (
-        (0.0,
-         "With a look_ahead of 0, the bullet p aims at the current position of its target q. The "
-         "force is the stiffness times the vector from p to q."),
-        (ahead,
-         "The force is the stiffness times the vector from where p will be after look_ahead "
-         "seconds to where q will be. Assume that both keep their velocities until then."),
-    ):  # fmt: skip
+    for time in (0.0, ahead):
+        cause = "The force is the stiffness times the vector from where p will be after look_ahead "
+        cause += "seconds to where q will be. Assume that both keep their velocities until then."
         with calls(cause):
             p = Particle(Vector3(*here), Vector3(*v), Vector3(*down), mass=3.0, damping=0.5)
             q = Particle(Vector3(*there), Vector3(*w), Vector3(*(2 * down)), mass=5.0, damping=0.7)
@@ -42,29 +37,21 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
         now, closing = there - here, w - v
         way = now + closing * time
         pulls = {
-            "Your force pushes the bullet away from its target. Subtract the bullet's "
-            "predicted position from the target's.": -k * way,
-            "You left out the stiffness. Multiply the vector to the target by self.stiffness.": way,
-            "You normalized the vector to the target, so the size of your force is always the "
-            "stiffness. Multiply the stiffness by the whole vector.": k * way / abs(way),
-            "Your force uses the current positions of the bullet and the target. Use their "
-            "positions after look_ahead seconds instead.": k * now,
-            "Your prediction leaves out the bullet's own velocity. The bullet moves for "
-            "look_ahead seconds too, so use its position after that time.": k * (now + w * time),
-            "Your prediction leaves out the target's velocity. Aim at the position of the target "
-            "after look_ahead seconds.": k * (now - v * time),
-            "Your prediction has the wrong sign, so it looks back. Add velocity * look_ahead to "
-            "each position.": k * (now - closing * time),
-            "You add the velocities of the two. Subtract the bullet's predicted position from the "
-            "target's, and with it the bullet's velocity.": k * (now + (w + v) * time),
-            "Your vector is the target's position alone, as if the bullet were at (0, 0, 0). "
-            "Subtract the bullet's position.": k * (there + w * time),
-            "You multiply the force by the bullet's mass. The pull of a spring does not depend on "
-            "it, so leave the mass out.": 3.0 * k * way,
-            "Your prediction includes the accelerations. Assume that both keep their velocities.":
-                k * (way + 0.5 * time**2 * down),
-            "Your prediction looks ahead by 0.5 s, the duration of the step. Use self.look_ahead "
-            "instead.": k * (now + closing * 0.5),
+            "Your force pushes the bullet away from its target.": -k * way,
+            "You left out the stiffness.": way,
+            "You normalized the vector, so the size of your force is always the stiffness.":
+                k * way / abs(way),
+            "Your force uses the current positions of the bullet and the target.": k * now,
+            "Your prediction leaves out the bullet's own velocity.": k * (now + w * time),
+            "Your prediction leaves out the target's velocity.": k * (now - v * time),
+            "Your prediction has the wrong sign, so it looks back.": k * (now - closing * time),
+            "You add the velocities of the two.": k * (now + (w + v) * time),
+            "Your vector is the target's position alone, as if the bullet were at (0, 0, 0).":
+                k * (there + w * time),
+            "You multiply the force by the bullet's mass.": 3.0 * k * way,
+            "Your prediction includes the accelerations.": k * (way + 0.5 * time**2 * down),
+            "Your prediction looks ahead by 0.5 s, the duration of the step.":
+                k * (now + closing * 0.5),
         }  # fmt: skip
         slips = {slip: f + pull for slip, pull in pulls.items()}
         got, then = p.force_accumulator, "; p.force_accumulator"

@@ -54,18 +54,14 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
             none = "q pushes p only if it comes before p in the list, so your loop ends too early. "
             none += "Skip only p, with continue instead of break or return."
         pushes = {
-            "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
+            "Your force pulls p toward q.": -push,
             none: 0.0,
             "Your push is half of what it should be. Either you divide it by the number of "
             "particles, or you multiply it by the duration.": 0.5 * push,
-            "Your push grows with the distance l of q. Multiply the stiffness by (self.distance - "
-            "l), so that the nearest particles push the most.": k * near,
-            "The size of your push equals the stiffness, however far q is from p. Multiply the "
-            "stiffness by (self.distance - l), where l is the distance of q from p.": k,
-            "You multiply the push by the whole offset. Normalize the offset first, so that it is "
-            "only a direction.": push * near,
-            "You use the squared distance between the particles. Use the distance itself, "
-            "which is the magnitude of the offset.": k * (distance - near**2),
+            "Your push grows with the distance l of q.": k * near,
+            "The size of your push equals the stiffness, however far q is from p.": k,
+            "You multiply the push by the whole offset instead of its direction.": push * near,
+            "You use the squared distance between the particles.": k * (distance - near**2),
         }
         slips = {slip: f - wrong * d for slip, wrong in pushes.items()} if share < 1.0 else {}
         then = "; p.force_accumulator"

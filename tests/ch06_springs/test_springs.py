@@ -18,19 +18,13 @@ from expect import expect_close, expect_unchanged, expect_vector
 ZERO = Triple((0.0, 0.0, 0.0))
 READ = "book 6.1 and 6.2.1, Eq. 6.1 and 6.2, and the docstring of spring_force"
 ANCHORED = "book 6.2.2 and the docstring of AnchoredSpring"
-PUSHES = (
-    "The spring is shorter than its rest length, so it must push this end away, along the offset. "
-    "Its extension is negative, so don't take the absolute value."
+RULE = (
+    "The force is -(k (l - l0) + c l') d, where d is the normalized offset, l the length of the "
+    "offset, l0 the rest length and l' = v . d."
 )
 COPIES = (
     "The operations normalize, -= and *= work in place. Use normalized, - and *, which create new "
     "vectors."
-)
-# Mistakes with the forces of a spring in a registry.
-SWAPPED = "You swapped the stiffness and the rest length. spring_force takes the stiffness first."
-LASTING = (
-    "You multiplied the force by the duration. Add the force itself, because the step multiplies "
-    "it by the duration later."
 )
 
 
@@ -50,39 +44,30 @@ def spring_slips(
     return {
         "Your extension is abs(length - rest_length), as in the book's listing (E-3), so a "
         "compressed spring pulls. Remove abs, so that it pushes.": -(abs(pull) + c * rate) * d,
-        "Your damping has the wrong sign, so it acts in the direction of the motion. It must "
-        "oppose the motion.": (c * rate - pull) * d,
-        "Your force has the wrong sign, so a stretched spring pushes. It must pull, in the "
-        "direction opposite to the offset.": (pull + c * rate) * d,
+        "Your damping has the wrong sign.": (c * rate - pull) * d,
+        "Your force has the wrong sign, so a stretched spring pushes.": (pull + c * rate) * d,
         "Your force is the stiffness times the whole length. Only the extension counts, so "
         "subtract the rest length from the length.": -(k * length + c * rate) * d,
-        "You use the length of the unit vector, which is always 1. Compute the length of the "
-        "offset before you normalize it.": -(k * (1.0 - rest) + c * rate) * d,
-        "You multiply the force by the whole offset instead of its direction. Normalize the "
-        "offset first.": -(pull + c * rate) * offset,
-        "You use the squared length of the offset. The extension needs the length itself, so "
-        "use magnitude().": -(k * (length**2 - rest) + c * rate) * d,
-        "Your force uses only half of the stiffness. The factor 1/2 belongs to the energy of a "
-        "spring, not to its force.": -(0.5 * pull + c * rate) * d,
-        "You left out the damping. Add a force along the spring: the damping times the rate at "
-        "which the length changes.": -pull * d,
-        "Your spring exerts no force here, like a slack rope. Unlike a rope, a spring must push "
-        "when it is shorter than its rest length.": ZERO,
+        "You use the length of the unit vector, which is 1.": -(k * (1.0 - rest) + c * rate) * d,
+        "You multiply by the whole offset instead of its direction.": -(pull + c * rate) * offset,
+        "You use the squared length of the offset.": -(k * (length**2 - rest) + c * rate) * d,
+        "Your force uses only half of the stiffness.": -(0.5 * pull + c * rate) * d,
+        "You left out the damping.": -pull * d,
+        "Your spring exerts no force here, like a slack rope.": ZERO,
         "Your damping is -c v, which also slows down motion across the spring. Use only the "
         "component of the velocity v along the spring.": -pull * d - c * v,
-        "Your damping uses the speed |v|, which is never negative. Use the component of v along "
-        "the spring, which is negative while the spring gets shorter.": -(pull + c * abs(v)) * d,
-        "Your damping uses the dot product of v and the whole offset, which grows with the "
-        "length of the spring. Normalize the offset first.": -(pull + c * rate * length) * d,
-    }
+        "Your damping uses the speed |v|, which is never negative.": -(pull + c * abs(v)) * d,
+        "Your damping uses the dot product of v and the whole offset.":
+            -(pull + c * rate * length) * d,
+    }  # fmt: skip
 
 
 @pytest.mark.exercise("B6.1", asks="a stretched spring pulls this end back", read=READ)
 def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> None:
     d, k, rest = unit_vector(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
-    pulls = "The spring is longer than its rest length, so it must pull this end back, opposite "
-    pulls += "to the offset. Check the sign and the size of the extension."
-    for share, cause in ((1.5, pulls), (0.5, PUSHES), (1e-3, PUSHES)):
+    pulls = f"The spring is longer than its rest length, so it must pull this end back. {RULE}"
+    pushes = f"The spring is shorter than its rest length, so it must push this end away. {RULE}"
+    for share, cause in ((1.5, pulls), (0.5, pushes), (1e-3, pushes)):
         offset = share * rest * d
         with calls(cause):
             got = spring_force(Vector3(*offset), Vector3(), stiffness=k, rest_length=rest)
@@ -101,8 +86,7 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
 def test_damping_acts_only_along_the_spring(rng: Random) -> None:
     d, w, y = vector(rng), vector(rng), Triple((0.0, 1.0, 0.0))
     k, rest, c = positive_number(rng), positive_number(rng, 1.0, 5.0), positive_number(rng)
-    along = "The damping must act along the spring, against the motion. Its size is the damping c "
-    along += "times the component of the velocity along the spring."
+    along = f"The damping must act along the spring, against the motion. {RULE}"
     like = "A compressed spring is damped like a stretched one, even if the damping is larger than "
     like += "the push. Don't limit the force in either direction."
     for offset, v, stiffness, length, damping, cause in (
@@ -162,10 +146,7 @@ def test_ends_at_the_same_position_get_no_force(rng: Random) -> None:
 @pytest.mark.exercise("B6.1", asks="The arguments are neither checked nor changed.", read=READ)
 def test_a_spring_changes_none_of_its_arguments(rng: Random) -> None:
     offset, velocity = vector(rng), vector(rng)
-    with calls(
-        "The force is wrong. It must be -(k (l - l0) + c l') along the offset, where l is the "
-        "length, l0 the rest length and l' the rate at which the length grows."
-    ):
+    with calls(RULE):
         o, v = Vector3(*offset), Vector3(*velocity)
         got = spring_force(o, v, stiffness=3.0, rest_length=1.0, damping=2.0)
     expect_unchanged("o", o, offset, cause=f"You changed the offset o. {COPIES}")
@@ -220,8 +201,9 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     k, c = positive_number(rng), positive_number(rng)
     rest = round(2.0 * math.dist(here, there), 3)  # compressed here, and stretched below
     with calls(
-        "Subtract the other particle's position and velocity from p's, compute the force without "
-        "any mass, and add it to p."
+        "Subtract the other particle's position and velocity from p's, pass them to spring_force "
+        "with the stiffness, the rest length and the damping, and add the force itself to p. It "
+        "does not depend on any mass."
     ):
         p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
@@ -232,33 +214,25 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     pull = hooke(offset, relative, k, rest, c)
     back = "You subtract p's position from q's, so the force on p points in the wrong direction"
     forces = {
-        f"{back}. Subtract q's position from p's instead.": hooke(-offset, relative, k, rest, c),
-        "You subtract p's velocity from q's, so the damping has the wrong sign. Subtract q's "
-        "velocity from p's instead.": hooke(offset, -relative, k, rest, c),
+        f"{back}.": hooke(-offset, relative, k, rest, c),
+        "You subtract p's velocity from q's, so the damping has the wrong sign.":
+            hooke(offset, -relative, k, rest, c),
         "Your damping uses only the velocity of p, but the motion of q changes the length too. "
         "Subtract q's velocity from p's.": hooke(offset, v, k, rest, c),
-        "You left out the damping. Pass it to spring_force, together with the velocity of p "
-        "relative to q.": hooke(offset, relative, k, rest),
+        "You left out the damping.": hooke(offset, relative, k, rest),
         "Your force points in the wrong direction. Either you subtract p's position and velocity "
         "from q's instead of the other way around, or the sign of the force is wrong.": -pull,
-        f"{back}, and your damping uses only p's velocity. Subtract q's position and velocity from "
-        "p's.": hooke(-offset, v, k, rest, c),
-        f"{back}, and you left out the damping. Subtract q's position and velocity from p's.":
-            hooke(-offset, relative, k, rest),
-        "Your offset is the position of p alone, as if q were at (0, 0, 0). Subtract q's position "
-        "from it.": hooke(here, relative, k, rest, c),
-        SWAPPED: hooke(offset, relative, rest, k, c),
-        "You swapped the rest length and the damping. spring_force takes the damping last.":
-            hooke(offset, relative, k, c, rest),
-        "You swapped the offset and the velocity. spring_force takes the offset first.":
-            hooke(relative, offset, k, rest, c),
-        LASTING: 0.25 * pull,
-        "You divided the force by the mass of p. Add the force itself, because the step divides it "
-        "by the mass later.": pull / 2.0,
-        "You divided the force by the mass of q. The force of a spring does not depend on any "
-        "mass, so leave the masses out.": pull / 3.0,
-        "You add no force to p, the particle that is passed to update_force. Add the spring's "
-        "force to it, instead of returning the force or adding it to self.other.": ZERO,
+        f"{back}, and your damping uses only p's velocity.": hooke(-offset, v, k, rest, c),
+        f"{back}, and you left out the damping.": hooke(-offset, relative, k, rest),
+        "Your offset is the position of p alone, as if q were at (0, 0, 0).":
+            hooke(here, relative, k, rest, c),
+        "You swapped the stiffness and the rest length.": hooke(offset, relative, rest, k, c),
+        "You swapped the rest length and the damping.": hooke(offset, relative, k, c, rest),
+        "You swapped the offset and the velocity.": hooke(relative, offset, k, rest, c),
+        "You multiplied the force by the duration.": 0.25 * pull,
+        "You divided the force by the mass of p.": pull / 2.0,
+        "You divided the force by the mass of q.": pull / 3.0,
+        "You add no force to p, perhaps because you return it, or add it to self.other.": ZERO,
         "Your spring discards the force that p already had. Use add_force, which keeps that "
         "force.": pull - f,
     }  # fmt: skip
@@ -289,8 +263,8 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     rest, longer = round(0.5 * math.dist(here, first), 3), round(2.0 * math.dist(here, second), 3)
     k, c = positive_number(rng), positive_number(rng)
     with calls(
-        "The offset is p.position minus the anchor. The anchor is at rest, so the relative "
-        "velocity is p.velocity, and the mass has no effect on the force."
+        "Subtract the anchor from p's position. Pass this offset and p's velocity to spring_force, "
+        "with the stiffness, the rest length and the damping, and add the force itself to p."
     ):
         p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         s = AnchoredSpring(Vector3(*first), stiffness=k, rest_length=rest, damping=c)
@@ -299,21 +273,16 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     offset, wanted = here - first, hooke(here - first, v, k, rest, c)
     back = "You subtract the position from the anchor, so the force points in the wrong direction"
     slips = {
-        f"{back}. Subtract the anchor from the position instead.": hooke(-offset, v, k, rest, c),
-        "You left out the damping. Pass it to spring_force, with the velocity of p.":
-            hooke(offset, v, k, rest),
-        "Your force uses a rest length of 0. Pass self.rest_length to spring_force, so that "
-        "only the extension counts.": hooke(offset, v, k, 0.0, c),
-        "Your spring acts as if its other end were at (0, 0, 0). Subtract self.anchor from the "
-        "position to get the offset.": hooke(here, v, k, rest, c),
+        f"{back}.": hooke(-offset, v, k, rest, c),
+        "You left out the damping.": hooke(offset, v, k, rest),
+        "Your force uses a rest length of 0.": hooke(offset, v, k, 0.0, c),
+        "Your spring acts as if its other end were at (0, 0, 0).": hooke(here, v, k, rest, c),
         "Your force points in the wrong direction. Either you reverse the velocity as well as the "
         "offset, or the sign of the force is wrong.": -wanted,
-        f"{back}, and you left out the damping. Subtract the anchor from the position.":
-            hooke(-offset, v, k, rest),
-        SWAPPED: hooke(offset, v, rest, k, c),
-        LASTING: 0.25 * wanted,
-        "You add no force to p, the particle that is passed to update_force. Add the spring's "
-        "force to it with add_force.": ZERO,
+        f"{back}, and you left out the damping.": hooke(-offset, v, k, rest),
+        "You swapped the stiffness and the rest length.": hooke(offset, v, rest, k, c),
+        "You multiplied the force by the duration.": 0.25 * wanted,
+        "You add no force to p, the particle that is passed to update_force.": ZERO,
     }  # fmt: skip
     expect_close(got, wanted, slips, tolerance=1e-11, unit="N")
     with calls(

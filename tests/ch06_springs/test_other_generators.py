@@ -16,10 +16,21 @@ from draw import Triple, positive_number, unit_vector, vector
 from expect import expect_between, expect_close, expect_unchanged, xyz
 from unmoved import expect_kept
 
-ZERO = (0.0, 0.0, 0.0)
+ZERO = Triple((0.0, 0.0, 0.0))
 ELASTIC = "exercise 6.1 and the docstring of ElasticLimitSpring"
 CROWD = "exercise 6.3 and the docstring of Overcrowding"
 HOMING = "exercise 6.4 and the docstring of HomingBullet"
+ALONE = "You added a force to q as well. Add it only to p, which is passed to update_force."
+
+
+def expect_forces(
+    p: Particle, wanted: Triple, slips: dict[str, Triple], q: Particle, cause: str, near: float
+) -> None:
+    """Expect a force on p, within a tolerance, and none on q."""
+    __tracebackhide__ = True
+    got, then = p.force_accumulator, "; p.force_accumulator"
+    expect_close(got, wanted, slips, then=then, unit="N", cause=cause, tolerance=near)
+    expect_close(q.force_accumulator, ZERO, then="; q.force_accumulator", unit="N", cause=ALONE)
 
 
 @pytest.mark.exercise("6.1", asks="it behaves like a Spring", read=ELASTIC)
@@ -58,11 +69,7 @@ def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
                 "Your extension is abs(length - rest_length), so a compressed spring pulls. "
                 "Remove abs to keep the sign (E-3).": -wanted,
             }
-        got, then = p.force_accumulator, "; p.force_accumulator"
-        expect_close(got, wanted, slips, then=then, unit="N", tolerance=1e-12)
-        cause = "You added a force to q as well. This spring acts only on the particle that is "
-        cause += "passed to update_force."
-        expect_close(q.force_accumulator, ZERO, then="; q.force_accumulator", unit="N", cause=cause)
+        expect_forces(p, wanted, slips, q, cause, 1e-12)
     with calls(
         "The length is exactly the limit here, so the spring must still pull with its full "
         "stiffness. Apply share only to the part of the length beyond the limit."
@@ -171,7 +178,7 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
             crowd.update_force(p, 0.5)
         expect_kept("p.position", xyz(p.position), here)
         expect_kept("q.position", xyz(q.position), there)
-        push, got = k * distance * max(1.0 - share, 0.0), xyz(p.force_accumulator)
+        push = k * distance * max(1.0 - share, 0.0)
         none = "There is no push, although q is closer than self.distance. Compare the distance of "
         none += "q from p, not its square, with self.distance."
         last = Particle(Vector3(*here))
@@ -190,11 +197,7 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
             "You use the squared distance between the particles.": k * (distance - near**2),
         }
         slips = {slip: f - wrong * d for slip, wrong in pushes.items()} if share < 1.0 else {}
-        then = "; p.force_accumulator"
-        expect_close(got, f - push * d, slips, then=then, unit="N", cause=cause, tolerance=1e-11)
-        cause = "You added a force to q as well. Push only p, the particle that is passed to "
-        cause += "update_force."
-        expect_close(q.force_accumulator, ZERO, then="; q.force_accumulator", unit="N", cause=cause)
+        expect_forces(p, f - push * d, slips, q, cause, 1e-11)
 
 
 @pytest.mark.exercise("6.3", asks="from every other particle that is too close", read=CROWD)
@@ -314,12 +317,8 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
                 k * (now + closing * 0.5),
         }  # fmt: skip
         slips = {slip: f + pull for slip, pull in pulls.items()}
-        got, then = p.force_accumulator, "; p.force_accumulator"
         # A few roundings of numbers up to 2000.
-        expect_close(got, f + k * way, slips, then=then, unit="N", tolerance=1e-11)
-        cause = "You added a force to the target as well. Add it only to the bullet, which is "
-        cause += "passed to update_force."
-        expect_close(q.force_accumulator, ZERO, then="; q.force_accumulator", unit="N", cause=cause)
+        expect_forces(p, f + k * way, slips, q, cause, 1e-11)
 
 
 @pytest.mark.exercise("6.4", asks="and changes nothing else", read=HOMING)

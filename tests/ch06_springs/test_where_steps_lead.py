@@ -1,14 +1,17 @@
-"""Where the steps of build tasks B6.6 to B6.8 lead: energy, and the limits of stability."""
+"""Where steps lead: energy and stability in build tasks B6.6 to B6.8, accuracy in G6.3."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from random import Random
 
 import pytest
 
 from calls import calls
-from ch06_springs.step_probes import Body, energy_left, growth, stepped
-from expect import expect_close, expect_exactly
+from ch06_springs.step_probes import Body, energy_left, growth, own_steps, stepped
+from draw import Components, Triple, positive_number, unit_vector, vector
+from expect import about, expect_between, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 EXERCISES = {
@@ -26,6 +29,13 @@ LIMITS = {  # of k h^2 / m
 }
 H = 1.0 / 60.0
 KAPPA = 100.0 * H**2  # k h^2 / m of the spring whose energy is measured
+STEP = "the docstring of my_step"
+FRAMES, ECCENTRICITY = 60, 0.5
+FEW, MOST = 500, 5000  # evaluations: to be good, and at all
+ORBIT = f"p moves once around an orbit of eccentricity {ECCENTRICITY}; my_step([p], apply_forces, "
+ORBIT += f"duration) {FRAMES} times"
+ERROR = "; the largest distance from the true orbit, divided by the semi-major axis"
+Forces = Callable[[list[Components]], list[Components]]
 
 
 def methods(*names: str, asks: str) -> pytest.MarkDecorator:
@@ -154,3 +164,154 @@ def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str) -> None:
             far = growth(method, k, 1.0, H, 500)
         expect_exactly(far < 100.0, share < 1.0, then="; the largest distance is below 100 m")
         expect_exactly(far > 1e6, share > 1.0, then="; the largest distance is above 1e6 m")
+
+
+class Asked:
+    """A field of forces that counts its evaluations, and refuses more than MOST of them."""
+
+    def __init__(self, forces_at: Forces) -> None:
+        self.forces_at, self.count = forces_at, 0
+
+    def __call__(self, places: list[Components]) -> list[Components]:
+        self.count += 1
+        if self.count > MOST:
+            cause = f"Your steps evaluate the forces more than {MOST} times in total. Split each "
+            about(cause=f"{cause}time step into fewer parts.")
+            raise ValueError(
+                f"more than {MOST} evaluations of the forces: split the time step into fewer parts"
+            )
+        return [(x, y, z) for x, y, z in self.forces_at(places)]
+
+
+def turn_of_an_orbit(rng: Random) -> tuple[int, float]:
+    """Step once around a center, and return the number of evaluations and the largest error.
+
+    The error is the distance from the solution of Kepler's equation, in units of the semi-major
+    axis. The size, position and plane of the orbit, the mass and the strength of the force are
+    drawn, but neither result depends on them.
+    """
+    size, mass, mu = (positive_number(rng, 0.5, 4.0) for _ in range(3))
+    center, along, other = vector(rng), unit_vector(rng), unit_vector(rng)
+    across = other - (along @ other) * along
+    across /= abs(across)
+
+    def place(x: float, y: float) -> Triple:
+        return center + x * along + y * across
+
+    def forces_at(places: list[Components]) -> list[Components]:
+        offset = Triple(places[0]) - center
+        return [-mu * mass / abs(offset) ** 3 * offset]
+
+    e = ECCENTRICITY
+    velocity = math.sqrt(mu / size * (1.0 + e) / (1.0 - e)) * across
+    start = (place(size * (1.0 - e), 0.0), velocity, (0.0, 0.0, 0.0), mass)
+    duration = 2.0 * math.pi * math.sqrt(size**3 / mu) / FRAMES
+    field = Asked(forces_at)
+    places, *_ = own_steps([start], field, duration, FRAMES)
+    worst = 0.0
+    for frame, (found,) in zip(range(1, FRAMES + 1), places, strict=True):
+        angle = mean = 2.0 * math.pi * frame / FRAMES
+        for _ in range(60):  # Newton's method on Kepler's equation, which has long converged then
+            angle -= (angle - e * math.sin(angle) - mean) / (1.0 - e * math.cos(angle))
+        true = place(size * (math.cos(angle) - e), size * math.sqrt(1.0 - e * e) * math.sin(angle))
+        error = math.dist(found, true) / size
+        worst = error if not error <= worst else worst  # a NaN stays
+    return field.count, worst
+
+
+@pytest.mark.exercise("G6.3", asks="farther from its true position than 0.5 %", read=STEP)
+def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
+    m, n = positive_number(rng, 1.0, 4.0), positive_number(rng, 1.0, 4.0)
+    stiffness, along = positive_number(rng, 5.0, 20.0), unit_vector(rng)
+    v, a, middle = vector(rng), vector(rng), vector(rng)
+    shares = (-n / (m + n), m / (m + n))
+
+    def ends(swung: float, t: float) -> list[Triple]:
+        """Where the two are: their middle falls, the spring between them swings."""
+        fallen = middle + t * v + 0.5 * t * t * a
+        return [fallen + share * swung * along for share in shares]
+
+    def forces_at(places: list[Components]) -> list[Components]:
+        pull = stiffness * (Triple(places[1]) - places[0])
+        return [pull, -pull]
+
+    period = 2.0 * math.pi * math.sqrt(m * n / (m + n) / stiffness)
+    start = ends(1.0, 0.0)
+    with calls(
+        "Your step is less accurate than velocity Verlet, whose error is at most 0.003 m here. Use "
+        "a method of order 2 or more.",
+        f"two particles of {m} kg and {n} kg are joined by a spring of {stiffness} N/m; "
+        f"my_step(particles, apply_forces, duration) {FRAMES} times",
+    ):
+        bodies = [(place, v, a, mass) for place, mass in zip(start, (m, n), strict=True)]
+        places, velocities, left = own_steps(bodies, Asked(forces_at), period / FRAMES, FRAMES)
+    cause = about.cause
+    for frame in (15, 40, 60):
+        t = period * frame / FRAMES
+        found = [Triple(place) for place in places[frame - 1]]
+        true = ends(math.cos(2.0 * math.pi * frame / FRAMES), t)
+        if abs(m * (found[0] - true[0]) + n * (found[1] - true[1])) < 5e-3:
+            cause = "The center of mass moves correctly, but the particles don't oscillate "
+            cause += "correctly around it. Clear the forces of each particle after you use them, "
+            cause += "and use a method of order 2 or more."
+        for which, (got, wanted) in enumerate(zip(found, true, strict=True)):
+            if not math.dist(got, wanted) < 5.0:
+                cause = "Your particle is more than 5 m from its true position, where even "
+                cause += "explicit Euler comes closer. Multiply every change of a position or "
+                cause += "velocity by its part of the duration."
+            apart = (0.5 - which) * (1.0 - math.cos(math.sqrt(2.0 * stiffness) * t))
+            slips = {
+                "You leave out the particle's own acceleration. Add it to f / m, the acceleration "
+                "that the forces cause.": wanted - 0.5 * t * t * a,
+                "You don't divide the force f by the mass m. The acceleration is "
+                "particle.acceleration + f / m.":
+                    start[which] + t * v + 0.5 * t * t * a + apart * along,
+            }  # fmt: skip
+            near = [slip for slip, wrong in slips.items() if math.dist(got, wrong) < 2e-2]
+            then = f"; particles[{which}].position after {frame} steps"
+            # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
+            expect_close(got, wanted, then=then, unit="m", cause=[*near, cause][0], tolerance=5e-3)
+    # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
+    expect_close(
+        velocities[-1][0],
+        v + period * a,
+        then=f"; particles[0].velocity after {FRAMES} steps",
+        unit="m/s",
+        cause="The positions are right, but the velocities are not those at the end of the step. "
+        "Update the velocities over the whole duration too.",
+        tolerance=5e-2,
+    )
+    cause = "Some forces are still in the accumulators at the end of the step. Clear the forces of "
+    cause += "each particle after you use them."
+    then = "; particles[0].force_accumulator after the last step"
+    expect_close(left[0], (0.0, 0.0, 0.0), then=then, unit="N", cause=cause, tolerance=0.0)
+
+
+@pytest.mark.exercise("G6.3", asks="It must be at most 1e-2.", read=STEP)
+def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
+    with calls(
+        "Explicit and semi-implicit Euler are not accurate enough here. Use a method of order 2 or "
+        "more. You may split a step into parts, as long as you evaluate the forces at most "
+        f"{MOST} times in total.",
+        ORBIT,
+    ):
+        count, error = turn_of_an_orbit(rng)
+    on_chart(count, error)
+    # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.
+    expect_between(error, 0.0, 0.01, then=ERROR)
+
+
+@pytest.mark.exercise("G6.3", asks="With at most 500 evaluations, an error of 1e-3", read=STEP)
+@pytest.mark.parametrize("most", [1e-3, 1e-4], ids=["error 0.001", "error 0.0001"])
+def test_it_is_accurate_with_few_evaluations(rng: Random, most: float) -> None:
+    with calls(
+        "Your steps evaluate the forces too often. Split each time step into fewer parts, so that "
+        f"one revolution takes at most {FEW} evaluations.",
+        ORBIT,
+    ):
+        count, error = turn_of_an_orbit(rng)
+    expect_between(count, 0, FEW, then="; the number of evaluations of the forces")
+    cause = f"Your step is not accurate enough for its {count} evaluations of the forces. Take "
+    cause += "shorter steps where the particle moves fast, and longer ones elsewhere."
+    # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
+    expect_between(error, 0.0, most, then=ERROR, cause=cause)

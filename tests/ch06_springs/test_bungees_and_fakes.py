@@ -143,11 +143,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             expect_close(got, wanted, slips, tolerance=1e-11, unit="N")
 
 
-@pytest.mark.exercise(
-    "B6.2",
-    asks="adds to the forces that the particle already has",
-    read="the docstrings of Bungee and AnchoredBungee",
-)
+@pytest.mark.exercise("B6.2", asks="adds to the forces that the particle already has", read=READ)
 def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
     f = vector(rng)
     cause = "Your rope must add a pull of 4 N along Y to the force that p already has. Use "
@@ -326,11 +322,7 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     expect_close(end, wanted, tolerance=1e-10, unit="m")
 
 
-@pytest.mark.exercise(
-    "B6.11",
-    asks="adds to the forces that the particle already has",
-    read="the docstring of FakeStiffSpring.update_force",
-)
+@pytest.mark.exercise("B6.11", asks="adds to the forces that the particle already has", read=FAKE)
 def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     f, place = vector(rng), vector(rng)
     with calls(

@@ -50,42 +50,34 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
     slips: dict[str, Callable[[float], float]] = {  # each with the lift at a fraction u
         f"There is no lift, {E_5}": lambda u: 0.0 * u,
         f"Your lift points down, {E_5}": lambda u: -u * full,
-        "You followed the book's listing, which has three errors (E-5). Use (y_w + s - y) "
-        "instead of (y - y_w - s), divide it by (2 * s), and multiply the lift by g.":
+        "You followed the book's listing, which has three errors (E-5).":
             lambda u: -u * s * s * unit,
         "Your lift is the full one, even if only 1% of the body is under water. Use the submerged "
         "fraction. Check that you limit it in the right order: min(max(fraction, 0.0), 1.0).":
             lambda u: max(u, 1.0) * full,
         "You divide by 2 and then multiply by s, because the book's listing lacks parentheses "
         "(E-5). Divide by (2 * s), where s is max_depth.": lambda u: min(u * s * s, 1.0) * full,
-        "Your lift leaves out the factor g, as in the book's listing (E-5), so it is a mass in "
-        "kg instead of a force. Multiply it by self.gravity.": lambda u: u * unit,
-        "You divided the lift by the mass of the particle. Add the force itself, because the "
-        "step divides it by the mass later.": lambda u: u * full / 3.0,
-        "You multiplied the lift by the mass of the particle. The lift depends only on the "
-        "displaced water, so leave the mass out.": lambda u: u * full * 3.0,
-        "You use the mass of the particle in place of the mass of the water. Multiply by "
-        "self.liquid_density * self.volume instead.": lambda u: u * 3.0 * g,
-        "You used g = 9.81, but this Buoyancy was created with another gravity. Use "
-        "self.gravity.": lambda u: u * unit * 9.81,
-        "You used the density of water, but this Buoyancy was created with another "
-        "liquid_density. Use self.liquid_density.": lambda u: u * 1000.0 * volume * g,
-        "You divided by max_depth, which is only half the height of the body. Divide by the "
-        "full height, 2 * max_depth.": lambda u: min(2.0 * u, 1.0) * full,
+        "Your lift leaves out the factor g, as in the book's listing (E-5).": lambda u: u * unit,
+        "You divided the lift by the mass of the particle.": lambda u: u * full / 3.0,
+        "You multiplied the lift by the mass of the particle.": lambda u: u * full * 3.0,
+        "You use the mass of the particle in place of the mass of the water.":
+            lambda u: u * 3.0 * g,
+        "You used g = 9.81 instead of self.gravity.": lambda u: u * unit * 9.81,
+        "You used the density of water, 1000 kg/m^3, instead of self.liquid_density.":
+            lambda u: u * 1000.0 * volume * g,
+        "You divided by max_depth, which is only half the height of the body.":
+            lambda u: min(2.0 * u, 1.0) * full,
         f"{below}. Add max_depth, because the lowest point of the body is deeper by this amount.":
             lambda u: max(u - 0.5, 0.0) * full,
-        f"{below}, and divided it by s. When the center is at the surface, half of the body is "
-        "under water, so use (y_w + s - y) / (2 * s).": lambda u: max(2.0 * u - 1.0, 0.0) * full,
-        "Your lift grows as the body rises out of the water. Use (y_w + s - y), where y_w is "
-        "water_height and s is max_depth.": lambda u: (1.0 - u) * full,
+        f"{below}, and divided it by s.": lambda u: max(2.0 * u - 1.0, 0.0) * full,
+        "Your lift grows as the body rises out of the water.": lambda u: (1.0 - u) * full,
         "Your lift is half of what it should be. Either you multiply it by the duration, which is "
         "0.5 s here, or you divide by 4 * max_depth.": lambda u: 0.5 * u * full,
         "You subtract the weight of the particle. Gravity acts separately, so add only the lift.":
             lambda u: u * full - 3.0 * g,
         "You subtract the particle's weight. Gravity acts separately, so add only the lift.":
             lambda u: u * full - 29.43,
-        "Your lift is either the full lift or zero. Multiply the full lift by the submerged "
-        "fraction of the body.": lambda u: full if u > 0.5 else 0.0,
+        "Your lift is either the full lift or zero.": lambda u: full if u > 0.5 else 0.0,
     }  # fmt: skip
     shares = (0.25, 0.75, 0.01)
     lifts = [xyz(lift(share))[1] for share in shares]

@@ -49,34 +49,32 @@ def test_the_three_cases_by_known_values() -> None:
     damped, late = sqrt(99.0), sqrt(96.0)  # gamma, and that of a c / m not halved
     over, high = sqrt(300.0), sqrt(9999.0)  # gamma for c = 40, and that of a k not rooted
     slips = {
-        "Your exponent uses the full rate c / m. The amplitude decays at half that rate, c / "
-        "(2 m), where c is the damping and m the mass.":
+        "Your exponent uses the full rate c / m. The amplitude decays at half that rate.":
             exp(-1.0) * (cos(0.5 * late) + 2.0 / late * sin(0.5 * late)),
         "Your position is only e^(-half * t) * cos(gamma * t), where half = c / (2 m). Add half * "
         "sin(gamma * t) / gamma to the cosine.": exp(-0.5) * cos(0.5 * damped),
-        "You don't divide sin(gamma * t) by gamma. Divide it in the term with half, where half = "
-        "c / (2 m).": exp(-0.5) * (cos(0.5 * damped) + sin(0.5 * damped)),
-        "You left out e^(-half * t), so the amplitude does not decay. Multiply all terms by it, "
-        "where half = c / (2 m).": cos(0.5 * damped) + sin(0.5 * damped) / damped,
-        "You use k / m where you need its square root. Compute gamma from half^2 - k / m, where "
-        "half = c / (2 m).": exp(-0.5) * (cos(0.5 * high) + sin(0.5 * high) / high),
+        "You don't divide sin(gamma * t) by gamma.":
+            exp(-0.5) * (cos(0.5 * damped) + sin(0.5 * damped)),
+        "You left out e^(-half * t), so the amplitude does not decay.":
+            cos(0.5 * damped) + sin(0.5 * damped) / damped,
+        "You use k / m where you need its square root.":
+            exp(-0.5) * (cos(0.5 * high) + sin(0.5 * high) / high),
         "You return the velocity first. Return the position first, and then the velocity.":
             -100.0 * exp(-0.5) * sin(0.5 * damped) / damped,
         "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
         "gamma, which is lower.": exp(-0.5) * (cos(5.0) + 0.1 * sin(5.0)),
-        "You divide sin by the damped frequency gamma, but in cos and sin you use sqrt(k / m). Use "
-        "gamma in both.": exp(-0.5) * (cos(5.0) + sin(5.0) / damped),
+        "You divide sin by the damped frequency gamma, but in cos and sin you use sqrt(k / m).":
+            exp(-0.5) * (cos(5.0) + sin(5.0) / damped),
         "The spring is critically damped, but your position is only e^(-half * t), where half = c "
         "/ (2 m). Multiply it by (1 + half * t).": exp(-5.0),
-        "You use sinh(gamma * t) in both terms, but the first one needs cosh(gamma * t). Add the "
-        "two exponentials there instead of subtracting them.":
+        "You use sinh(gamma * t) in both terms, but the first one needs cosh(gamma * t).":
             exp(-1.0) * (1.0 + 20.0 / over) * sinh(0.05 * over),
         "Your position leaves out its second term. Multiply e^(-half * t) by cosh(gamma * t) + "
         "half * sinh(gamma * t) / gamma, where half = c / (2 m).": exp(-1.0) * cosh(0.05 * over),
         "You add the two exponentials without the factor 1/2. cosh is half of their sum.":
             exp(-1.0) * (2.0 * cosh(0.05 * over) + 20.0 / over * sinh(0.05 * over)),
-        "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
-        "sinh instead.": exp(-1.0) * (cos(0.05 * over) + 20.0 / over * sin(0.05 * over)),
+        "You use cos and sin for an over-damped spring, which does not oscillate.":
+            exp(-1.0) * (cos(0.05 * over) + 20.0 / over * sin(0.05 * over)),
     }  # fmt: skip
     expect_positions(
         ((1.0, 0.0, 100.0, 2.0, 1.0, 0.5), 0.09855066761858595, 1e-14,

@@ -19,6 +19,7 @@ from unmoved import expect_all_kept
 ZERO = Triple((0.0, 0.0, 0.0))
 UP = Triple((0.0, 1.0, 0.0))
 GROUND = "the docstring of PenaltyGround"
+BOTH = "the docstrings of hang_bridge and load_bridge"
 HANG = "the docstring of hang_bridge"
 LOAD = "the docstring of load_bridge"
 BRIDGE = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})"
@@ -81,11 +82,7 @@ def test_there_is_no_force_above_the_ground(rng: Random) -> None:
         expect_close(got, push * UP, tolerance=tolerance, unit="N")
 
 
-@pytest.mark.exercise(
-    "G6.1",
-    asks="Add the force only if it is positive.",
-    read="the docstring of PenaltyGround.update_force",
-)
+@pytest.mark.exercise("G6.1", asks="Add the force only if it is positive.", read=GROUND)
 def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     k, c, depth = positive_number(rng), positive_number(rng), positive_number(rng)
     push = k * depth
@@ -217,11 +214,11 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
     places = draw_places(rng)
     height, k, c = positive_number(rng, 2.0, 9.0), positive_number(rng), positive_number(rng)
     after = [(place + 0.05 * vector(rng), vector(rng)) for place in places]
+    scene = "; the check moves all planks a little and gives them velocities"
     with calls(
         "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join each "
         "plank to the next with one call of connect, which acts on both ends.",
-        BRIDGE.format(height, k, c) + "; the check moves all planks a little and gives them "
-        "velocities" + UPDATE,
+        BRIDGE.format(height, k, c) + scene + UPDATE,
     ):
         *forces, alone = hung_bridge(places, after, (height, k, c))
 
@@ -322,11 +319,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
     expect_close(y - 2.0, -weight, tolerance=1e-12 * weight, unit="N")
 
 
-@pytest.mark.exercise(
-    "G6.2",
-    asks="Hang each plank of a bridge from its own spring",
-    read="the docstrings of hang_bridge and load_bridge",
-)
+@pytest.mark.exercise("G6.2", asks="Hang each plank of a bridge from its own spring", read=BOTH)
 def test_a_loaded_bridge_sags_under_its_walker() -> None:
     places = [Triple((float(i), 0.0, 0.0)) for i in range(7)]
     with calls(

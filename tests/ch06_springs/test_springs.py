@@ -16,6 +16,7 @@ from draw import Triple, positive_number, unit_vector, vector
 from expect import expect_close, expect_unchanged, expect_vector
 
 ZERO = Triple((0.0, 0.0, 0.0))
+ENDS = "book 6.2.1 and the docstring of Spring"
 READ = "book 6.1 and 6.2.1, Eq. 6.1 and 6.2, and the docstring of spring_force"
 ANCHORED = "book 6.2.2 and the docstring of AnchoredSpring"
 RULE = (
@@ -191,11 +192,7 @@ def test_a_spring_at_its_rest_length_exerts_no_force(rng: Random) -> None:
         expect_close(got, wanted, unit="N", tolerance=None if rest == 0.0 else 1e-13)
 
 
-@pytest.mark.exercise(
-    "B6.1",
-    asks="Compute the spring force on particle, and add it",
-    read="book 6.2.1 and the docstring of Spring",
-)
+@pytest.mark.exercise("B6.1", asks="Compute the spring force on particle, and add it", read=ENDS)
 def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     here, there, v, w, f = vector(rng), vector(rng), vector(rng), vector(rng), vector(rng)
     k, c = positive_number(rng), positive_number(rng)

@@ -14,7 +14,7 @@ from typing import ParamSpec, TypedDict, TypeVar
 
 Parameters = ParamSpec("Parameters")
 Returned = TypeVar("Returned")
-LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all its digits
+LONG = re.compile(r"\b\d{1,5}\.\d{10,}(?:e[-+]?\d+)?\b")  # a computed number with all its digits
 
 
 class Words(TypedDict, total=False):

@@ -23,6 +23,11 @@ from autograder.diagnosis.missing import while_imported
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind, Message
 
+# A check that imports something which tests/shared does not have, or no longer has.
+GONE = re.compile(
+    r"test module '.*?(\w+\.py)'.*cannot import name '(\w+)' from .*tests.shared.(\w+\.py)\)",
+    re.DOTALL,
+)
 HURRIED = 0.25  # once a function has hung twice, later checks get only this part of the time limit
 
 
@@ -132,6 +137,12 @@ class Run:
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             own = self.order.chapter.name
             return f"{missing[1]} is missing: put your own folder of that name beside {own}"
+        if gone := GONE.search(self.stderr):
+            file, name, helper = gone.groups()
+            return (
+                f"{file} imports {name}, but {helper} has no {name}. How a graded check is written "
+                "today: tests/README.md"
+            )
         words = self.stderr or "it printed nothing"
         if "INTERNALERROR>" in words:  # leave out pytest's own traceback
             words = words.rpartition("INTERNALERROR>")[2].strip()

@@ -2,20 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 
 Components = tuple[float, float, float]
-
-
-def velocity_after(velocity: Components, damping: float, frames: Sequence[float]) -> Components:
-    """Integrate a particle without acceleration over these durations; return its velocity."""
-    particle = Particle(velocity=Vector3(*velocity), damping=damping)
-    for duration in frames:
-        particle.integrate(duration)
-    return particle.velocity.x, particle.velocity.y, particle.velocity.z
 
 
 def position_after_fall(gravity: float, duration: float, steps: int) -> Components:

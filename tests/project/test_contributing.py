@@ -54,22 +54,19 @@ from random import Random
 
 import pytest
 
+from calls import calls
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
-from draw import components
-from expect import about, blame, expect_close, xyz
+from draw import vector
+from expect import expect_close
 
 
-@pytest.mark.exercise("G2.1")
+@pytest.mark.exercise("G2.1", read="the docstring of halfway")
 def test_halfway_is_the_mean_of_both_points(rng: Random) -> None:
-    a, b = components(rng), components(rng)
-    about.call = f"halfway(Vector3{a}, Vector3{b})"
-    about.cause = "the mean of two numbers is half their sum, and this holds for each component"
-    about.read = "the docstring of halfway"
-    got = xyz(exercises.halfway(Vector3(*a), Vector3(*b)))
-    total = [p + q for p, q in zip(a, b, strict=True)]
-    blame(got, [(total, "This is the sum. Multiply it by 0.5.")])
-    expect_close(got, [number / 2.0 for number in total])
+    a, b = vector(rng), vector(rng)
+    with calls("The mean of two numbers is half their sum, and this holds for each component."):
+        got = exercises.halfway(Vector3(*a), Vector3(*b))
+    expect_close(got, (a + b) / 2.0, {"This is the sum.": a + b})
 '''
 WRONG = """
 ["exercises.halfway".test_halfway_is_the_mean_of_both_points]

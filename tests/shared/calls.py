@@ -17,7 +17,7 @@ import linecache
 import math
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
 from types import FrameType
@@ -30,6 +30,7 @@ CALCULATION = (
     *(ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Subscript, ast.operator, ast.unaryop),
     *(ast.expr_context, ast.JoinedStr, ast.FormattedValue),
 )
+MATRICES = (9, 12)  # the numbers of a Matrix3 and a Matrix4
 GAP = re.compile(r"(\*?)\0(\d+)\0")
 
 
@@ -41,14 +42,25 @@ def calls(cause: str, text: str = "", *, more: bool = False) -> Iterator[None]:
     next expectation fails. ``text`` is shown instead of the code, for example because it runs in a
     loop. With ``more``, the code is appended to that of the block before.
     """
-    shown = text or _shown(sys._getframe(2))
-    about(f"{about.call}; {shown}" if more else shown, cause=cause)
+    before = f"{whole.get(about.call, about.call)}; " if more else ""
+    shown = [text, text] if text else _shown(sys._getframe(2))
+    call, named = (f"{before}{each}" for each in shown)
+    whole.clear()
+    whole[call] = named
+    about(call, cause=cause)
     yield
 
 
-def _shown(frame: FrameType) -> str:
-    """Return the statements of the block that a frame enters, on one line."""
-    text, gaps = _template(frame.f_code.co_filename, frame.f_lineno)
+# The call of the last block, and the same with the name of its result, which more code may use.
+whole: dict[str, str] = {}
+
+
+def _shown(frame: FrameType) -> list[str]:
+    """Return the statements of the block that a frame enters, on one line.
+
+    The second text also has the name that the last statement assigns to.
+    """
+    texts, gaps = _template(frame.f_code.co_filename, frame.f_lineno)
     known = {**frame.f_globals, **frame.f_locals}
 
     def filled(gap: re.Match[str]) -> str:
@@ -57,9 +69,9 @@ def _shown(frame: FrameType) -> str:
         if not all(map(_is_plain, names.values())):
             return star + source
         value = eval(source, {}, names)
-        return ", ".join(map(_literal, value)) if star else _literal(value)
+        return _spread(value) if star else _literal(value)
 
-    return GAP.sub(filled, text)
+    return [GAP.sub(filled, text) for text in texts]
 
 
 @cache
@@ -73,12 +85,17 @@ def _blocks(file: str) -> dict[int, ast.With]:
 
 
 @cache
-def _template(file: str, line: int) -> tuple[str, list[str]]:
-    """Return the statements of a block with gaps, and the source of each gap."""
+def _template(file: str, line: int) -> tuple[list[str], list[str]]:
+    """Return both texts of a block with gaps, and the source of each gap."""
     block = _blocks(file)[line]
     gaps = Gaps({name.id for name in _names(block) if isinstance(name.ctx, ast.Store)})
     copy = ast.parse("\n".join(map(ast.unparse, block.body)))
-    return "; ".join(_told([gaps.visit(statement) for statement in copy.body])), gaps.found
+    *others, last = [gaps.visit(statement) for statement in copy.body]
+    statements = [text for statement in others for text in _written(statement)]
+    named = _written(last)
+    is_result = isinstance(last, ast.Assign) and isinstance(last.targets[0], ast.Name)
+    value = [_values(last.value)] if is_result else named
+    return ["; ".join([*statements, *end]) for end in (value, named)], gaps.found
 
 
 class Gaps(ast.NodeTransformer):
@@ -102,23 +119,37 @@ def _names(node: ast.AST) -> list[ast.Name]:
     return [each for each in ast.walk(node) if isinstance(each, ast.Name)]
 
 
-def _told(statements: list[ast.stmt]) -> Iterator[str]:
-    """Write each statement on one line. Of the last one, only the value is shown."""
-    for statement in statements:
-        if not isinstance(statement, ast.Assign):
-            yield ast.unparse(statement)
-            continue
-        value, target = statement.value, statement.targets[0]
-        parts = value.elts if isinstance(value, ast.Tuple) else [value]
-        text = ", ".join(map(ast.unparse, parts))
-        is_result = statement is statements[-1] and isinstance(target, ast.Name)
-        yield text if is_result else f"{ast.unparse(target).strip('()')} = {text}"
+def _written(statement: ast.stmt) -> list[str]:
+    """Write a statement on one line, or several assignments that it makes as one each."""
+    if not isinstance(statement, ast.Assign):
+        return [ast.unparse(statement)]
+    target, value = statement.targets[0], statement.value
+    if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple):
+        pairs = zip(target.elts, value.elts, strict=True)
+        return [f"{ast.unparse(name)} = {ast.unparse(part)}" for name, part in pairs]
+    names = [ast.unparse(each).strip("()") for each in statement.targets]
+    return [" = ".join([*names, _values(value)])]
+
+
+def _values(value: ast.expr) -> str:
+    """Write a value, or several without parentheses."""
+    parts = value.elts if isinstance(value, ast.Tuple) else [value]
+    return ", ".join(map(ast.unparse, parts))
 
 
 def _is_plain(value: Any) -> bool:
     if isinstance(value, (tuple, list)):
         return all(map(_is_plain, value))
     return type(value) in PLAIN
+
+
+def _spread(values: Sequence[Any]) -> str:
+    """Write the arguments of a starred tuple, those of a long matrix with a line for each row."""
+    texts = [*map(_literal, values)]
+    across = len(texts) // 3
+    if len(texts) not in MATRICES or sum(map(len, texts)) < 60:
+        return ", ".join(texts)
+    return ",\n    ".join(", ".join(texts[i : i + across]) for i in range(0, 3 * across, across))
 
 
 def _literal(value: Any) -> str:

@@ -299,7 +299,8 @@ def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) ->
     mistakes = []
     for slip, gives in slips.items():
         words = slip if slip.endswith(".") else f"This is {slip}."
-        mistakes.append((gives, words if ". " in words else f"{words} {cause}"))
+        is_one = not re.search(r"\. [A-Z]", words)
+        mistakes.append((gives, f"{words} {cause}" if is_one else words))
     return cause_of(got, mistakes, cause)
 
 
@@ -313,7 +314,7 @@ def _are_numbers(values: tuple[Any, ...], count: int) -> bool:
 
 def _compared(got: Any, wanted: Any, tolerance: float = 0.0) -> list[str]:
     """Return two values as texts. Long lists are replaced by the first elements that differ."""
-    lists = [value for value in (got, wanted) if type(value) in (tuple, list)]
+    lists = [value for value in (got, wanted) if isinstance(value, (tuple, list))]
     if len(lists) < 2 or max(map(len, lists)) <= LONGEST_LIST:
         return _told(got, wanted)
     texts = [f"{len(value)} elements" for value in lists]
@@ -340,7 +341,7 @@ def _told(*values: Any) -> list[str]:
 
 
 def _shown(value: Any, digits: int = 6) -> str:
-    if type(value) in (tuple, list):
+    if isinstance(value, (tuple, list)):
         items = ", ".join(_shown(item, digits) for item in value)
         return f"({items},)" if len(value) == 1 else f"({items})"
     if isinstance(value, float) and type(value) is not float:

@@ -135,6 +135,11 @@ def test_gradescope_gets_nothing_of_a_hidden_check_but_its_rationale(
             HIDDEN.replace('"90.1"', '"90.9"'),
             "cannot be run: .* belongs to an unknown exercise",
         ),
+        (
+            "test_x.py",
+            HIDDEN.replace("import pytest\n", "import pytest\nfrom judging import praise\n"),
+            "cannot be run: test_x.py imports praise, but judging.py has no praise. How a graded",
+        ),
         ("notes.py", "", "there is no check in"),
     ],
 )
@@ -145,6 +150,8 @@ def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
     hidden.mkdir(parents=True)
     (hidden / name).write_text(text, encoding="utf-8")
     (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    (root / "tests/shared").mkdir(exist_ok=True)
+    (root / "tests/shared/judging.py").touch()
     with pytest.raises(ValueError, match=complaint):
         grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
     assert not (tmp_path / "out/results").exists()

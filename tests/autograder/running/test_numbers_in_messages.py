@@ -10,7 +10,6 @@ from autograder.checks.asked import about, short_numbers
 from autograder.message import ExpectationError, Message
 from compared import difference, relation
 from expect import (
-    blame,
     expect_between,
     expect_close,
     expect_exactly,
@@ -78,11 +77,8 @@ def test_a_note_says_how_the_numbers_differ_unless_the_mistake_is_recognized() -
     assert message.note == "Only the third number is wrong. It has the opposite sign."
     assert ("note", message.note) in message.rows()
 
-    def recognized() -> None:
-        blame(6.0, [(6.0, "You forget to halve it.")])
-        expect_close(6.0, 3.0)
-
-    assert said(recognized).note == ""
+    halved = said(lambda: expect_close(6.0, 3.0, {"You forget to halve it.": 6.0}))
+    assert halved.note == ""
 
 
 @pytest.mark.parametrize(

@@ -131,10 +131,7 @@ def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
 
 @pytest.mark.exercise("B6.4", asks="equals the weight of the displaced water", read=READ)
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
-    with calls(
-        "The body displaces half a liter of water, which weighs 5 N with g = 10. If your lift is "
-        "0.5 N, it lacks the factor g, as in the book's listing (E-5)."
-    ):
+    with calls("Half a liter of water weighs 5 N with g = 10. Without g, you get 0.5 N (E-5)."):
         p = Particle()
         b = Buoyancy(max_depth=0.5, volume=0.001, water_height=0.0, gravity=10.0)
         b.update_force(p, 0.5)
@@ -145,10 +142,7 @@ def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
 @pytest.mark.exercise("B6.4", asks="adds to the forces that the particle already has", read=READ)
 def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> None:
     f = vector(rng)
-    with calls(
-        "The check changes the attributes of b after creating it, so read them in every call. Use "
-        "add_force, which keeps the forces that are already on p."
-    ):
+    with calls("Read the attributes of b in every call, and add the lift with add_force."):
         p = Particle(mass=4.0)
         b = Buoyancy(max_depth=1.0, volume=2.0, water_height=0.0, gravity=10.0)
         p.add_force(Vector3(*f))
@@ -162,8 +156,7 @@ def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> 
 @pytest.mark.exercise("B6.4", asks="the weight of the water that the body displaces", read=READ)
 def test_a_floating_body_bobs_with_its_period() -> None:
     with calls(
-        "The lift acts like a spring with the stiffness k = rho V g / (2 s), where rho is the "
-        "density, V the volume and s is max_depth. The period is 2 pi sqrt(m / k).",
+        "With k = rho V g / (2 s), where s is max_depth, the period is 2 pi sqrt(m / k).",
         "a particle of 0.5 kg that floats on Buoyancy(max_depth=0.05, volume=0.001, "
         "water_height=0, gravity=10) and is pushed down by 1 cm; steps of 1/4000 s; the "
         "period of its oscillation",
@@ -179,10 +172,7 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
     most, scale, f = positive_number(rng, 5.0, 90.0), positive_number(rng), vector(rng)
     for share in (0.3, 1.0, 2.5, 7.0):
         y = share * scale
-        with calls(
-            "The lift must be F e^(-y / H), pointing up, where F is max_lift, H is scale_height "
-            "and y is the height. Add it to the forces that are already on p."
-        ):
+        with calls("The lift is F e^(-y / H) up, with max_lift F, scale_height H and height y."):
             p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
             p.add_force(Vector3(*f))
             LighterThanAir(max_lift=most, scale_height=scale).update_force(p, 0.5)
@@ -230,11 +220,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
             got = p.force_accumulator
         expect_close(got, (0.0, most, 0.0), unit="N")
         expect_unchanged("p.position", p.position, (0.0, y, 0.0), cause=UNCHANGED)
-    with calls(
-        "The check changes max_lift and scale_height after creating the balloon. Read both "
-        "attributes in every call.",
-        more=True,
-    ):
+    with calls("Read max_lift and scale_height in every call.", more=True):
         balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
         p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
         balloon.update_force(p, 0.5)
@@ -245,8 +231,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
 @pytest.mark.exercise("6.2", asks="At some height the lift equals the weight", read=LIGHTER)
 def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     with calls(
-        "The particle must come to rest at the height where the lift F e^(-y / H) equals its "
-        "weight m g. Here F is max_lift, H is scale_height and y is the height.",
+        "It must come to rest where the lift F e^(-y / H) equals its weight m g.",
         "a particle p of 2 kg with damping 0.5 and g = 9.81 m/s^2 that LighterThanAir(max_lift=30, "
         "scale_height=8) lifts for 60 s in steps of 1/60 s; p.position.y",
     ):

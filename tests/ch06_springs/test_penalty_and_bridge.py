@@ -31,10 +31,7 @@ def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
     f = vector(rng)
     for height in (-high, high):
-        with calls(
-            "The ground must push up with the stiffness times the depth of p below its surface. "
-            "Add this push to the forces that are already on p."
-        ):
+        with calls("Add an upward push: the stiffness times the depth of p below self.height."):
             p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
             p.add_force(Vector3(*f))
             PenaltyGround(height=height, stiffness=k).update_force(p, 0.5)
@@ -124,8 +121,7 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
 )
 def test_a_body_comes_to_rest_below_the_surface() -> None:
     with calls(
-        "The particle comes to rest where the push equals its weight m g. Its depth there is m g / "
-        "k, which is 5 cm, where k is the stiffness.",
+        "It comes to rest where the push equals its weight, at a depth of m g / k, or 5 cm.",
         "p of 2 kg that falls 0.5 m with g = 10 m/s^2 onto PenaltyGround(height=0, stiffness=400, "
         "damping=10); 20 s in steps of 1/240 s; p.position.y",
     ):
@@ -139,10 +135,7 @@ def test_a_body_comes_to_rest_below_the_surface() -> None:
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     then = ", at its lowest"
     expect_between(min(heights), deepest, 0.6 * deepest, then=then, unit="m", cause=cause)
-    with calls(
-        "The check changes the attributes after creating the ground, so read them in every call. "
-        "The force must now be 3 N minus 0.5 * 2 N, which is 2 N."
-    ):
+    with calls("The force is 3 N - 0.5 * 2 N now. Read the attributes in every call."):
         p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
         ground = PenaltyGround(height=0.0, stiffness=400.0)
         ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5
@@ -196,8 +189,7 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
         expect_close(force, ZERO, slips, then=then, tolerance=1e-12, unit="N")
     with calls(
-        "The hanger is stretched by 0.5 m, so it must pull the plank up with 0.5 m times the "
-        "stiffness. Add one AnchoredSpring for each plank to the registry.",
+        "The hanger must pull with 0.5 m times the stiffness. Add one for each plank.",
         BRIDGE.format(*numbers) + " with a single plank; the check lowers it by 0.5 m" + UPDATE,
     ):
         force, _ = hung_bridge(places[:1], [(places[0] - 0.5 * UP, ZERO)], numbers)
@@ -216,8 +208,7 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
     after = [(place + 0.05 * vector(rng), vector(rng)) for place in places]
     scene = "; the check moves all planks a little and gives them velocities"
     with calls(
-        "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join each "
-        "plank to the next with one call of connect, which acts on both ends.",
+        "Hang each plank from an AnchoredSpring straight above it, and connect it to the next.",
         BRIDGE.format(height, k, c) + scene + UPDATE,
     ):
         *forces, alone = hung_bridge(places, after, (height, k, c))
@@ -310,8 +301,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         then = "; the x and z components of all forces in N, which must not change"
         expect_close([part for x, _, z in forces for part in (x, z)], [1.0, 3.0] * 3, then=then)
     with calls(
-        "This bridge has only one plank, which must carry the whole weight, wherever the person "
-        "is. Don't look for a second plank.",
+        "The only plank must carry the whole weight, wherever the person is.",
         f"a single plank at x = -1.5; load_bridge([plank], x=4.0, weight={weight}); the y "
         "component of the force that it adds",
     ):
@@ -323,8 +313,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
 def test_a_loaded_bridge_sags_under_its_walker() -> None:
     places = [Triple((float(i), 0.0, 0.0)) for i in range(7)]
     with calls(
-        "At the end the bridge is at rest. The total pull of the hangers must equal the weight of "
-        "the planks plus that of the person.",
+        "At rest, the total pull of the hangers must equal the weight of planks and person.",
         "7 planks of 2 kg on hang_bridge(registry, planks, height=3, stiffness=200, damping=20); "
         "load_bridge(planks, x=3, weight=100) in every step for 20 s",
     ):

@@ -267,8 +267,7 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng, vector(rng))
     with calls(
-        "Some forces are still in the accumulators at the end of the step, so they act again in "
-        "the next step. Clear the accumulators.",
+        "Clear the accumulators at the end of the step, or their forces act again.",
         in_words(method, body, k, c, h),
     ):
         ends = stepped(method, [body], (k, c), h, 1)
@@ -292,8 +291,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     still: Body = (place, velocity, vector(rng), math.inf, 0.5, vector(rng))
     other: Body = (Triple((1.0, 2.0, 3.0)), ZERO, ZERO, 2.0, 1.0, ZERO)
     with calls(
-        "You move an immovable particle. Skip immovable particles, or use drift and kick, which "
-        "leave them where they are.",
+        "You move an immovable particle. Skip it, or use drift and kick, which do nothing to it.",
         f"particles[0] is immovable, at {place} m, with a velocity of {velocity} m/s; particles[1] "
         f"has a mass of 2 kg; {method}(particles, apply_forces, duration=0.25) twice",
     ):

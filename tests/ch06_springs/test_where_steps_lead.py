@@ -111,9 +111,7 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
     for share in (0.98, 1.02):
         k = share * (1.0 / keep - 1.0) / H**2
         with calls(
-            "Each step multiplies the amplitude of the oscillation by the square root of d^h (1 + "
-            "k h^2 / m). Damp the velocity by d^h once per step, and move the particle with the "
-            "old velocity.",
+            "Multiply the velocity by d^h once per step, and move p with its old velocity.",
             f"explicit_euler([p], apply_forces, h) with p of 1 kg and damping d = 0.5 on a spring "
             f"of {k:.4f} N/m, and h = 1/60 s; the largest distance in steps 1500 to 2000, divided "
             "by that in steps 0 to 500",
@@ -238,8 +236,7 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
     period = 2.0 * math.pi * math.sqrt(m * n / (m + n) / stiffness)
     start = ends(1.0, 0.0)
     with calls(
-        "Your step is less accurate than velocity Verlet, whose error is at most 0.003 m here. Use "
-        "a method of order 2 or more.",
+        "Your step is less accurate than velocity Verlet. Use a method of order 2 or more.",
         f"two particles of {m} kg and {n} kg are joined by a spring of {stiffness} N/m; "
         f"my_step(particles, apply_forces, duration) {FRAMES} times",
     ):
@@ -290,9 +287,7 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
 @pytest.mark.exercise("G6.3", asks="It must be at most 1e-2.", read=STEP)
 def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
     with calls(
-        "Explicit and semi-implicit Euler are not accurate enough here. Use a method of order 2 or "
-        "more. You may split a step into parts, as long as you evaluate the forces at most "
-        f"{MOST} times in total.",
+        f"Use a method of order 2 or more, and at most {MOST} evaluations of the forces in total.",
         ORBIT,
     ):
         count, error = turn_of_an_orbit(rng)
@@ -305,8 +300,7 @@ def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], Non
 @pytest.mark.parametrize("most", [1e-3, 1e-4], ids=["error 0.001", "error 0.0001"])
 def test_it_is_accurate_with_few_evaluations(rng: Random, most: float) -> None:
     with calls(
-        "Your steps evaluate the forces too often. Split each time step into fewer parts, so that "
-        f"one revolution takes at most {FEW} evaluations.",
+        f"Evaluate the forces at most {FEW} times. Split each time step into fewer parts.",
         ORBIT,
     ):
         count, error = turn_of_an_orbit(rng)

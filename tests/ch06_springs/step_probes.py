@@ -116,8 +116,9 @@ def implicit_steps(
 
     Return position and velocity in the end.
     """
+    step = getattr(integrators, method)
     for _ in range(frames):
-        x, v = getattr(integrators, method)(x, v, *numbers)
+        x, v = step(x, v, *numbers)
     return x, v
 
 
@@ -180,7 +181,6 @@ def exploding(limit: float) -> tuple[int, float, float]:
     """Watch explicit Euler with too stiff a spring; return step, speed and limit of its end."""
     particle = Particle(Vector3(1.0, 0.0, 0.0))
     field = Field([particle], 3600.0, 0.0)
-
     step = integrators.watched(weakened(1.0, True), limit)
     for _ in range(1000):
         try:
@@ -208,9 +208,9 @@ def weakened(share: float, explicit: bool) -> Callable[..., None]:
     return step
 
 
-def wider(share: float, explicit: bool, stiffness: float, damping: float, duration: float) -> Any:
-    """Ask swings_wider about such a step."""
-    return exercises.swings_wider(weakened(share, explicit), stiffness, damping, duration)
+def asked_about(function: str, share: float, explicit: bool, *numbers: float) -> Any:
+    """Call a function of exercise 6.5 with such a step."""
+    return getattr(exercises, function)(weakened(share, explicit), *numbers)
 
 
 def wider_by(amplitudes: Sequence[float], last: float) -> Any:
@@ -227,11 +227,6 @@ def wider_by(amplitudes: Sequence[float], last: float) -> Any:
         these[0].position = Vector3(next(ahead, 0.0))
 
     return exercises.swings_wider(step, 1.0, 1.0, 0.25)
-
-
-def measured(share: float, explicit: bool, damping: float, duration: float) -> Any:
-    """Ask largest_stable_stiffness about such a step."""
-    return exercises.largest_stable_stiffness(weakened(share, explicit), damping, duration)
 
 
 def never_safe(duration: float) -> Any:

@@ -95,13 +95,11 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
         ):  # fmt: skip
             *_, got = stretch(kind, base, share * rest * d, speed * d, k, rest, c, cause)
             expect_close(got, ZERO, unit="N")
-        cause = "At exactly its rest length the rope is still slack, so it does not damp the "
-        cause += "motion either. Compare with > instead of >=."
+        cause = "At exactly its rest length the rope is still slack. Compare with > instead of >=."
         x = Triple((1.0, 0.0, 0.0))
         *_, got = stretch(kind, ZERO, 2.0 * x, 5.0 * x, 3.0, 2.0, 3.0, cause)
         expect_close(got, ZERO, unit="N")
-        cause = "The rope was slack in an earlier call, but now it is stretched and must pull. "
-        cause += "Don't store anything between calls."
+        cause = "The rope is stretched now, so it must pull. Don't store anything between calls."
         *_, got = stretch(kind, base, 2.0 * rest * d, ZERO, k, rest, 0.0, cause)
         expect_close(got, -k * rest * d, tolerance=1e-12, unit="N")
 
@@ -146,8 +144,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
 @pytest.mark.exercise("B6.2", asks="adds to the forces that the particle already has", read=READ)
 def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
     f = vector(rng)
-    cause = "Your rope must add a pull of 4 N along Y to the force that p already has. Use "
-    cause += "add_force, which keeps that force."
+    cause = "Add a pull of 4 N along Y with add_force, which keeps the force that p already has."
     with calls(cause):
         p, q = Particle(Vector3(0.0, -3.0, 0.0)), Particle(mass=math.inf)
         p.add_force(Vector3(*f))
@@ -260,7 +257,7 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
     for share in (0.1, 0.6, 3.0):
         c = share * 2.0 * math.sqrt(k * m)
         with calls(
-            "The step must end at T, where a real spring with this mass and damping would end.",
+            "Give damped_spring_state the position of p relative to the anchor, m and c.",
             f"p of {m} kg at {place} with velocity {v}; s = FakeStiffSpring(anchor="
             f"Vector3{anchor}, stiffness={k}, damping={c:.6g}); s.update_force(p, {h:.6g}); one "
             "step of semi-implicit Euler; p.position",
@@ -270,7 +267,8 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         offset, free = place - anchor, place + v * h
         wanted = anchor + true_spring(offset, v, k, c, m, h)
         slips = {
-            "Your force does not depend on the mass.": free + (wanted - free) / m,
+            "Your force does not depend on the mass. Multiply it by particle.mass.":
+                free + (wanted - free) / m,
             "You compute where a real spring would move a particle of 1 kg.":
                 anchor + true_spring(offset, v, k, c, 1.0, h),
             "You compute where a real spring without damping would move p.":

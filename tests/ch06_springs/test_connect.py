@@ -34,9 +34,10 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
     wanted = hooke(here - there, v - w, k, rest, c)
     for end in ("a", "b"):
-        cause = "Compute the force on a with spring_force, from a's position and velocity relative "
-        cause += "to b, and with the stiffness, the rest length and the damping. Add it to a, and "
-        cause += f"its opposite to b, whichever end is passed to update_force ({end} here)."
+        cause = (
+            "The force on a is spring_force(offset, velocity, stiffness, rest_length, damping), "
+        )
+        cause += "with a's position minus b's, and a's velocity minus b's. Add its opposite to b."
         with calls(cause):
             a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
             b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
@@ -69,8 +70,7 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "Both ends get the same force, so your spring pushes them in the same direction.": on_a,
             "You added no force to b.": ZERO,
         }
-        cause = "The force on b must be the exact opposite of the force on a. Compute the force "
-        cause += "once, add it to a, and add its opposite to b."
+        cause = "The force on b must be the exact opposite. Compute the force once for both ends."
         on_b = b.force_accumulator
         expect_close(on_b, -on_a, slips, then=then.format("b"), unit="N", cause=cause, tolerance=0)
 
@@ -148,8 +148,9 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
             slips = {
                 unmoved: ZERO,
                 "Your spring acts twice, because you registered it for both ends.": 2.0 * force,
-                "You swapped the stiffness and the rest length.": hooke(offset, offset, rest, k),
-            }
+                "You swapped the stiffness and the rest length. Pass the stiffness first.":
+                    hooke(offset, offset, rest, k),
+            }  # fmt: skip
             if mass < math.inf:
                 then, got = f"; {name}.force_accumulator", end.force_accumulator
                 expect_close(got, force, slips, then=then, unit="N", tolerance=1e-11)
@@ -164,20 +165,15 @@ def test_connect_returns_the_spring(rng: Random) -> None:
         s = connect(registry, a, b, stiffness=k, rest_length=rest, damping=c)
     nothing = "connect returned nothing. Return the Connection that it registers."
     expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
-    expect_close(
+    got, slips = (
         (s.stiffness, s.rest_length, s.damping),
-        (k, rest, c),
-        {"You left out the damping.": (k, rest, 0.0)},
-        then="; s.stiffness, s.rest_length, s.damping",
-        cause="Pass the stiffness, the rest length and the damping to Connection.",
+        {"You left out the damping.": (k, rest, 0)},
     )
-    expect_close(
-        (*xyz(s.a.position), *xyz(s.b.position)),
-        (*here, *there),
-        {"You swapped a and b. Pass them to Connection in this order.": (*there, *here)},
-        then="; the positions of s.a and s.b",
-        tolerance=0.0,
-    )
+    cause = "Pass the stiffness, the rest length and the damping to Connection."
+    expect_close(got, (k, rest, c), slips, then="; the three numbers of s", cause=cause)
+    slips = {"You swapped a and b. Pass them to Connection in this order.": (*there, *here)}
+    got, then = (*xyz(s.a.position), *xyz(s.b.position)), "; the positions of s.a and s.b"
+    expect_close(got, (*here, *there), slips, then=then, tolerance=0.0)
     with calls("Register the spring that you return, and read its stiffness each time.", more=True):
         s.stiffness = 2.0 * k
         registry.update_forces(0.5)
@@ -209,8 +205,7 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     before = [math.fsum(mass * v[i] for _, v, mass in bodies) for i in range(3)]
     # Each of 200 frames rounds 8 velocities, and 56 forces, at some 1e-15 of what they are.
     expect_close(ends, before, then="; the total momentum", unit="kg m/s", tolerance=1e-10)
-    cause = "The particles move as if there were no springs. Check that each spring is registered "
-    cause += "and adds its forces."
+    cause = "The particles move as if there were no springs. Check that each is registered."
     moved = "; the springs moved the first particle by more than 1 mm"
     expect_exactly(away > 1e-3, True, then=moved, cause=cause)
 

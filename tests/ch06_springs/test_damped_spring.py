@@ -143,8 +143,7 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
             wrong += "sin(g t)."
             slips[wrong] = x, v + 2.0 * fade * x0 * swing * sin(swing * t)
         if isinstance(got, tuple) and got and type(got[0]) is float and abs(got[0] - x) < 1e-10:
-            cause = f"The spring is {name}. Your position is right, but your velocity is not its "
-            cause += "derivative."
+            cause = f"The spring is {name}. x is right, but v is not its derivative."
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(got, wanted, slips, then=STATE, cause=cause, tolerance=1e-10)
 
@@ -181,8 +180,7 @@ def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
                 c = critical * (1.0 + share)
                 got = damped_spring_state(x0, v0, stiffness=k, damping=c, mass=m, time=t)
             if "nan" in f"{got}":
-                cause = "Your result is NaN very close to critical damping, probably because "
-                cause += "gamma is NaN there. Compute gamma in a way that never gives NaN."
+                cause = "Your result is NaN. Compute gamma in a way that never gives NaN."
             expect_close(got, wanted, then=STATE, tolerance=tolerance, cause=cause)
     with calls(
         "Just below and just above critical damping, your results must agree to 1e-8.",

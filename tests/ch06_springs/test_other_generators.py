@@ -217,8 +217,7 @@ def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
         crowd.update_force(p, 0.5)
         got = p.force_accumulator
     expect_close(got, (0.0, -10.0, 0.0), tolerance=1e-12, unit="N")
-    cause = "The list of particles belongs to the caller. Don't reorder it, don't remove anything "
-    cause += "from it, and don't move its particles."
+    cause = "The list belongs to the caller. Don't change it, and don't move its particles."
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [*(here + Triple((0.0, 1.0, 0.0))), *here, *here]
     then = "; the positions in crowd.particles, which is [r, p, q]"

@@ -109,8 +109,7 @@ def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
             "Your force pulls the particle down.": push * (1.0 - share) * UP,
         }  # fmt: skip
         if x or z:
-            cause = "Your damping also acts along the ground, like friction. It must depend only "
-            cause += "on v_y, so leave the x and z components of the force at 0."
+            cause = "Your damping also acts along x and z, like friction. Use only v_y."
         wanted = push * max(1.0 - share, 0.0) * UP
         expect_close((x, y, z), wanted, slips, then="; p.force_accumulator", unit="N", cause=cause,
                      tolerance=1e-11)  # fmt: skip
@@ -130,8 +129,7 @@ def test_a_body_comes_to_rest_below_the_surface() -> None:
     heights = [y for _, y, _ in places]
     # By then the swings have died out to e^-50.
     expect_close(heights[-1], -0.05, tolerance=1e-9, unit="m")
-    cause = "The particle hits the ground at 3.2 m/s, and the ground must stop it within about 0.2 "
-    cause += "m. Check the stiffness and the sign of the damping."
+    cause = "It hits the ground at 3.2 m/s and must stop within 0.2 m. Check the damping's sign."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     then = ", at its lowest"
     expect_between(min(heights), deepest, 0.6 * deepest, then=then, unit="m", cause=cause)
@@ -238,8 +236,7 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
         }  # fmt: skip
         then = f"; planks[{i}].force_accumulator"
         expect_close(forces[i], wanted, slips, then=then, tolerance=1e-11, unit="N")
-    cause = "The registry already held another spring, which must keep acting. Add your springs "
-    cause += "without clearing the registry."
+    cause = "The other spring in the registry must keep acting. Don't clear the registry."
     then = "; the force of another spring that was in the registry before"
     expect_close(alone, -2.0 * UP, then=then, cause=cause, unit="N")
 
@@ -290,14 +287,10 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
                 "This plank carries the weight twice, once with each of its neighbors. Stop at the "
                 "first pair of planks that the person is between.": [2.0 * u for u in shares]
             }
-        expect_close(
-            [force[1] - 2.0 for force in forces],
-            [-weight * u for u in shares],
-            {slip: [-weight * u for u in wrong] for slip, wrong in slips.items()},
-            then="; the y component of the force that it adds to each plank",
-            unit="N",
-            tolerance=1e-12 * weight,
-        )
+        slips = {slip: [-weight * u for u in wrong] for slip, wrong in slips.items()}
+        got, wanted = [y - 2.0 for _, y, _ in forces], [-weight * u for u in shares]
+        then = "; the y component of the force that it adds to each plank"
+        expect_close(got, wanted, slips, then=then, unit="N", tolerance=1e-12 * weight)
         then = "; the x and z components of all forces in N, which must not change"
         expect_close([part for x, _, z in forces for part in (x, z)], [1.0, 3.0] * 3, then=then)
     with calls(
@@ -326,18 +319,12 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     then = "; the total pull of the hangers"
     up = math.fsum(y for _, y, _ in pulls)
     expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, then=then, tolerance=1e-4, unit="N")
-    cause = "The person is on the middle plank, so the bridge must sag equally on both sides. Hang "
-    cause += "all planks from the same kind of spring, and connect all neighbors."
+    cause = "The bridge must sag equally on both sides of the person. Connect all neighbors."
     sags = [-end[1] for end in ends]
     then = "; how far planks[0], planks[1] and planks[2] sag, compared with the last three planks"
     expect_close(sags[:3], sags[:3:-1], then=then, cause=cause, tolerance=1e-6, unit="m")
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
-    expect_between(
-        sags[3] - sags[0],
-        0.2,
-        0.499,
-        then="; the sag of the middle plank minus that of the first plank",
-        unit="m",
-        cause="The planks near the person must sag more than those at the ends, although the "
-        "springs between the planks spread the load. Check that neighboring planks are connected.",
-    )
+    cause = "The planks near the person must sag more than those at the ends. Check that "
+    cause += "neighboring planks are connected."
+    then = "; the sag of the middle plank minus that of the first plank"
+    expect_between(sags[3] - sags[0], 0.2, 0.499, then=then, unit="m", cause=cause)

@@ -189,9 +189,8 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     k, c = positive_number(rng), positive_number(rng)
     rest = round(2.0 * math.dist(here, there), 3)  # compressed here, and stretched below
     with calls(
-        "Subtract the other particle's position and velocity from p's, pass them to spring_force "
-        "with the stiffness, the rest length and the damping, and add the force itself to p. It "
-        "does not depend on any mass."
+        "The force on p is spring_force(offset, velocity, stiffness, rest_length, damping), with "
+        "p's position minus q's, and p's velocity minus q's."
     ):
         p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
@@ -228,8 +227,7 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     # A few roundings of numbers up to 600.
     expect_close(p.force_accumulator, f + pull, slips, then="; p.force_accumulator", unit="N",
                  tolerance=1e-11)  # fmt: skip
-    cause = "You added a force to q as well. A Spring acts only on the particle that is passed to "
-    cause += "update_force, and q needs a Spring of its own."
+    cause = "You added a force to q as well. A Spring acts only on p, which is passed to it."
     expect_close(q.force_accumulator, ZERO, then="; q.force_accumulator", unit="N", cause=cause)
     with calls("The force must be -8 N now. Read the attributes in every call.", more=True):
         s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
@@ -247,8 +245,8 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     rest, longer = round(0.5 * math.dist(here, first), 3), round(2.0 * math.dist(here, second), 3)
     k, c = positive_number(rng), positive_number(rng)
     with calls(
-        "Subtract the anchor from p's position. Pass this offset and p's velocity to spring_force, "
-        "with the stiffness, the rest length and the damping, and add the force itself to p."
+        "The force on p is spring_force(offset, velocity, stiffness, rest_length, damping), with "
+        "p's position minus the anchor, and p's velocity."
     ):
         p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         s = AnchoredSpring(Vector3(*first), stiffness=k, rest_length=rest, damping=c)

@@ -10,14 +10,7 @@ import pytest
 
 from calls import calls
 from ch06_springs.springs import max_stable_stiffness
-from ch06_springs.step_probes import (
-    measured,
-    never_safe,
-    released,
-    step_matrix,
-    wider,
-    wider_by,
-)
+from ch06_springs.step_probes import asked_about, never_safe, released, step_matrix, wider_by
 from draw import positive_number
 from expect import expect_between, expect_close, expect_exactly, expect_that
 
@@ -136,7 +129,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
     ):  # fmt: skip
         swings = SWINGS.format("integrator", part * limit, damping)
         with calls(cause, f"the integrator is stable up to {limit:.6g} N/m; {swings}"):
-            got = wider(share, explicit, part * limit, damping, h)
+            got = asked_about("swings_wider", share, explicit, part * limit, damping, h)
         if got is not (part > 1.0) and part in (0.98, 1.02):
             cause = why(cause)
         expect_exactly(got, part > 1.0, cause=cause)
@@ -163,7 +156,7 @@ def test_swings_of_constant_size_are_not_wider() -> None:
     ):
         swings = SWINGS.format("explicit_euler" if explicit else "integrator", k, 1.0)
         with calls(cause, text.format(swings)):
-            got = wider(1.0, explicit, k, 1.0, 1.0 / 60.0)
+            got = asked_about("swings_wider", 1.0, explicit, k, 1.0, 1.0 / 60.0)
         if cause == constant and got is not False:
             cause = why(cause)
         expect_exactly(got, cause in (above, slow), cause=cause)
@@ -184,7 +177,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
         "the check passes its own integrator; largest_stable_stiffness(integrator, "
         f"damping={damping}, duration={h!r})",
     ):
-        got = measured(share, explicit, damping, h)
+        got = asked_about("largest_stable_stiffness", share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
         "You return max_stable_stiffness, the formula for explicit Euler. This integrator is a "
@@ -195,8 +188,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     if isinstance(got, float):
         error = abs(got / wanted - 1.0)
         if 0.02 < error < 0.3:
-            cause = f"Your search stops too early, so its result is off by {error:.1%}. Keep "
-            cause += "halving the interval until its ends differ by less than 1%."
+            cause = f"Your search stops too early, with an error of {error:.1%}. Get below 1%."
         for end, other, size in (("lower", "upper", 1e-7), ("upper", "lower", 16.0)):
             if abs(got * h**2 / size - 1.0) < 0.02:
                 stable = "stable" if end == "lower" else "unstable"
@@ -220,24 +212,24 @@ def test_the_ends_of_the_measured_range() -> None:
         got = never_safe(h)
     # A spring of 0.36 N/m, with k h^2 / m = 1e-4, is softer than any that matters in a game.
     expect_between(got, -0.36, 0.36, unit="N/m")
-    cause = "The integrator is stable even at STIFFEST / h^2, where the search ends. Return that "
-    cause += "stiffness, and don't try a stiffer spring."
+    cause = "Even STIFFEST / h^2, where the search ends, is stable here. Return this stiffness."
     with calls(
         cause,
         "the integrator is stable up to 625 N/m; largest_stable_stiffness(integrator, damping=0.5, "
         "duration=0.8)",
     ):
-        got = measured(0.01, False, 0.5, 0.8)
+        got = asked_about("largest_stable_stiffness", 0.01, False, 0.5, 0.8)
     most = 16.0 / 0.8**2
     if isinstance(got, float) and got > most:
-        cause = "Your search goes beyond its upper end, STIFFEST / h^2, which is 25 N/m. If even "
-        cause += "this stiffness is stable, return it."
+        cause = (
+            "Your search goes beyond STIFFEST / h^2, which is 25 N/m. Return it if it is stable."
+        )
     expect_close(got, most, cause=cause, unit="N/m", tolerance=0.01 * most)
     with calls(
         "A damping of 0 is valid. Even a spring of STIFFEST / h^2 is stable then, so return it.",
         "largest_stable_stiffness(semi_implicit_euler, damping=0.0, duration=1/60)",
     ):
-        got = measured(1.0, False, 0.0, h)
+        got = asked_about("largest_stable_stiffness", 1.0, False, 0.0, h)
     expect_close(got, 16.0 * 3600.0, unit="N/m", tolerance=0.01 * 16.0 * 3600.0)
 
 

@@ -23,20 +23,19 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler":
-        "Your result differs from p' = p + v h and v' = (v + a h) d^h. Use the old velocity v and "
-        "the acceleration a at the start in both.",
+        "The step is p' = p + v h and v' = (v + a h) d^h. Use the old velocity v and the "
+        "acceleration a at the start in both.",
     "semi_implicit_euler":
-        "Your result differs from v' = (v + a h) d^h and p' = p + v' h. Compute v' first, and use "
-        "it for p'.",
+        "The step is v' = (v + a h) d^h and p' = p + v' h. Compute v' first, and use it for p'.",
     "leapfrog":
-        "Your result differs from p1 = p + v h / 2, v' = (v + a h) d^h and p' = p1 + v' h / 2, "
-        "where a is the acceleration at p1.",
+        "The step is p1 = p + v h / 2, v' = (v + a h) d^h and p' = p1 + v' h / 2, where a is the "
+        "acceleration at p1.",
     "velocity_verlet":
         "Move the particle first, p' = p + v h + a h^2 / 2. Then evaluate the acceleration b at p' "
         "with the velocity v + a h, and set v' = (v + (a + b) h / 2) d^h.",
     "runge_kutta_4":
-        "Your new state does not follow from the weighted mean of the four rates. Give the second "
-        "and the third rate twice the weight of the others.",
+        "The new state follows from the weighted mean of the four rates. Give the second and the "
+        "third rate twice the weight of the others.",
 }  # fmt: skip
 COUNTS = {1: "exactly once", 2: "exactly twice", 4: "exactly 4 times"}
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
@@ -209,14 +208,9 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
         f"must do so {COUNTS[EVALUATIONS[method]]}. Each call evaluates the forces of all "
         "particles.",
     )
-    expect_close(
-        [duration for duration, _, _ in asked],
-        [h] * len(asked),
-        then="; the duration that apply_forces gets in each call",
-        unit="s",
-        cause="You call apply_forces with only part of the duration. Pass the duration of the "
-        "whole step in every call.",
-    )
+    got, then = [d for d, _, _ in asked], "; the duration that apply_forces gets in each call"
+    cause = "You call apply_forces with only part of the duration. Pass that of the whole step."
+    expect_close(got, [h] * len(asked), then=then, unit="s", cause=cause)
     kept = "The forces of an earlier evaluation are still in the accumulators. Clear them before "
     kept += "each evaluation, and add only the forces from before the step."
     gone = "The force that was added to particles[0] before the step is lost. Store it, and add it "
@@ -272,15 +266,13 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     ):
         ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then="; p.force_accumulator", unit="N")
-    expect_close(
-        ends["accelerations"][0],
-        moved(method, body, k, c, h)[2],
-        then="; p.last_acceleration",
-        unit="m/s^2",
-        cause="last_acceleration must be the mean acceleration of the step. Add the mean force to "
-        "the particle and call kick, which changes the velocity and sets this attribute.",
-        tolerance=1e-9,
+    cause = (
+        "last_acceleration must be the mean acceleration of the step. Add the mean force to the "
     )
+    cause += "particle and call kick, which changes the velocity and sets this attribute."
+    got, wanted = ends["accelerations"][0], moved(method, body, k, c, h)[2]
+    then = "; p.last_acceleration"
+    expect_close(got, wanted, then=then, unit="m/s^2", cause=cause, tolerance=1e-9)
 
 
 @methods(
@@ -302,12 +294,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     cause = "You change the velocity of an immovable particle, which must stay the same."
     got, turns = ends["velocities"][0], then.format("velocity")
     expect_close(got, velocity, then=turns, unit="m/s", cause=cause, tolerance=0.0)
-    cause = "Forces have no effect on an immovable particle, but they must not add up from step to "
-    cause += "step. Clear its accumulator at the end of the step too."
+    cause = "Its forces must not add up from step to step. Clear them at the end of the step."
     pulls = then.format("force_accumulator")
     expect_close(ends["forces"][0], ZERO, then=pulls, unit="N", cause=cause)
-    cause = "The particle after the immovable one has the wrong position. Your loop probably ends "
-    cause += "at the immovable particle, so skip only that one."
+    cause = "Your loop probably ends at the immovable particle. Skip only that one."
     wanted = walk(method, other, 3.0, 0.5, 0.25, 2)[:3]
     got, then = ends["positions"][1], "; particles[1].position"
     expect_close(got, wanted, then=then, unit="m", cause=cause, tolerance=1e-12)

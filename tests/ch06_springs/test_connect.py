@@ -70,7 +70,7 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "Both ends get the same force, so your spring pushes them in the same direction.": on_a,
             "You added no force to b.": ZERO,
         }
-        cause = "The force on b must be the exact opposite. Compute the force once for both ends."
+        cause = "The force on b must be the exact opposite of a's. Compute it once for both ends."
         on_b = b.force_accumulator
         expect_close(on_b, -on_a, slips, then=then.format("b"), unit="N", cause=cause, tolerance=0)
 

@@ -270,7 +270,7 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
             if fast:
                 cause = f"You don't check particles[{fast}]. Check every particle after each step."
         elif error[3] == limit and isinstance(error[1], int) and error[1] > number + 1:
-            cause = "It counts the steps of others, too. Let each watched step count its own."
+            cause = "Your step number also counts other watched steps. Let each count its own."
         else:
             cause = named(tuple(error), report, slips)
         expect_told(error, (fast, number, speed, limit), cause)

@@ -64,7 +64,7 @@ def why(otherwise: str) -> str:
 @pytest.mark.exercise("6.5", asks="Release the particle at rest, START m away", read=WIDER)
 def test_how_the_particle_is_released() -> None:
     with calls(
-        "Let the integrator that is passed in take every step. No formula covers all of them.",
+        "You never call the integrator that is passed in. Let it take every step.",
         "swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)",
     ):
         seen = released()
@@ -188,7 +188,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     if isinstance(got, float):
         error = abs(got / wanted - 1.0)
         if 0.02 < error < 0.3:
-            cause = f"Your search stops too early, with an error of {error:.1%}. Get below 1%."
+            cause = f"Your search stops too early, {error:.1%} off. Halve the interval further."
         for end, other, size in (("lower", "upper", 1e-7), ("upper", "lower", 16.0)):
             if abs(got * h**2 / size - 1.0) < 0.02:
                 stable = "stable" if end == "lower" else "unstable"

@@ -13,19 +13,10 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs import spring_bridge
-from ch06_springs.penalty import PenaltyGround
-from ch06_springs.springs import (
-    AnchoredSpring,
-    Buoyancy,
-    FakeStiffSpring,
-    HomingBullet,
-    LighterThanAir,
-    Overcrowding,
-    connect,
-)
+from ch06_springs import penalty, spring_bridge, springs
 
 Components = tuple[float, float, float]
+ZERO = (0.0, 0.0, 0.0)
 
 
 def xyz(v: Vector3) -> Components:
@@ -43,189 +34,115 @@ def period_of(values: Sequence[float], duration: float) -> float:
     return 2.0 * (times[-1] - times[0]) / (len(times) - 1) * duration
 
 
-def places_of(particle: Particle, generator: Any, duration: float, frames: int) -> list[Components]:
-    """Let one generator act on a particle; return its place at the start and after each frame."""
+def places_on(
+    kind: str,
+    numbers: Sequence[Any],
+    start: Sequence[float],
+    duration: float,
+    frames: int,
+    *,
+    velocity: Sequence[float] = ZERO,
+    gravity: float = 0.0,
+    velocity_first: bool = False,
+    **body: float,
+) -> list[Components]:
+    """Let one generator act on a particle; return its place at the start and after each frame.
+
+    ``kind`` is the name of its class, and ``numbers`` are its arguments, with triples for vectors.
+    With ``velocity_first``, the steps are those of semi-implicit Euler, made here.
+    """
+    arguments = [Vector3(*n) if isinstance(n, (tuple, list)) else n for n in numbers]
+    generator = getattr(penalty if kind == "PenaltyGround" else springs, kind)(*arguments)
+    down = Vector3(0.0, -gravity, 0.0)
+    particle = Particle(Vector3(*start), Vector3(*velocity), down, **body)
     places = [xyz(particle.position)]
     for _ in range(frames):
         generator.update_force(particle, duration)
-        particle.integrate(duration)
+        if velocity_first:
+            acceleration = particle.force_accumulator * (1.0 / particle.mass) + down
+            particle.clear_forces()
+            particle.velocity.add_scaled(acceleration, duration)
+            particle.position.add_scaled(particle.velocity, duration)
+        else:
+            particle.integrate(duration)
         places.append(xyz(particle.position))
     return places
 
 
-def advance(registry: ForceRegistry, particles: Sequence[Particle], duration: float) -> None:
-    """Let a frame pass for all particles, by the book's step."""
-    registry.update_forces(duration)
-    for particle in particles:
-        particle.integrate(duration)
+def period_on(*scene: Any, **body: float) -> float:
+    """Return the period of places_on, where the particle swings about (0, 0, 0) along one axis."""
+    return period_of([sum(place) for place in places_on(*scene, **body)], scene[3])
 
 
-def swinging(
-    start: Components, stiffness: float, mass: float, duration: float, frames: int
-) -> float:
-    """Swing on an AnchoredSpring of rest length 0; return the period."""
-    particle = Particle(Vector3(*start), mass=mass)
-    places = places_of(particle, AnchoredSpring(Vector3(), stiffness, 0.0), duration, frames)
-    return period_of([sum(place) for place in places], duration)
-
-
-def pair_swinging(
-    mass_a: float,
-    mass_b: float,
-    stiffness: float,
-    rest: float,
-    length: float,
-    duration: float,
-    frames: int,
-) -> float:
-    """Let two particles swing on a connection; return the period."""
-    a, b = Particle(mass=mass_a), Particle(Vector3(0.0, 0.0, length), mass=mass_b)
-    registry = ForceRegistry()
-    connect(registry, a, b, stiffness, rest)
-    extensions = []
+def advance(registry: ForceRegistry, particles: Sequence[Particle], h: float, frames: int) -> None:
+    """Let frames pass for all particles, by the book's step."""
     for _ in range(frames):
+        registry.update_forces(h)
+        for particle in particles:
+            particle.integrate(h)
+
+
+def momentum_of(particles: Sequence[Particle]) -> list[float]:
+    momenta = [xyz(particle.velocity * particle.mass) for particle in particles]
+    return [math.fsum(m[i] for m in momenta) for i in range(3)]
+
+
+def pair_swinging(masses: tuple[float, float], stiffness: float, rest: float) -> float:
+    """Stretch a connection to 1.5 times its length, and let it swing for 5 s; return the period."""
+    h = 1.0 / 2000.0
+    a, b = Particle(mass=masses[0]), Particle(Vector3(0.0, 0.0, 1.5 * rest), mass=masses[1])
+    registry = ForceRegistry()
+    springs.connect(registry, a, b, stiffness, rest)
+    extensions = []
+    for _ in range(10_000):
         extensions.append((b.position - a.position).magnitude() - rest)
-        advance(registry, (a, b), duration)
-    return period_of(extensions, duration)
+        advance(registry, (a, b), h, 1)
+    return period_of(extensions, h)
 
 
 def network(
-    bodies: Sequence[tuple[Components, Components, float]],
-    stiffness: float,
-    rest: float,
-    damping: float,
-    duration: float,
-    frames: int,
+    bodies: Sequence[tuple[Components, Components, float]], numbers: tuple[float, float, float]
 ) -> tuple[list[float], float]:
-    """Connect each of these particles to each; return the sum of their momenta in the end.
+    """Connect each of these particles to each, with (stiffness, rest length, damping).
 
-    And how far the first one is from where it would be without springs.
+    Return the sum of their momenta after 200 frames, and how far the first one is from where it
+    would be without springs.
     """
     particles = [Particle(Vector3(*p), Vector3(*v), mass=m) for p, v, m in bodies]
     registry = ForceRegistry()
     for a, b in combinations(particles, 2):
-        connect(registry, a, b, stiffness, rest, damping)
-    for _ in range(frames):
-        advance(registry, particles, duration)
-    momenta = [xyz(p.velocity * p.mass) for p in particles]
+        springs.connect(registry, a, b, *numbers)
+    advance(registry, particles, 1.0 / 240.0, 200)
     place, velocity, _ = bodies[0]
-    free = [x + v * duration * frames for x, v in zip(place, velocity, strict=True)]
-    away = math.dist(xyz(particles[0].position), free)
-    return [math.fsum(m[i] for m in momenta) for i in range(3)], away
-
-
-def bobbing(
-    max_depth: float,
-    volume: float,
-    mass: float,
-    gravity: float,
-    start: float,
-    duration: float,
-    frames: int,
-) -> float:
-    """Let a body that is half as dense as water bob at its surface, y = 0; return the period."""
-    particle = Particle(
-        Vector3(0.0, start, 0.0), acceleration=Vector3(0.0, -gravity, 0.0), mass=mass
-    )
-    lift = Buoyancy(max_depth, volume, 0.0, gravity=gravity)
-    places = places_of(particle, lift, duration, frames)
-    return period_of([y for _, y, _ in places], duration)
-
-
-def risen(
-    max_lift: float,
-    scale_height: float,
-    mass: float,
-    damping: float,
-    gravity: float,
-    duration: float,
-    frames: int,
-) -> float:
-    """Let a balloon rise from the ground; return its height in the end."""
-    particle = Particle(acceleration=Vector3(0.0, -gravity, 0.0), mass=mass, damping=damping)
-    return places_of(particle, LighterThanAir(max_lift, scale_height), duration, frames)[-1][1]
+    free = [x + v / 240.0 * 200 for x, v in zip(place, velocity, strict=True)]
+    return momentum_of(particles), math.dist(xyz(particles[0].position), free)
 
 
 def crowded(
-    places: Sequence[Components],
-    distance: float,
-    stiffness: float,
-    damping: float,
-    duration: float,
-    frames: int,
+    places: Sequence[Components], distance: float, stiffness: float, damping: float
 ) -> tuple[float, list[float]]:
-    """Let a crowd move apart; return the smallest distance in the end, and the sum of momenta."""
+    """Let a crowd move apart for 10 s; return its smallest distance and its momentum then."""
     particles = [Particle(Vector3(*place), damping=damping) for place in places]
     registry = ForceRegistry()
     for particle in particles:
-        registry.add(particle, Overcrowding(particles, distance, stiffness))
-    for _ in range(frames):
-        advance(registry, particles, duration)
+        registry.add(particle, springs.Overcrowding(particles, distance, stiffness))
+    advance(registry, particles, 1.0 / 60.0, 600)
     ends = [xyz(particle.position) for particle in particles]
-    momenta = [xyz(particle.velocity) for particle in particles]
     nearest = min((math.dist(a, b) for a, b in combinations(ends, 2)), default=math.nan)
-    return nearest, [math.fsum(m[i] for m in momenta) for i in range(3)]
+    return nearest, momentum_of(particles)
 
 
-def chased(
-    start: Components,
-    velocity: Components,
-    stiffness: float,
-    look_ahead: float,
-    duration: float,
-    frames: int,
-) -> list[float]:
-    """Chase a target that flies straight on; return the distance at the start and every frame."""
+def chased(start: Components, velocity: Components, *numbers: float) -> list[float]:
+    """Chase a target that flies straight on for 20 s; return the distances, 240 a second."""
     bullet, target = Particle(), Particle(Vector3(*start), Vector3(*velocity))
-    homing = HomingBullet(target, stiffness, look_ahead)
+    homing = springs.HomingBullet(target, *numbers)
     distances = []
-    for _ in range(frames + 1):
+    for _ in range(4801):
         distances.append(math.dist(xyz(bullet.position), xyz(target.position)))
-        homing.update_force(bullet, duration)
-        bullet.integrate(duration)
-        target.integrate(duration)
+        homing.update_force(bullet, 1.0 / 240.0)
+        bullet.integrate(1.0 / 240.0)
+        target.integrate(1.0 / 240.0)
     return distances
-
-
-def faked(
-    anchor: Components,
-    place: Components,
-    velocity: Components,
-    stiffness: float,
-    damping: float,
-    mass: float,
-    duration: float,
-    frames: int,
-) -> list[Components]:
-    """Step a faked spring by semi-implicit Euler, made here; return the place after each frame."""
-    particle = Particle(Vector3(*place), Vector3(*velocity), mass=mass)
-    spring = FakeStiffSpring(Vector3(*anchor), stiffness, damping)
-    ends = []
-    for _ in range(frames):
-        spring.update_force(particle, duration)
-        force = particle.force_accumulator
-        particle.clear_forces()
-        particle.velocity.add_scaled(force, duration / mass)
-        particle.position.add_scaled(particle.velocity, duration)
-        ends.append(xyz(particle.position))
-    return ends
-
-
-def on_penalty_ground(
-    stiffness: float, damping: float, mass: float, fall: float, duration: float, frames: int
-) -> tuple[float, float]:
-    """Let a body fall on the ground by semi-implicit Euler; return its last and lowest height."""
-    particle = Particle(Vector3(0.0, fall, 0.0), mass=mass)
-    ground = PenaltyGround(0.0, stiffness, damping)
-    lowest = fall
-    for _ in range(frames):
-        particle.clear_forces()
-        ground.update_force(particle, duration)
-        acceleration = particle.force_accumulator * (1.0 / mass) + Vector3(0.0, -10.0, 0.0)
-        particle.velocity.add_scaled(acceleration, duration)
-        particle.position.add_scaled(particle.velocity, duration)
-        lowest = min(lowest, particle.position.y)
-    return particle.position.y, lowest
 
 
 def hung_bridge(
@@ -242,7 +159,7 @@ def hung_bridge(
     if len(planks) > 2:
         planks[2].inverse_mass = 0.0
     registry, alone = ForceRegistry(), Particle(Vector3(0.0, 2.0, 0.0))
-    registry.add(alone, AnchoredSpring(Vector3(), 1.0, 0.0))
+    registry.add(alone, springs.AnchoredSpring(Vector3(), 1.0, 0.0))
     spring_bridge.hang_bridge(registry, planks, *numbers)
     for plank, (place, velocity) in zip(planks, moved, strict=True):
         plank.position, plank.velocity = Vector3(*place), Vector3(*velocity)
@@ -250,21 +167,12 @@ def hung_bridge(
     return [xyz(particle.force_accumulator) for particle in (*planks, alone)]
 
 
-def planks_of_a_new_bridge(
-    places: Sequence[Components], numbers: tuple[float, float, float]
-) -> list[Components]:
-    """Hang a bridge with (height, stiffness, damping); return where its planks are then."""
-    planks = [Particle(Vector3(*place)) for place in places]
-    spring_bridge.hang_bridge(ForceRegistry(), planks, *numbers)
-    return [xyz(plank.position) for plank in planks]
-
-
 def settled_bridge(
     places: Sequence[Components],
     numbers: tuple[float, float, float],
-    mass: float,
-    load: tuple[float, float],
-    frames: int,
+    mass: float = 2.0,
+    load: tuple[float, float] = (0.0, 0.0),
+    frames: int = 0,
 ) -> list[Components]:
     """Hang a bridge, load it with (x, weight) in each frame, return where its planks end."""
     planks = [

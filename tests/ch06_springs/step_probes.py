@@ -18,6 +18,8 @@ Components = tuple[float, float, float]
 # position, velocity, acceleration, mass, damping, and a force that is added by hand
 Body = tuple[Components, Components, Components, float, float, Components]
 Numbers = dict[str, list[Any]]
+Call = Callable[[float], None]
+ZERO = (0.0, 0.0, 0.0)
 
 
 def xyz(v: Vector3) -> Components:
@@ -101,31 +103,22 @@ def growth(
 
 def energy_left(method: str, stiffness: float, duration: float, frames: int) -> float:
     """Return the energy of an undamped spring of 1 kg in the end, as a share of the start's."""
-    ends = stepped(
-        method,
-        [((1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 1.0, 1.0, (0.0, 0.0, 0.0))],
-        (stiffness, 0.0),
-        duration,
-        frames,
-    )
+    body = ((1.0, 0.0, 0.0), ZERO, ZERO, 1.0, 1.0, ZERO)
+    ends = stepped(method, [body], (stiffness, 0.0), duration, frames)
     x, v = ends["positions"][0][0], ends["velocities"][0][0]
     return (stiffness * x * x + v * v) / stiffness
 
 
 def implicit_steps(
-    method: str,
-    x: float,
-    v: float,
-    stiffness: float,
-    damping: float,
-    mass: float,
-    duration: float,
-    frames: int,
+    method: str, x: float, v: float, numbers: tuple[float, float, float, float], frames: int
 ) -> tuple[float, float]:
-    """Make steps by an implicit method; return position and velocity in the end."""
+    """Make steps by an implicit method, with (stiffness, damping, mass, duration).
+
+    Return position and velocity in the end.
+    """
     step = getattr(integrators, method)
     for _ in range(frames):
-        x, v = step(x, v, stiffness, damping, mass, duration)
+        x, v = step(x, v, *numbers)
     return x, v
 
 
@@ -140,7 +133,7 @@ def watching(
     particles = [Particle() for _ in speeds[0]]
     calls: list[tuple[int, float]] = []
 
-    def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+    def step(these: Sequence[Particle], apply_forces: Call, h: float) -> None:
         apply_forces(h)
         calls[-1] = (len(these), calls[-1][1])
         frame = speeds[min(len(calls), len(speeds)) - 1]
@@ -188,13 +181,7 @@ def exploding(limit: float) -> tuple[int, float, float]:
     """Watch explicit Euler with too stiff a spring; return step, speed and limit of its end."""
     particle = Particle(Vector3(1.0, 0.0, 0.0))
     field = Field([particle], 3600.0, 0.0)
-
-    def euler(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
-        apply_forces(h)
-        for one in these:
-            one.integrate(h)
-
-    step = integrators.watched(euler, limit)
+    step = integrators.watched(weakened(1.0, True), limit)
     for _ in range(1000):
         try:
             step([particle], field, 1.0 / 60.0)
@@ -206,7 +193,7 @@ def exploding(limit: float) -> tuple[int, float, float]:
 def weakened(share: float, explicit: bool) -> Callable[..., None]:
     """Return a step whose forces count with a share only: what it bears, no book can tell."""
 
-    def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+    def step(these: Sequence[Particle], apply_forces: Call, h: float) -> None:
         apply_forces(h)
         for one in these:
             one.add_force(one.force_accumulator * (share - 1.0))
@@ -221,9 +208,9 @@ def weakened(share: float, explicit: bool) -> Callable[..., None]:
     return step
 
 
-def wider(share: float, explicit: bool, stiffness: float, damping: float, duration: float) -> Any:
-    """Ask swings_wider about such a step."""
-    return exercises.swings_wider(weakened(share, explicit), stiffness, damping, duration)
+def asked_about(function: str, share: float, explicit: bool, *numbers: float) -> Any:
+    """Call a function of exercise 6.5 with such a step."""
+    return getattr(exercises, function)(weakened(share, explicit), *numbers)
 
 
 def wider_by(amplitudes: Sequence[float], last: float) -> Any:
@@ -236,15 +223,10 @@ def wider_by(amplitudes: Sequence[float], last: float) -> Any:
     places[-1] = exercises.START * last
     ahead = iter(places)
 
-    def step(these: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
+    def step(these: Sequence[Particle], _apply: Call, _h: float) -> None:
         these[0].position = Vector3(next(ahead, 0.0))
 
     return exercises.swings_wider(step, 1.0, 1.0, 0.25)
-
-
-def measured(share: float, explicit: bool, damping: float, duration: float) -> Any:
-    """Ask largest_stable_stiffness about such a step."""
-    return exercises.largest_stable_stiffness(weakened(share, explicit), damping, duration)
 
 
 def never_safe(duration: float) -> Any:
@@ -261,13 +243,13 @@ def never_safe(duration: float) -> Any:
 def released() -> list[tuple[Any, ...]]:
     """Ask swings_wider with a step that writes down what it gets first, and moves nothing.
 
-    How many particles, the first one's place, velocity, mass, damping, the force on it that was
-    there before, the force by apply_forces, the duration, and the particle's acceleration; nothing
-    where the step was not called.
+    How many particles, the first one's place, velocity, acceleration, mass, damping, the force on
+    it that was there before, the force by apply_forces, and the duration; nothing where the step
+    was not called.
     """
     seen: list[tuple[Any, ...]] = []
 
-    def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+    def step(these: Sequence[Particle], apply_forces: Call, h: float) -> None:
         one = these[0]
         before = xyz(one.force_accumulator)
         one.clear_forces()
@@ -275,11 +257,8 @@ def released() -> list[tuple[Any, ...]]:
         force = xyz(one.force_accumulator)
         one.clear_forces()
         if not seen:
-            place, velocity = xyz(one.position), xyz(one.velocity)
-            drift = xyz(one.acceleration)
-            seen.append(
-                (len(these), place, velocity, one.mass, one.damping, before, force, h, drift)
-            )
+            vectors = [xyz(v) for v in (one.position, one.velocity, one.acceleration)]
+            seen.append((len(these), *vectors, one.mass, one.damping, before, force, h))
 
     exercises.swings_wider(step, 7.0, 0.25, 0.125)
     return seen

@@ -3,27 +3,21 @@
 from __future__ import annotations
 
 import cmath
-import math
+from math import cos, cosh, exp, pi, sin, sinh, sqrt
 from random import Random
 
 import pytest
 
+from calls import calls
 from ch06_springs.closed_form import damped_spring_state
 from draw import number as draw_number
 from draw import positive_number
-from expect import about, blame, expect_close, expect_exactly, named, scoped
+from expect import expect_close, expect_exactly
 
 READ = "book 6.3.2 and the docstring of damped_spring_state"
-REGIMES = (
-    (0.1, "under-damped"),
-    (0.9, "under-damped"),
-    (0.995, "under-damped"),
-    (1.0 - 1e-6, "under-damped"),
-    (1.0 + 1e-6, "over-damped"),
-    (1.005, "over-damped"),
-    (1.2, "over-damped"),
-    (5.0, "over-damped"),
-)
+SHARES = (0.1, 0.9, 0.995, 1.0 - 1e-6, 1.0 + 1e-6, 1.005, 1.2, 5.0)  # of the critical damping
+REGIMES = [(share, "under-damped" if share < 1.0 else "over-damped") for share in SHARES]
+STATE = "; (position in m, velocity in m/s)"
 
 
 def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tuple[float, float]:
@@ -36,365 +30,243 @@ def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tu
     return x.real, v.real
 
 
-@scoped
-def expect_position(arguments: tuple[float, ...], wanted: float, tolerance: float) -> None:
-    """Expect the position that damped_spring_state gives of these arguments."""
-    call = "damped_spring_state(x0={:g}, v0={:g}, stiffness={:g}, damping={:g}, mass={:g}, "
-    call += "time={:g})[0]"
-    about(f"{call.format(*arguments)}, the position in m", read=READ)
-    got = damped_spring_state(*arguments)[0]
-    expect_close(got, wanted, tolerance=tolerance)
-
-
-@pytest.mark.exercise("B6.5", asks="three forms, depending on how strong the damping is")
-def test_the_three_cases_by_known_values() -> None:
-    about.read = READ
-    damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
-    slips = {
-        "Your exponent uses the full rate c / m. The amplitude decays at half that rate, c / "
-        "(2 m), where c is the damping and m the mass.": math.exp(-1.0)
-        * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "Your position is only e^(-half * t) * cos(gamma * t), where half = c / (2 m). Add half * "
-        "sin(gamma * t) / gamma to the cosine.": math.exp(-0.5) * math.cos(0.5 * damped),
-        "You don't divide sin(gamma * t) by gamma. Divide it in the term with half, where half = "
-        "c / (2 m).": math.exp(-0.5) * (math.cos(0.5 * damped) + math.sin(0.5 * damped)),
-        "You left out e^(-half * t), so the amplitude does not decay. Multiply all terms by it, "
-        "where half = c / (2 m).": math.cos(0.5 * damped) + math.sin(0.5 * damped) / damped,
-        "You use k / m where you need its square root. Compute gamma from half^2 - k / m, where "
-        "half = c / (2 m).": math.exp(-0.5)
-        * (
-            math.cos(0.5 * math.sqrt(9999.0))
-            + math.sin(0.5 * math.sqrt(9999.0)) / math.sqrt(9999.0)
-        ),
-        "You return the velocity first. Return the position first, and then the velocity.": -100.0
-        * math.exp(-0.5)
-        * math.sin(0.5 * damped)
-        / damped,
-        "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
-        "gamma, which is lower.": math.exp(-0.5) * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "You divide sin by the damped frequency gamma, but in cos and sin you use sqrt(k / m). Use "
-        "gamma in both.": math.exp(-0.5) * (math.cos(5.0) + math.sin(5.0) / damped),
-        "The spring is critically damped, but your position is only e^(-half * t), where half = c "
-        "/ (2 m). Multiply it by (1 + half * t).": math.exp(-5.0),
-    }
-    over = math.sqrt(300.0)  # gamma for c = 40
-    slips |= {
-        "You use sinh(gamma * t) in both terms, but the first one needs cosh(gamma * t). Add the "
-        "two exponentials there instead of subtracting them.": math.exp(-1.0)
-        * (1.0 + 20.0 / over)
-        * math.sinh(0.05 * over),
-        "Your position leaves out its second term. Multiply e^(-half * t) by cosh(gamma * t) + "
-        "half * sinh(gamma * t) / gamma, where half = c / (2 m).": math.exp(-1.0)
-        * math.cosh(0.05 * over),
-        "You add the two exponentials without the factor 1/2. cosh is half of their sum.": math.exp(
-            -1.0
-        )
-        * (2.0 * math.cosh(0.05 * over) + 20.0 / over * math.sinh(0.05 * over)),
-        "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
-        "sinh instead.": math.exp(-1.0)
-        * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
-    }
-    for c, t, x, cause in (
-        (
-            2.0,
-            0.5,
-            0.09855066761858595,
-            "The spring is under-damped, so it oscillates while its amplitude decays. Multiply "
-            "e^(-half * t) by terms with cos(gamma * t) and sin(gamma * t), where half = c / "
-            "(2 m).",
-        ),
-        (
-            20.0,
-            0.5,
-            0.04042768199451279,
-            "The spring is critically damped, which the book leaves out (E-23). gamma is 0 here, "
-            "so use t, the limit of sin(gamma * t) / gamma.",
-        ),
-        (
-            40.0,
-            0.05,
-            0.9302947940980407,
-            "The spring is over-damped, which the book leaves out (E-23). Multiply "
-            "e^(-half * t) by terms with cosh(gamma * t) and sinh(gamma * t), where half = c / "
-            "(2 m).",
-        ),
-        (
-            40.0,
-            0.5,
-            0.2821711739751533,
-            "The spring is over-damped, and at this late time only the slowly decaying part "
-            "e^(-(half - gamma) * t) is left, where half = c / (2 m).",
-        ),
-    ):
-        about(
-            f"damped_spring_state(x0=1.0, v0=0.0, stiffness=100.0, damping={c}, mass=1.0, "
-            f"time={t})",
-            cause=cause,
-        )
-        state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
+def expect_positions(
+    *samples: tuple[tuple[float, ...], float, float, str],
+    slips: dict[str, float] | None = None,
+) -> None:
+    """Expect a position for each sample of arguments, position, tolerance and likely cause."""
+    for (x0, v0, k, c, m, t), wanted, tolerance, cause in samples:
+        with calls(cause):
+            state = damped_spring_state(x0, v0, stiffness=k, damping=c, mass=m, time=t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
         both = "You didn't return two numbers. Return both the position and the velocity."
         expect_exactly(count, 2, then="; number of values returned", cause=both)
-        expect_close(
-            state[0], x, then="[0], the position in m", cause=named(state[0], about.cause, slips)
-        )
-    about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=1.0, damping=10.0, mass=1.0, "
-    about.call += "time=1.0)[0], the position in m"
-    about.cause = "The book's formula takes the square root of 4 k - c^2, which is -96 here. It "
-    about.cause += "covers only under-damped springs (E-23), so treat over-damped springs "
-    about.cause += "separately."
-    got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
-    wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
-    expect_close(got, wanted)
+        expect_close(state[0], wanted, slips, then="; state[0]", unit="m", tolerance=tolerance)
 
 
-@pytest.mark.exercise("B6.5", asks="The velocity is the derivative of this position.")
+@pytest.mark.exercise("B6.5", asks="three forms, depending on how strong the damping is", read=READ)
+def test_the_three_cases_by_known_values() -> None:
+    damped, late = sqrt(99.0), sqrt(96.0)  # gamma, and that of a c / m not halved
+    over, high = sqrt(300.0), sqrt(9999.0)  # gamma for c = 40, and that of a k not rooted
+    slips = {
+        "Your exponent uses the full rate c / m. The amplitude decays at half that rate.":
+            exp(-1.0) * (cos(0.5 * late) + 2.0 / late * sin(0.5 * late)),
+        "Your position is only e^(-half * t) * cos(gamma * t), where half = c / (2 m). Add half * "
+        "sin(gamma * t) / gamma to the cosine.": exp(-0.5) * cos(0.5 * damped),
+        "You don't divide sin(gamma * t) by gamma.":
+            exp(-0.5) * (cos(0.5 * damped) + sin(0.5 * damped)),
+        "You left out e^(-half * t), so the amplitude does not decay.":
+            cos(0.5 * damped) + sin(0.5 * damped) / damped,
+        "You use k / m where you need its square root.":
+            exp(-0.5) * (cos(0.5 * high) + sin(0.5 * high) / high),
+        "You return the velocity first. Return the position first, and then the velocity.":
+            -100.0 * exp(-0.5) * sin(0.5 * damped) / damped,
+        "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
+        "gamma, which is lower.": exp(-0.5) * (cos(5.0) + 0.1 * sin(5.0)),
+        "You divide sin by the damped frequency gamma, but in cos and sin you use sqrt(k / m).":
+            exp(-0.5) * (cos(5.0) + sin(5.0) / damped),
+        "The spring is critically damped, but your position is only e^(-half * t), where half = c "
+        "/ (2 m). Multiply it by (1 + half * t).": exp(-5.0),
+        "You use sinh(gamma * t) in both terms, but the first one needs cosh(gamma * t).":
+            exp(-1.0) * (1.0 + 20.0 / over) * sinh(0.05 * over),
+        "Your position leaves out its second term. Multiply e^(-half * t) by cosh(gamma * t) + "
+        "half * sinh(gamma * t) / gamma, where half = c / (2 m).": exp(-1.0) * cosh(0.05 * over),
+        "You add the two exponentials without the factor 1/2. cosh is half of their sum.":
+            exp(-1.0) * (2.0 * cosh(0.05 * over) + 20.0 / over * sinh(0.05 * over)),
+        "You use cos and sin for an over-damped spring, which does not oscillate.":
+            exp(-1.0) * (cos(0.05 * over) + 20.0 / over * sin(0.05 * over)),
+    }  # fmt: skip
+    expect_positions(
+        ((1.0, 0.0, 100.0, 2.0, 1.0, 0.5), 0.09855066761858595, 9e-15,
+         "The spring is under-damped, so it oscillates while its amplitude decays. Multiply "
+         "e^(-half * t) by terms with cos(gamma * t) and sin(gamma * t), where half = c / (2 m)."),
+        ((1.0, 0.0, 100.0, 20.0, 1.0, 0.5), 0.04042768199451279, 4e-15,
+         "The spring is critically damped, which the book leaves out (E-23). gamma is 0 here, "
+         "so use t, the limit of sin(gamma * t) / gamma."),
+        ((1.0, 0.0, 100.0, 40.0, 1.0, 0.05), 0.9302947940980407, 9e-14,
+         "The spring is over-damped, which the book leaves out (E-23). Multiply e^(-half * t) by "
+         "terms with cosh(gamma * t) and sinh(gamma * t), where half = c / (2 m)."),
+        ((1.0, 0.0, 100.0, 40.0, 1.0, 0.5), 0.2821711739751533, 2e-14,
+         "The spring is over-damped, and at this late time only the slowly decaying part "
+         "e^(-(half - gamma) * t) is left, where half = c / (2 m)."),
+        slips=slips,
+    )  # fmt: skip
+    expect_positions(
+        ((1.0, 0.0, 1.0, 10.0, 1.0, 1.0), by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0], 9e-14,
+         "The book's formula takes the square root of 4 k - c^2, which is -96 here. It covers "
+         "only under-damped springs (E-23), so treat over-damped springs separately."),
+    )  # fmt: skip
+
+
+@pytest.mark.exercise("B6.5", asks="The velocity is the derivative of this position.", read=READ)
 @pytest.mark.parametrize(("share", "name"), REGIMES)
 def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> None:
-    about.read = READ
     for longest in (0.2, 9.0, 9.0, 9.0, 9.0):  # by 0.2 s what dies out fast is still there
         x0, v0 = draw_number(rng), draw_number(rng)
         k, m, t = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, longest)
-        c = share * 2.0 * math.sqrt(k * m)
-        about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c:.6g}, "
-        about.call += f"mass={m}, time={t}); (position in m, velocity in m/s)"
-        got = damped_spring_state(x0, v0, k, c, m, t)
-        wanted = by_roots(x0, v0, k, c, m, t)
-        half, (x, v), from_v0 = c / (2.0 * m), wanted, by_roots(0.0, v0, k, c, m, t)[0]
-        fade = math.exp(-half * t)
+        c = share * 2.0 * sqrt(k * m)
+        cause = f"The spring is {name}. Divide the damping by 2 m and the stiffness by m, and let "
+        cause += "both x0 and v0 contribute."
+        with calls(cause):
+            got = damped_spring_state(x0, v0, stiffness=k, damping=c, mass=m, time=t)
+        x, v = wanted = by_roots(x0, v0, k, c, m, t)
+        x_of_v0, v_of_v0 = by_roots(0.0, v0, k, c, m, t)  # the terms with v0
+        half = c / (2.0 * m)
+        fade = exp(-half * t)
         slips = {
-            "You didn't divide the damping by the mass. The amplitude decays at the rate c / (2 "
-            "m).": by_roots(x0, v0, k, c * m, m, t),
-            "You divide the damping by 2 and then multiply by the mass. Divide by (2 * mass).": (
-                by_roots(x0, v0, k, c * m * m, m, t)
-            ),
+            "You didn't divide the damping by the mass.": by_roots(x0, v0, k, c * m, m, t),
+            "You divide the damping by 2 and then multiply by the mass.":
+                by_roots(x0, v0, k, c * m * m, m, t),
             "Your velocity leaves out -s x, where s = c / (2 m). The derivative of e^(-s t) "
             "contributes this term (product rule).": (x, v + half * x),
-            "You didn't divide the stiffness by the mass. The square of the undamped frequency is "
-            "k / m.": by_roots(x0, v0, k * m, c, m, t),
-            "Your position leaves out the initial velocity v0. Add the term that contains v0.": (
-                by_roots(x0, 0.0, k, c, m, t)[0],
-                v,
-            ),
-            "Your velocity leaves out the initial position x0. When you differentiate the "
-            "position, include its terms with x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
+            "You didn't divide the stiffness by the mass.": by_roots(x0, v0, k * m, c, m, t),
+            "Your position leaves out the initial velocity v0.": (x - x_of_v0, v),
+            "Your velocity leaves out the initial position x0.": (x, v_of_v0),
             "Your position is right, but one term of your velocity has the wrong sign. "
-            "Check the derivative of the position's term with v0.": (x, v + 2.0 * half * from_v0),
+            "Check the derivative of the position's term with v0.": (x, v + 2.0 * half * x_of_v0),
             "In your velocity, the term with v0 lacks the derivative of e^(-s t), where s = c / (2 "
-            "m). Add it by the product rule.": (x, v + half * from_v0),
-            "The term with v0 in your position has the wrong sign. A positive v0 moves the body in "
-            "the positive direction.": (by_roots(x0, -v0, k, c, m, t)[0], v),
+            "m). Add it by the product rule.": (x, v + half * x_of_v0),
+            "The term with v0 in your position has the wrong sign.": (x - 2.0 * x_of_v0, v),
             "The term with x0 in your velocity has the wrong sign. The spring pulls the body back, "
-            "so this term is -k / m x0 S.": (x, by_roots(-x0, v0, k, c, m, t)[1]),
-            "You return the initial velocity. Return the velocity after the time t, which is the "
-            "derivative of the position.": (x, v0),
-            "Your velocity is the mean velocity (x - x0) / t. Return the velocity at the time t, "
-            "which is the derivative of the position.": (x, (x - x0) / t),
+            "so this term is -k / m x0 S.": (x, 2.0 * v_of_v0 - v),
+            "You return the initial velocity. Return that after the time t.": (x, v0),
+            "Your velocity is the mean velocity (x - x0) / t. Return that at the time t.":
+                (x, (x - x0) / t),
             "You treat this spring as critically damped, although c^2 is not equal to 4 k m. "
             "Compare them exactly, without a tolerance.": (
-                (x0 + (v0 + half * x0) * t) * fade,
-                (v0 - (half * v0 + k / m * x0) * t) * fade,
+                (x0 + (v0 + half * x0) * t) * fade, (v0 - (half * v0 + k / m * x0) * t) * fade
             ),
-        }
+        }  # fmt: skip
         if name == "under-damped":
-            swing = math.sqrt(abs(half * half - k / m))
+            swing = sqrt(abs(half * half - k / m))
             wrong = "In your velocity, the derivative of cos(g t) has the wrong sign. It is -g "
             wrong += "sin(g t)."
-            slips[wrong] = x, v + 2.0 * fade * x0 * swing * math.sin(swing * t)
-        about.cause = f"The spring is {name}. Divide the damping by 2 m and the stiffness by m, "
-        about.cause += "and let both x0 and v0 contribute."
+            slips[wrong] = x, v + 2.0 * fade * x0 * swing * sin(swing * t)
         if isinstance(got, tuple) and got and type(got[0]) is float and abs(got[0] - x) < 1e-10:
-            about.cause = f"The spring is {name}. Your position is right, but your velocity is not "
-            about.cause += "its derivative."
-        blame(got, slips)
+            cause = f"The spring is {name}. x is right, but v is not its derivative."
         # The roots' formula takes differences of numbers up to 10^4.
-        expect_close(got, wanted, tolerance=1e-10)
+        expect_close(got, wanted, slips, then=STATE, cause=cause, tolerance=1e-10)
 
 
-@pytest.mark.exercise("B6.5", asks="accurate to 1e-8 even if the damping is almost critical")
+@pytest.mark.exercise(
+    "B6.5", asks="accurate to 1e-8 even if the damping is almost critical", read=READ
+)
 def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
-    about.read = READ
     x0, v0 = draw_number(rng), draw_number(rng)
     for k, m, t in ((4.0, 1.0, 0.75), (100.0, 4.0, 0.5), (9.0, 9.0, 2.0)):
-        half = math.sqrt(k / m)
-        critical = 2.0 * m * half
-        fade = math.exp(-half * t)
+        half = sqrt(k / m)
+        fade = exp(-half * t)
         wanted = ((x0 + (v0 + half * x0) * t) * fade, (v0 - half * (v0 + half * x0) * t) * fade)
         # A share e of more damping changes the motion by some e times numbers up to 100.
         for share, tolerance, cause in (
-            (
-                0.0,
-                1e-12,
-                "At critical damping the position is (x0 + (v0 + half * x0) * t) * e^(-half * t), "
-                "where half = c / (2 m). Differentiate it to get the velocity.",
-            ),
-            (
-                -1e-9,
-                1e-7,
-                "Slightly below critical damping, sin(gamma * t) / gamma is very close to t. "
-                "Your result must be close to that of critical damping.",
-            ),
-            (
-                1e-9,
-                1e-7,
-                "The damping is slightly above the critical one, so sinh(gamma * t) / gamma is "
-                "very close to t. The result must be close to that of critical damping.",
-            ),
-            (
-                -1e-15,
-                1e-8,
-                "Very close to critical damping, gamma can round to 0. Don't divide by gamma "
-                "in that case.",
-            ),
-            (
-                1e-15,
-                1e-8,
-                "Very close to critical damping, the difference of your exponentials loses most "
-                "of its digits. Use math.sinh or math.expm1 instead.",
-            ),
-        ):
-            about.cause = cause
-            c = critical * (1.0 + share)
-            about.call = f"c = {critical:g} * (1 + {share:g}); damped_spring_state(x0={x0}, "
-            about.call += f"v0={v0}, stiffness={k}, damping=c, mass={m}, time={t}); (position in "
-            about.call += "m, velocity in m/s)"
-            got = damped_spring_state(x0, v0, k, c, m, t)
+            (0.0, 1e-12,
+             "At critical damping the position is (x0 + (v0 + half * x0) * t) * e^(-half * t), "
+             "where half = c / (2 m). Differentiate it to get the velocity."),
+            (-1e-9, 1e-7,
+             "Slightly below critical damping, sin(gamma * t) / gamma is very close to t. Your "
+             "result must be close to that of critical damping."),
+            (1e-9, 1e-7,
+             "The damping is slightly above the critical one, so sinh(gamma * t) / gamma is very "
+             "close to t. The result must be close to that of critical damping."),
+            (-1e-15, 1e-8,
+             "Very close to critical damping, gamma can round to 0. Don't divide by gamma in that "
+             "case."),
+            (1e-15, 1e-8,
+             "Very close to critical damping, the difference of your exponentials loses most of "
+             "its digits. Use math.sinh or math.expm1 instead."),
+        ):  # fmt: skip
+            critical = 2.0 * m * half
+            with calls(cause):
+                c = critical * (1.0 + share)
+                got = damped_spring_state(x0, v0, stiffness=k, damping=c, mass=m, time=t)
             if "nan" in f"{got}":
-                about.cause = "Your result is NaN very close to critical damping, probably because "
-                about.cause += "gamma is NaN there. Compute gamma in a way that never gives NaN."
-            expect_close(got, wanted, tolerance=tolerance)
-    about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, "
-    about.call += "time=0.75) minus the same with damping=4 + 4e-9"
-    about.cause = "Just below and just above critical damping, your results must agree to 1e-8."
-    below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
-    above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
-    for a, b in zip(below, above, strict=True):
-        expect_close(a - b, 0.0, tolerance=1e-8)
+                cause = "Your result is NaN. Compute gamma in a way that never gives NaN."
+            expect_close(got, wanted, then=STATE, tolerance=tolerance, cause=cause)
+    with calls(
+        "Just below and just above critical damping, your results must agree to 1e-8.",
+        "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, time=0.75) "
+        "minus the same with damping=4 + 4e-9",
+    ):
+        below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
+        above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
+    got = [a - b for a, b in zip(below, above, strict=True)]
+    expect_close(got, (0.0, 0.0), tolerance=1e-8)
 
 
-@pytest.mark.exercise("B6.5", asks="If the stiffness is 0, the body feels no spring force.")
+@pytest.mark.exercise(
+    "B6.5", asks="If the stiffness is 0, the body feels no spring force.", read=READ
+)
 def test_no_time_and_no_stiffness(rng: Random) -> None:
-    about.read = READ
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
-    about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=3.0, damping={c}, mass={m}, "
-    about.call += "time=0.0)"
-    about.cause = "No time has passed yet, so position and velocity must still be x0 and v0."
-    got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
-    expect_close(got, (x0, v0))
-    about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=0.0, damping=0.0, mass={m}, "
-    about.call += f"time={t})"
-    about.cause = "No force acts here, so the velocity stays v0 and the position is x0 + v0 t."
-    got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
-    expect_close(got, (x0 + v0 * t, v0))
-    about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=0.0, damping={c}, mass={m}, "
-    about.call += f"time={t})"
-    about.cause = "With a damping c but no stiffness, the velocity must decay as v0 e^(-c t / m)."
-    got = damped_spring_state(x0, v0, 0.0, c, m, t)
-    slow = math.exp(-c * t / m)
-    wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
-    expect_close(got, wanted, tolerance=1e-11)
-    about.call = f"x, v = damped_spring_state(x0={x0}, v0={v0}, stiffness=1.0, damping=0.0, "
-    about.call += f"mass=1.0, time={t}); x^2 + v^2"
-    about.cause = "Without damping no energy is lost, so x^2 + v^2 must stay constant."
-    x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
-    wanted_energy = x0 * x0 + v0 * v0
-    expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
+    slow = exp(-c * t / m)
+    for k, d, time, wanted, cause in (
+        (3.0, c, 0.0, (x0, v0),
+         "No time has passed yet, so position and velocity must still be x0 and v0."),
+        (0.0, 0.0, t, (x0 + v0 * t, v0),
+         "No force acts here, so the velocity stays v0 and the position is x0 + v0 t."),
+        (0.0, c, t, (x0 + v0 * (1.0 - slow) * m / c, v0 * slow),
+         "With a damping c but no stiffness, the velocity must decay as v0 e^(-c t / m)."),
+    ):  # fmt: skip
+        with calls(cause):
+            got = damped_spring_state(x0, v0, stiffness=k, damping=d, mass=m, time=time)
+        expect_close(got, wanted, tolerance=1e-11 if k == 0.0 < d else None)
+    with calls("Without damping no energy is lost, so x^2 + v^2 must stay constant."):
+        x, v = damped_spring_state(x0, v0, stiffness=1.0, damping=0.0, mass=1.0, time=t)
+    expect_close(x * x + v * v, x0 * x0 + v0 * v0, then="; x^2 + v^2", tolerance=1e-11)
 
 
-@pytest.mark.exercise("B6.5", asks="because even a very soft spring oscillates")
+@pytest.mark.exercise("B6.5", asks="because even a very soft spring oscillates", read=READ)
 def test_very_soft_and_very_stiff_springs() -> None:
-    for arguments, wanted, tolerance, cause in (
-        (
-            (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
-            0.0,
-            1e-12,
-            "After 100 s of damping, the oscillation has died out, so the position must be 0.",
-        ),
-        (
-            (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
-            math.cos(1.0),
-            1e-12,
-            "A very soft spring without damping still oscillates, but slowly. Don't treat a "
-            "small stiffness as zero.",
-        ),
-        (
-            (1.0, 0.0, 1e-18, 0.0, 1.0, 1e9),
-            math.cos(1.0),
-            1e-12,
-            "Without damping even the softest spring oscillates. Compare c / (2 m) with sqrt(k "
-            "/ m) exactly, because with a tolerance this spring counts as critically damped.",
-        ),
-        (
-            (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
-            -1.0,
-            1e-9,
-            "After half a period, an undamped body is on the opposite side, so its position must "
-            "be -x0.",
-        ),
-    ):
-        about.cause = cause
-        expect_position(arguments, wanted, tolerance)
+    expect_positions(
+        ((1.0, 1.0, 1e12, 1e3, 1.0, 100.0), 0.0, 1e-12,
+         "After 100 s of damping, the oscillation has died out, so the position must be 0."),
+        ((1.0, 0.0, 1e-8, 0.0, 1.0, 1e4), cos(1.0), 1e-12,
+         "A very soft spring without damping still oscillates, but slowly. Don't treat a small "
+         "stiffness as zero."),
+        ((1.0, 0.0, 1e-18, 0.0, 1.0, 1e9), cos(1.0), 1e-12,
+         "Without damping even the softest spring oscillates. Compare c / (2 m) with sqrt(k / m) "
+         "exactly, because with a tolerance this spring counts as critically damped."),
+        ((1.0, 0.0, 1e12, 0.0, 1.0, pi * 1e-6), -1.0, 1e-9,
+         "After half a period, an undamped body is on the opposite side, so its position must be "
+         "-x0."),
+    )  # fmt: skip
 
 
-@pytest.mark.exercise("B6.5", asks="at late times and for strong damping")
+@pytest.mark.exercise("B6.5", asks="at late times and for strong damping", read=READ)
 @pytest.mark.robust
 def test_late_times_and_strong_damping() -> None:
-    for arguments, wanted, tolerance, cause in (
-        (
-            (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
-            math.exp(-5.0),
-            1e-5,
-            "cosh(gamma * t) is too large for a float at this late time. Replace e^(-half * t) * "
-            "cosh(gamma * t) with (e^(-(half - gamma) * t) + e^(-(half + gamma) * t)) / 2.",
-        ),
-        (
-            (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
-            math.exp(-1.0),
-            1e-9,
-            "half = c / (2 m) and gamma are almost equal, so the difference half - gamma loses all "
-            "of its digits. Use chi^2 / (half + gamma) instead, where chi^2 = k / m.",
-        ),
-        (
-            (1.0, 1.0, 5.0, 10.0, 1.0, 1e6),
-            0.0,
-            1e-12,
-            "cosh(gamma * t) is too large for a float here, and e^(-half * t) is 0. Combine the "
-            "two factors into one exponential before you evaluate it.",
-        ),
-        (
-            (0.0, 1.0, 1.0, 1e9, 1.0, 1.0),
-            1e-9,
-            1e-17,
-            "Strong damping stops the body almost at once, after a distance of v0 m / c. The "
-            "final position must be close to that.",
-        ),
-    ):
-        about.cause = cause
-        expect_position(arguments, wanted, tolerance)
+    expect_positions(
+        ((1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0), exp(-5.0), 1e-5,
+         "cosh(gamma * t) is too large for a float at this late time. Replace e^(-half * t) * "
+         "cosh(gamma * t) with (e^(-(half - gamma) * t) + e^(-(half + gamma) * t)) / 2."),
+        ((1.0, 0.0, 1.0, 1e9, 1.0, 1e9), exp(-1.0), 1e-9,
+         "half = c / (2 m) and gamma are almost equal, so the difference half - gamma loses all "
+         "of its digits. Use chi^2 / (half + gamma) instead, where chi^2 = k / m."),
+        ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12,
+         "cosh(gamma * t) is too large for a float here, and e^(-half * t) is 0. Combine the two "
+         "factors into one exponential before you evaluate it."),
+        ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17,
+         "Strong damping stops the body almost at once, after a distance of v0 m / c. The final "
+         "position must be close to that."),
+    )  # fmt: skip
 
 
-@pytest.mark.exercise("B6.5", asks="The velocity is the derivative of this position.")
+@pytest.mark.exercise("B6.5", asks="The velocity is the derivative of this position.", read=READ)
 def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
-    about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
-    about.cause = "One call for the whole time must give the same state as two calls in a row. If "
-    about.cause += "it doesn't, your velocity is not the derivative of your position."
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
-        c = share * 2.0 * math.sqrt(k * m)
-        about.call = f"s = damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {first}); "
-        about.call += f"damped_spring_state(*s, {k}, {c}, {m}, {second})"
-        x, v = damped_spring_state(x0, v0, k, c, m, first)
-        got = damped_spring_state(x, v, k, c, m, second)
+        c = share * 2.0 * sqrt(k * m)
+        with calls("Two calls in a row give another state, so v is not the derivative of x."):
+            x, v = damped_spring_state(x0, v0, k, c, m, first)
+            got = damped_spring_state(x, v, k, c, m, second)
         wanted = damped_spring_state(x0, v0, k, c, m, first + second)
         expect_close(got, wanted, tolerance=1e-11)
-    about.call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, "
-    about.call += "...)"
-    about.cause = "The spring has no damping. After half a period the body must be on the "
-    about.cause += "opposite side, and after a full period back where it started."
-    half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
-    expect_close(half, (-x0, -v0), tolerance=1e-11)
-    got = damped_spring_state(*half, 1.0, 0.0, 1.0, math.pi)
+    with calls("After half a period, an undamped body must be on the opposite side."):
+        x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, pi)
+    expect_close((x, v), (-x0, -v0), tolerance=1e-11)
+    with calls("After a full period the body must be back where it started.", more=True):
+        got = damped_spring_state(x, v, 1.0, 0.0, 1.0, pi)
     expect_close(got, (x0, v0), tolerance=1e-11)

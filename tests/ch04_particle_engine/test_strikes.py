@@ -47,8 +47,8 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         struck = strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
     level, ratio = Triple((v[0], 0.0, v[2])), mass / 8.0
     slips = {
-        "You replace the velocity of the block. Instead, add the shot's momentum divided by the "
-        "block's mass to the velocity that the block already has.": ratio * level,
+        "You replace the velocity of the block. Along X and Z, add the shot's momentum divided by "
+        "the block's mass to the velocity that the block already has.": ratio * level,
         "You also change the block's velocity along Y, but the ground absorbs the momentum in "
         "that direction. Change only X and Z.": before + ratio * v,
         "You add the whole velocity of the shot. Either you use no mass, or you divide the "

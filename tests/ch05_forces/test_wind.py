@@ -139,7 +139,7 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     if max(speeds) - min(speeds) < 1e-9:
         cause = "All your winds have the same speed. Draw x and z independently of each other."
     elif all(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in drawn):
-        cause = "You use the same random number for x and z. Draw two numbers."
+        cause = "In all winds, x and z have the same size. Draw two numbers instead of one."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     then = "; number of winds slower than 5 m/s, out of 401"

@@ -257,7 +257,7 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
     for share in (0.1, 0.6, 3.0):
         c = share * 2.0 * math.sqrt(k * m)
         with calls(
-            "Give damped_spring_state the position of p relative to the anchor, m and c.",
+            "Pass damped_spring_state the mass of p, and its position relative to the anchor.",
             f"p of {m} kg at {place} with velocity {v}; s = FakeStiffSpring(anchor="
             f"Vector3{anchor}, stiffness={k}, damping={c:.6g}); s.update_force(p, {h:.6g}); one "
             "step of semi-implicit Euler; p.position",

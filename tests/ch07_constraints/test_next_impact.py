@@ -238,8 +238,8 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     speed, left = positive_number(rng, 1.0, 3.0), Triple((-1.0, 0.0, 0.0))
     places, speeds = (0.0, 30.0, 3.0, 7.0, 32.5, 9.5), (0.0, speed, 0.0, 0.0, -speed, -speed)
     with calls(
-        "Spheres 1 and 4 meet first. Compute the time for every pair of spheres, not only for "
-        "neighbors in the list, and return the earliest impact."
+        "Spheres 1 and 4 meet first. Compute the time for every pair of spheres, even if they are "
+        "far apart in the list, and return the earliest impact, not the first or last one found."
     ):
         spheres = [Particle(Vector3(x), Vector3(v)) for x, v in zip(places, speeds, strict=True)]
         pairs = ParticlePairs(spheres, radius=1.0)

@@ -105,7 +105,7 @@ def test_links_act_at_the_right_lengths() -> None:
     with calls(why, "links_of(make_rows()), with the planks where they start"):
         links = sorted((i, j) for i, j, *_ in links_at(START))
     if [pair for pair in links if pair[1] == pair[0] + 1] == [(i, i + 1) for i in range(0, 12, 2)]:
-        why = "You join the two ends of each row with a Cable, which only pulls. Use a Rod."
+        why = "You join the ends of each row with a Cable, which is taut at this length. Use a Rod."
     wanted = [(i, i + 2) for i in range(10)]
     expect_exactly(links, wanted, then="; the ends of all contacts", cause=why)
     slack = "The cables are slack here, and the rods have the right length. Check your lengths."

@@ -122,9 +122,9 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
             made = [slip for slip, error in errors.items() if max(map(abs, error)) < 1e-10]
             why = " ".join((*made[:1], cause))
         # A few roundings of numbers up to 4000.
-        then = f"; x', in m, which must equal {moves} of your v'"
+        then = f"; x', in m, which must equal {moves} with your v'"
         expect_close(new[0], new[0] - left[0], then=then, cause=why, tolerance=1e-10)
-        then = f"; v', in m/s, which must equal {turns}, where a' = -(k x' + c v') / m of your x', v'"
+        then = f"; v', in m/s, which must equal {turns} with a' = -(k x' + c v') / m from it"
         expect_close(new[1], new[1] - left[1], then=then, cause=why, tolerance=1e-10)
 
 

@@ -306,7 +306,7 @@ def test_the_check_s_cause_comes_before_a_guess(messages: Messages) -> None:
         "or        Perhaps you misspelled the name",
     )
     assert failed["B2.2"][0].index(cause) < failed["B2.2"][0].index(guess)
-    fact, cause = "likely    The index is past the end.", "or        The scalar product"
+    fact, cause = "likely    The index is past the end.", "or        Multiply the matching"
     assert failed["B2.8"][0].index(fact) < failed["B2.8"][0].index(cause)
 
 

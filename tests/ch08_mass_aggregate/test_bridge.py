@@ -47,7 +47,7 @@ def links_at(places: list[Components]) -> list[tuple[int, int, float, float]]:
 @pytest.mark.exercise("B8.4", asks="joins each end to the end on the same side", read=LINKS)
 @pytest.mark.parametrize("which", JOINED)
 def test_links_join_the_right_ends(rng: Random, which: str) -> None:
-    wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
+    wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2.2, 4.0), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
     with calls(
         "Return a list of all links. The last row has no next row, so a loop over rows i and i + 1 "

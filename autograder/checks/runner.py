@@ -6,7 +6,6 @@ process. All of this also works on Windows, but only without a sandbox.
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -17,17 +16,13 @@ from autograder.checks import events
 from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
 from autograder.checks.judge import Ending, is_stopped, judge
+from autograder.checks.no_verdict import why_no_verdict
 from autograder.checks.presentable import presentable
 from autograder.checks.verdict import Secret, Verdict, mark_blocked, needs_of, with_needs
 from autograder.diagnosis.missing import while_imported
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind, Message
 
-# A check that imports something which tests/shared does not have, or no longer has.
-GONE = re.compile(
-    r"test module '.*?(\w+\.py)'.*cannot import name '(\w+)' from .*tests.shared.(\w+\.py)\)",
-    re.DOTALL,
-)
 HURRIED = 0.25  # once a function has hung twice, later checks get only this part of the time limit
 
 
@@ -101,7 +96,7 @@ def run_checks(
         if time.monotonic() > run.deadline:
             run.give_up()
         elif not run.finished and run.progress == before:
-            raise GraderError(run.reason())
+            raise GraderError(why_no_verdict(run.stderr, order.chapter.name))
     return run.outcome()
 
 
@@ -131,22 +126,6 @@ class Run:
         self.hung: set[str] = set()  # exercises with a check that hung
         self.loops: list[str] = []  # the functions in which checks hung
         self.stderr = ""
-
-    def reason(self) -> str:
-        """Explain why the check process ended before any check had a verdict."""
-        if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
-            own = self.order.chapter.name
-            return f"{missing[1]} is missing: put your own folder of that name beside {own}"
-        if gone := GONE.search(self.stderr):
-            file, name, helper = gone.groups()
-            return (
-                f"{file} imports {name}, but {helper} has no {name}. How a graded check is written "
-                "today: tests/README.md"
-            )
-        words = self.stderr or "it printed nothing"
-        if "INTERNALERROR>" in words:  # leave out pytest's own traceback
-            words = words.rpartition("INTERNALERROR>")[2].strip()
-        return f"the check process stopped without a verdict: {words}"
 
     @property
     def limit(self) -> float:

@@ -183,13 +183,12 @@ def expect_refusal(
     """Expect the attribute to accept a good value, then to refuse a bad one and not to change."""
     __tracebackhide__ = True
     p = Particle()
-    about(f"p = Particle(); p.{name} = {good}; p.{name} = {bad!r}", cause=cause)
-    expect_error(
-        lambda: setattr(p, name, bad),
-        error,
-        allowed=lambda: setattr(p, name, good),
-        read=f"the docstring of {name}",
+    call, read = (
+        f"p = Particle(); p.{name} = {good}; p.{name} = {bad!r}",
+        f"the docstring of {name}",
     )
+    about(call, cause=cause, read=read)
+    expect_error(lambda: setattr(p, name, bad), error, allowed=lambda: setattr(p, name, good))
     late = (
         f"Your setter stores {bad!r} first and rejects it only afterward. Check the "
         f"{name.replace('_', ' ')} before you store it."

@@ -274,7 +274,7 @@ def looks() -> dict[str, tuple[str, str]]:
 
     found: dict[str, tuple[str, str]] = {}
     pairs = {
-        "pymunk": ((c, m) for m in "x+*1234|_" + MARKERS for c in (BLACK, GRAY)),
+        "pymunk": ((c, m) for m in "x+*1234|_d" + MARKERS for c in (BLACK, GRAY)),
         "the book": ((RED, m) for m in "+*x1234"),
         "ours": ((c, m) for m in MARKERS for c in OURS),
     }

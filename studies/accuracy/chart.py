@@ -19,7 +19,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.accuracy.measure import Point
-from studies.accuracy.results import Row, Side, front, models_of, row, table
+from studies.accuracy.results import Row, Side, front, models_of, power, row, table
 from studies.accuracy.scene import Scene
 from studies.drawing import (
     BLACK,
@@ -210,7 +210,7 @@ def said(points: Sequence[Point], tolerance: float) -> list[str]:
 def _said(found: Row) -> str:
     ours, theirs = found.ours, found.pymunk
     kind = "better model" if found.is_formula else "steps"
-    start = f"{kind}, at an error of 1e{round(math.log10(found.tolerance))}: "
+    start = f"{kind}, at an error of {power(found.tolerance)}: "
     if ours.time is None or theirs.time is None:
         mine, others = (told(side) for side in (ours, theirs))
         return f"{start}ours: {mine}; pymunk: {others}"

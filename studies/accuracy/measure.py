@@ -28,7 +28,7 @@ import pymunk  # noqa: F401 - otherwise the first run of a pymunk model would in
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.timing import quartiles
+from studies.timing import fastest, quartiles
 
 EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
 LEAST = 1e-2  # s for one measurement; a faster run is repeated
@@ -136,15 +136,15 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 def seconds_of(model: Model, steps: int) -> float:
     """Measure the processor time in s of one simulation with ``steps`` steps per frame.
 
-    A short simulation is repeated, and the time of the fastest run counts, because whatever else
-    the computer does can only make a run slower.
+    A short simulation is repeated, and the time of the fastest run counts.
     """
-    times: list[float] = []
-    while not times or sum(times) < LEAST:
+
+    def once() -> float:
         start = time.process_time()
         run(model, steps)
-        times.append(time.process_time() - start)
-    return min(times)
+        return time.process_time() - start
+
+    return fastest(once, LEAST)
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:

@@ -85,6 +85,11 @@ class Row:
         return side.longest if side.time is None else side.time
 
 
+def power(tolerance: float) -> str:
+    """Format one of TOLERANCES, as in 1e-2."""
+    return f"1e{round(math.log10(tolerance))}"
+
+
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
     """Find the run with the fewest steps that reliably meets an error tolerance.
 

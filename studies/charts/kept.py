@@ -10,7 +10,6 @@ import json
 import math
 import platform
 import re
-import statistics
 import textwrap
 from collections.abc import Sequence
 from datetime import date
@@ -21,7 +20,7 @@ from typing import Any
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
 from autograder.text.marked import with_text
-from studies.accuracy.results import TOLERANCES, Row
+from studies.accuracy.results import TOLERANCES, Row, power
 
 PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
 FIGURES = "studies/accuracy/figures.json"
@@ -106,23 +105,6 @@ def told(figure: Figure) -> str:
     return f"*{text}*" if misses(figure) else text
 
 
-def power(tolerance: float) -> str:
-    """Return a power of ten as in 1e-2."""
-    return f"1e{round(math.log10(tolerance))}"
-
-
-def typical(figures: Sequence[Figure]) -> list[float]:
-    """Return the median ratio of our steps in smooth scenes at each tolerance."""
-    return [
-        statistics.median(
-            figure["ratio"] or figure["low"]
-            for figure in figures
-            if not figure["is_formula"] and figure["tolerance"] == tolerance and is_smooth(figure)
-        )
-        for tolerance in TOLERANCES
-    ]
-
-
 def is_smooth(figure: Figure) -> bool:
     """Return True if something moves in a scene, and nothing collides or becomes slack."""
     return not any(part in figure["scene"] for part in ROUGH)
@@ -159,7 +141,10 @@ def described(rows: Sequence[Row]) -> str:
         words.append(f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases")
         if slower:
             most, row = max(slower, key=lambda pair: pair[0])
-            words[-1] += f", up to {rounded(most)} times as long ({row.scene})"
+            words[-1] += (
+                f", up to {rounded(most)} times as long ({row.scene}"
+                f"{', extrapolated' if row.is_extrapolated else ''})"
+            )
         words[-1] += f", and less time in {len(faster)}"
         if faster:
             least, row = min(faster, key=lambda pair: pair[0])

@@ -84,24 +84,27 @@ def scene_of(
             for i, order in enumerate(ORDERS)
         ),
     ]
-    best = {
-        Model(
-            at_best(number) + ", pin joints" * is_taut + ", default bias" * (not corrects),
-            in_pymunk(plane, number, is_ahead=True, corrects=corrects, is_taut=is_taut),
-            STEPS,
-            "pymunk",
-        ): corrects
+    best = [
+        (
+            Model(
+                at_best(number) + ", pin joints" * is_taut + ", default bias" * (not corrects),
+                in_pymunk(plane, number, is_ahead=True, corrects=corrects, is_taut=is_taut),
+                STEPS,
+                "pymunk",
+            ),
+            corrects,
+        )
         for chosen, is_taut in ((solvers, False), (taut, True))
         for number, corrects in chosen
-    }
+    ]
     models = [
         Model("direct net", run(by_net, DirectNet), STEPS[:6]),
         Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
         *(smooth if taut else ()),
         Model(EXAMPLES, in_pymunk(plane, 10), STEPS, "pymunk"),
-        *best,
+        *(model for model, _ in best),
         # With the default bias, the error does not fall with the square of the step.
-        *(from_two_runs(model) for model, corrects in best.items() if taut and corrects),
+        *(from_two_runs(model) for model, corrects in best if taut and corrects),
     ]
     return Scene(
         name, frames, scale, lambda t: exact()[round(t * RATE) - 1], models, COUNTED, differs

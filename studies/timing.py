@@ -121,6 +121,17 @@ def warm(timed: Timer) -> float:
     return statistics.fmean(times)
 
 
+def fastest(timed: Timer, least: float) -> float:
+    """Measure a piece of code for at least ``least`` s, and return the time of its fastest run.
+
+    Whatever else the computer does can only make a run slower.
+    """
+    times: list[float] = []
+    while sum(times) < least:
+        times.append(timed())
+    return min(times)
+
+
 def versus(first: Timer, second: Timer) -> Figure:
     """Return a function that times two pieces of code and returns the ratio first / second.
 

@@ -19,7 +19,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.accuracy.measure import Point
-from studies.accuracy.results import Row, Side, front, models_of, row, table
+from studies.accuracy.results import Row, Side, front, models_of, power, row, table
 from studies.accuracy.scene import Scene
 from studies.drawing import (
     BLACK,
@@ -166,7 +166,8 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
         label = f"error of {tolerance:g} of the scale"
         panels[0].plot([], [], mark, color=color, label=label)
     for mark, label in OPEN.items():
-        panels[0].plot([], [], mark, color=GRAY, mfc="none", label=label)
+        if mark != "o" or any(row.is_extrapolated for row in rows):
+            panels[0].plot([], [], mark, color=GRAY, mfc="none", label=label)
     figure.suptitle(
         "How many times as long as ours does pymunk at its best take? In the gray area it is faster"
     )
@@ -197,10 +198,10 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(points: Sequence[Point], tolerance: float) -> list[str]:
-    """Compare our fastest models of both kinds with pymunk's in a sentence each, for a title.
+    """Compare our fastest models of both kinds with pymunk's in a line each, for a title.
 
-    For example, "at an error of 0.0001 of the scale, leapfrog takes 3.2 ms, and pymunk takes 12
-    times as long".
+    For example, "steps, at an error of 1e-4: 3.2 ms (leapfrog); pymunk 12 times as long (pymunk, as
+    in its examples)".
     """
     rows = [row(points, tolerance, is_formula=is_formula) for is_formula in (False, True)]
     return [_said(found) for found in rows if found]
@@ -208,16 +209,15 @@ def said(points: Sequence[Point], tolerance: float) -> list[str]:
 
 def _said(found: Row) -> str:
     ours, theirs = found.ours, found.pymunk
-    start = f"at an error of {found.tolerance:g} of the scale, "
+    kind = "better model" if found.is_formula else "steps"
+    start = f"{kind}, at an error of {power(found.tolerance)}: "
     if ours.time is None or theirs.time is None:
         mine, others = (told(side) for side in (ours, theirs))
         return f"{start}ours: {mine}; pymunk: {others}"
     many = theirs.time / ours.time
     end = f"{_number(many)} times as long" if many >= 1.0 else f"1/{_number(1.0 / many)} of that"
-    end += " (extrapolated)" * found.is_extrapolated
-    return (
-        f"{start}{ours.model} takes {_number(1e3 * ours.time)} ms, and {theirs.model} takes {end}"
-    )
+    end += ", extrapolated" * found.is_extrapolated
+    return f"{start}{_number(1e3 * ours.time)} ms ({ours.model}); pymunk {end} ({theirs.model})"
 
 
 def told(side: Side) -> str:
@@ -274,7 +274,7 @@ def looks() -> dict[str, tuple[str, str]]:
 
     found: dict[str, tuple[str, str]] = {}
     pairs = {
-        "pymunk": ((c, m) for m in "x+*1234|_" + MARKERS for c in (BLACK, GRAY)),
+        "pymunk": ((c, m) for m in "x+*1234|_d" + MARKERS for c in (BLACK, GRAY)),
         "the book": ((RED, m) for m in "+*x1234"),
         "ours": ((c, m) for m in MARKERS for c in OURS),
     }

@@ -1,16 +1,18 @@
 """Models that simulate a scene in pymunk: as its examples do, and at its best.
 
 A step of pymunk first moves all bodies, and then changes their velocities. If you use it as most of
-its examples do, the error therefore falls only in proportion to the step. Three changes, which need
-nothing but pymunk's public functions, make it fall with the square of the step, and a fourth one
+its examples do, the error therefore falls only in proportion to the step. These changes, which need
+nothing but pymunk's public functions, make it fall with the square of the step, and the last one
 makes it fall still faster:
 
-- **Half a step ahead.** The body starts with the velocity that it has half a step later. All
-  velocities then belong to the middle of a step, and the positions are those of leapfrog.
-- **Velocity before the step.** A program that adds h times the acceleration to the velocity before
-  a step uses the new position, and the step then moves the body with the new velocity. The force
-  from ``apply_force`` would act only after the body has moved. A function in ``velocity_func`` also
-  uses the new position, but calls from C to Python take longer.
+- **Half a step ahead**, for gravity, springs and joints. The body starts with the velocity that it
+  has half a step later. All velocities then belong to the middle of a step, and the positions are
+  those of leapfrog.
+- **Velocity before the step, from half a step behind**, for a force of our own. A program that adds
+  h times the acceleration to the velocity before a step uses the new position, and the step then
+  moves the body with the new velocity. The force from ``apply_force`` would act only after the body
+  has moved. A function in ``velocity_func``, from half a step ahead, also uses the new position,
+  but calls from C to Python take longer.
 - **No bias.** By default, a joint corrects only a part of its error in each step. If ``error_bias``
   is 0, it corrects the whole error.
 - **Two runs.** The errors of a run with n steps and of one with 2n steps cancel in (4 x2 - x1) / 3.

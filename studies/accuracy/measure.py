@@ -28,10 +28,10 @@ import pymunk  # noqa: F401 - otherwise the first run of a pymunk model would in
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.timing import quartiles
+from studies.timing import fastest, quartiles
 
 EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
-LEAST = 2e-3  # s for one measurement; a faster run is repeated
+LEAST = 1e-2  # s for one measurement; a faster run is repeated
 LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW rounds
 
 
@@ -136,14 +136,15 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 def seconds_of(model: Model, steps: int) -> float:
     """Measure the processor time in s of one simulation with ``steps`` steps per frame.
 
-    A short simulation cannot be timed precisely, so it is repeated and the times are averaged.
+    A short simulation is repeated, and the time of the fastest run counts.
     """
-    count = 0
-    start = time.process_time()
-    while (taken := time.process_time() - start) < LEAST or not count:
+
+    def once() -> float:
+        start = time.process_time()
         run(model, steps)
-        count += 1
-    return taken / count
+        return time.process_time() - start
+
+    return fastest(once, LEAST)
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:

@@ -85,6 +85,11 @@ class Row:
         return side.longest if side.time is None else side.time
 
 
+def power(tolerance: float) -> str:
+    """Format one of TOLERANCES, as in 1e-2."""
+    return f"1e{round(math.log10(tolerance))}"
+
+
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
     """Find the run with the fewest steps that reliably meets an error tolerance.
 
@@ -100,19 +105,21 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
     """Return how long a model takes, in s, to meet an error tolerance, or None if it never does.
 
-    ``points`` are the runs of the model. The time is interpolated between the two runs on either
-    side of the tolerance, on logarithmic scales.
+    ``points`` are the runs of the model. The time is that of its fastest run that is accurate
+    enough. It is shorter if the time at the tolerance itself is, interpolated on logarithmic scales
+    between the two runs on either side.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
     if first is None:
         return None
     inside = ordered[first]
+    fastest = min(point.time for point in ordered[first:])
     if first == 0 or not math.isfinite(ordered[first - 1].error) or inside.error <= 0.0:
-        return inside.time
+        return fastest
     before = ordered[first - 1]
     share = math.log(before.error / tolerance) / math.log(before.error / inside.error)
-    return before.time * math.exp(share * math.log(inside.time / before.time))
+    return min(fastest, before.time * math.exp(share * math.log(inside.time / before.time)))
 
 
 def stalls(points: Sequence[Point]) -> bool:

@@ -20,7 +20,7 @@ from typing import Any
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
 from autograder.text.marked import with_text
-from studies.accuracy.results import TOLERANCES, Row
+from studies.accuracy.results import TOLERANCES, Row, power
 
 PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
 FIGURES = "studies/accuracy/figures.json"
@@ -29,7 +29,8 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 BEGIN, END = "<!-- ratios: `make charts` writes this -->", "<!-- end of ratios -->"
 # How many times as long as ours pymunk should take at each tolerance, in a smooth scene.
 GOALS = {False: (0.8, 2.0, 15.0), True: (3.0, 30.0, 300.0)}
-ROUGH = ("ball", "net of", "at rest", "asleep", "spheres", "thousand")  # not smooth, or no motion
+ROUGH = ("ball", "net of", "at rest", "spheres")  # not smooth, or no motion
+TIE = 1.4  # two times that differ by less are equal, because times vary from run to run
 
 Figure = dict[str, Any]
 
@@ -80,7 +81,8 @@ def figures_of(rows: Sequence[Row]) -> list[Figure]:
 def table(figures: Sequence[Figure]) -> str:
     """Return the table of all ratios, in Markdown. A ratio that misses its goal is in italics."""
     cells = {(f["scene"], f["is_formula"], f["tolerance"]): told(f) for f in figures}
-    heads = [f"{kind} {tolerance:g}" for kind in ("steps,", "model,") for tolerance in TOLERANCES]
+    kinds = ("our steps", "better model")
+    heads = [f"{kind}, {power(tolerance)}" for kind in kinds for tolerance in TOLERANCES]
     lines = [["scene", *heads], ["---", *["---:"] * len(heads)]]
     for scene in dict.fromkeys(figure["scene"] for figure in figures):
         keys = [(scene, kind, tolerance) for kind in (False, True) for tolerance in TOLERANCES]
@@ -103,9 +105,14 @@ def told(figure: Figure) -> str:
     return f"*{text}*" if misses(figure) else text
 
 
+def is_smooth(figure: Figure) -> bool:
+    """Return True if something moves in a scene, and nothing collides or becomes slack."""
+    return not any(part in figure["scene"] for part in ROUGH)
+
+
 def misses(figure: Figure) -> bool:
     """Return True if a ratio in a smooth scene is below its goal."""
-    if any(part in figure["scene"] for part in ROUGH):
+    if not is_smooth(figure):
         return False
     goal = GOALS[figure["is_formula"]][TOLERANCES.index(figure["tolerance"])]
     return not (figure["never"] == "pymunk" or (figure["ratio"] or figure["low"]) >= goal)
@@ -129,23 +136,26 @@ def described(rows: Sequence[Row]) -> str:
     for is_formula, ours in ((False, "our steps"), (True, "our better models")):
         own = [row for row in rows if row.is_formula == is_formula]
         known = [(row.ratio, row) for row in own if row.ratio]
-        if slower := [pair for pair in known if pair[0] > 1.0]:
+        slower = [pair for pair in known if pair[0] >= TIE]
+        faster = [pair for pair in known if pair[0] <= 1.0 / TIE]
+        words.append(f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases")
+        if slower:
             most, row = max(slower, key=lambda pair: pair[0])
-            words.append(
-                f"Against {ours}, pymunk takes longer in {len(slower)} of {len(known)} "
-                f"comparisons, up to {rounded(most)} times as long ({row.scene}"
-                f"{', extrapolated' if row.is_extrapolated else ''})."
+            words[-1] += (
+                f", up to {rounded(most)} times as long ({row.scene}"
+                f"{', extrapolated' if row.is_extrapolated else ''})"
             )
-        if faster := [pair for pair in known if pair[0] < 1.0]:
+        words[-1] += f", and less time in {len(faster)}"
+        if faster:
             least, row = min(faster, key=lambda pair: pair[0])
-            words.append(
-                f"It is faster in {len(faster)}, and takes as little as 1/{rounded(1.0 / least)} "
-                f"of our time ({row.scene})."
-            )
+            words[-1] += f", as little as 1/{rounded(1.0 / least)} ({row.scene})"
+        ties = len(known) - len(slower) - len(faster)
         only_ours = sum(bool(row.ours.time) and not row.pymunk.time for row in own)
         only_theirs = sum(bool(row.pymunk.time) and not row.ours.time for row in own)
-        words.append(
-            f"Only ours reach the error in {only_ours} more, and only pymunk in {only_theirs}."
+        neither = len(own) - len(known) - only_ours - only_theirs
+        words[-1] += (
+            f". In {ties} the times differ by a factor below {TIE:g}. In {only_ours} only we reach "
+            f"the error, in {only_theirs} only pymunk, and in {neither} neither of us."
         )
     return " ".join(words)
 

@@ -19,6 +19,7 @@ from studies.choose.halving import LEAST as CONVERGING
 from studies.choose.halving import Halved, Run, distance, halved
 from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
+from studies.timing import fastest
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 PATIENCE = 5  # times SLOWEST, for a model whose runs begin to converge
@@ -202,9 +203,5 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Measure the processor time of a run in s, averaged over several runs if one is too short."""
-    total, count = 0.0, 0
-    while total < LEAST:
-        total += run_once(scene, model, choice)[1]
-        count += 1
-    return total / count
+    """Measure the processor time of a run in s, that of the fastest of several if it is short."""
+    return fastest(lambda: run_once(scene, model, choice)[1], LEAST)

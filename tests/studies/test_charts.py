@@ -211,6 +211,10 @@ def test_the_time_to_a_tolerance_is_read_between_two_points() -> None:
     assert time_to(broken, 1e-4) == 2.0
 
 
+def test_a_finer_run_that_takes_less_time_counts() -> None:
+    assert time_to(points([1e-1, 1e-3, 1e-4], [1.0, 5.0, 2.0]), 1e-2) == 2.0
+
+
 def test_what_does_not_get_nearer_with_eight_times_the_steps_never_gets_there() -> None:
     falling, flat = [0.08, 0.04, 0.02, 0.01], [0.08, 0.05, 0.051, 0.052]
     times = [1.0, 2.0, 4.0, 8.0]

@@ -58,7 +58,7 @@ def test_a_time_is_extrapolated_by_the_order_and_marked() -> None:
     assert told(middle.pymunk) == "theirs, 800,000 ms (extrapolated, order 1.00)"
     assert told_ratio(middle) == "~ 800"
     (sentence,) = said([*OURS, *THEIRS], 1e-4)
-    assert sentence.endswith("theirs takes 800 times as long (extrapolated)")
+    assert sentence.endswith("pymunk 800 times as long, extrapolated (theirs)")
     assert not tight.is_extrapolated  # a ten-thousandth is too far
     assert tight.pymunk.time is None
 

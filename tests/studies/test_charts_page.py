@@ -213,11 +213,12 @@ def test_a_full_run_keeps_the_picture_the_page_and_its_description(tmp_path: Pat
     ]
     alt = (
         "For each of 2 scenes, the time of pymunk at its best as a multiple of ours, at errors of "
-        "1e-2, 1e-4 and 1e-6 of the scene's size. Against our steps, pymunk takes longer in 2 of "
-        "3 comparisons, up to 230 times as long (a ball). It is faster in 1, and takes as little "
-        "as 1/7.0 of our time (a ball). Only ours reach the error in 0 more, and only pymunk in "
-        "0. Against our better models, pymunk takes longer in 1 of 1 comparisons, up to 500 times "
-        "as long (a spring). Only ours reach the error in 1 more, and only pymunk in 0."
+        "1e-2, 1e-4 and 1e-6 of the scene's size. Against our steps, pymunk takes longer in 2 of 3 "
+        "cases, up to 230 times as long (a ball), and less time in 1, as little as 1/7.0 (a ball). "
+        "In 0 the times differ by a factor below 1.4. In 0 only we reach the error, in 0 only "
+        "pymunk, and in 0 neither of us. Against our better models, pymunk takes longer in 1 of 2 "
+        "cases, up to 500 times as long (a spring), and less time in 0. In 0 the times differ by a "
+        "factor below 1.4. In 1 only we reach the error, in 0 only pymunk, and in 0 neither of us."
     )
     assert described(rows) == alt
     for name in (*READMES, PICTURE):

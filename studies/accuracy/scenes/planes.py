@@ -222,12 +222,18 @@ def by_links(plane: Plane) -> list[Model]:
 
 
 def in_pymunk(
-    plane: Callable[[], Plane], iterations: int, *, is_ahead: bool = False, corrects: bool = False
+    plane: Callable[[], Plane],
+    iterations: int,
+    *,
+    is_ahead: bool = False,
+    corrects: bool = False,
+    is_taut: bool = False,
 ) -> Callable[[int], Outcome]:
     """Return a simulation of a net in pymunk, where slide joints act as the cables and struts.
 
     Pymunk's solver makes ``iterations`` iterations per step. ``is_ahead`` starts half a step ahead.
-    With ``corrects``, the joints correct their whole error in each step.
+    With ``corrects``, the joints correct their whole error in each step. With ``is_taut``, pin
+    joints act as the cables, which is correct only if no cable becomes slack.
     """
 
     @cache
@@ -248,8 +254,11 @@ def in_pymunk(
         space.add(*bodies)
         for start, end, length, kind in net.ties:
             held, at = (bodies[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)
-            limits = (0.0, length) if kind > 0 else (length, FAR)
-            joint = pymunk.SlideJoint(held, bodies[end], at, (0.0, 0.0), *limits)
+            if is_taut:
+                joint: pymunk.Constraint = pymunk.PinJoint(held, bodies[end], at)
+            else:
+                limits = (0.0, length) if kind > 0 else (length, FAR)
+                joint = pymunk.SlideJoint(held, bodies[end], at, (0.0, 0.0), *limits)
             if corrects:
                 joint.error_bias = 0.0
             space.add(joint)

@@ -81,7 +81,7 @@ lab: $(READY) ## run scenes with your engine in the browser (SCENE=one-spring)
 	@$(RUN) -m lab serve $(call typed,SCENE) $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(SETTINGS) $(if $(filter 0,$(OPEN)),--no-browser)
 
 plot: .venv/pictures ## draw the pictures of a chapter with your engine (CH=2)
-	@$(RUN) -m studies plot $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(DIAGNOSIS)
+	@$(RUN) -m plots draw $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(DIAGNOSIS)
 
 demo: .venv/pictures ## run a scene of the lab in its own window (DEMO=fireworks)
 	@$(RUN) -m lab play $(call typed,DEMO) $(call option,--engine,ENGINE) $(call option,--given,GIVEN) $(SETTINGS) $(DIAGNOSIS)

@@ -108,7 +108,7 @@ stubs: .venv/teaching ## generate the stubs in chapters/ from solutions/
 	@$(RUN) -m autograder stubs
 
 figures: .venv/everything ## draw the pictures of the lessons again
-	@$(RUN) -m studies figures
+	@$(RUN) -m plots figures
 
 # == Measurements ==
 mutants: .venv/everything ## count the mutants that the checks catch (CH=6)

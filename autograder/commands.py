@@ -40,7 +40,7 @@ PACKAGES = {
     "everything": "jinja2 matplotlib scipy yaml",
 }
 TUNED = "studies/tuned"  # the fast engine
-MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
+MODULES = {"plot": "plots draw", "demo": "lab play", "lab": "lab serve"}  # of other packages
 
 
 class LackingError(Exception):

@@ -15,8 +15,8 @@ from urllib.parse import urlencode
 from autograder.commands import find_engine, prepare, sentence
 from autograder.manifest import ROOT
 from lab.catalog import entries, find, load
-from studies.engine import add_engine_options, use_engine
-from studies.reason import reason, shown
+from scenes.engine import add_engine_options, use_engine
+from scenes.reason import reason, shown
 
 
 def main() -> int:

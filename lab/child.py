@@ -17,8 +17,8 @@ from pathlib import Path
 
 from lab.broken_off import FIRST_LIMIT, TIME_LIMIT
 from lab.host import Host, Message
-from studies.engine import add_engine_options, use_engine
-from studies.reason import reason
+from scenes.engine import add_engine_options, use_engine
+from scenes.reason import reason
 
 
 def main() -> None:

@@ -21,7 +21,8 @@ from matplotlib.figure import Figure
 from rich.progress import track
 
 from lab.drawing.picture import Picture
-from lab.scene import FRAME, Scene, name_of
+from lab.scene import Scene, name_of
+from scenes.clock import FRAME
 
 STEPS_A_PICTURE = 3  # gives 20 pictures per second; GIF delays are whole hundredths of a second
 TILES = 12

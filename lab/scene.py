@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from lab.drawing.pen import Pen
-from lab.parameters import Parameter
-
-FRAME = 1.0 / 60.0  # s per frame
-ROUNDING = 1e-9  # s, far more than the rounding errors of adding up frames and steps
+from scenes.clock import FRAME, Clock, deviation
+from scenes.parameters import Parameter
 
 
 @dataclass(frozen=True)
@@ -65,8 +62,7 @@ class Scene:
             name: parameter.checked(values.get(name, parameter.default))
             for name, parameter in known.items()
         }
-        self.time = 0.0  # s, the total length of all frames
-        self.simulated = 0.0  # s, the time that the scene's state belongs to
+        self.clock = Clock()
         self.build()
 
     def build(self) -> None:
@@ -129,11 +125,17 @@ class Scene:
         This makes every time step that ends by the end of the frame. A frame may need several
         steps, or none.
         """
-        self.time += duration
-        length = 1.0 / self.rate
-        while self.simulated + length <= self.time + ROUNDING:
-            self.simulated += length
-            self.step(length)
+        self.clock.advance(self.step, self.rate, duration)
+
+    @property
+    def time(self) -> float:
+        """The total length of all frames, in s."""
+        return self.clock.time
+
+    @property
+    def simulated(self) -> float:
+        """The time that the scene's state belongs to, in s."""
+        return self.clock.simulated
 
     def error(self) -> float | None:
         """Compute the largest difference between a simulated coordinate and its exact value.
@@ -143,8 +145,7 @@ class Scene:
         exact = self.exact(self.simulated)
         if exact is None:
             return None
-        off = [abs(a - b) for a, b in zip(self.state(), exact, strict=True)]
-        return max(off) if all(map(math.isfinite, off)) else math.inf
+        return deviation(self.state(), exact)
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:

@@ -6,17 +6,10 @@ from collections.abc import Sequence
 
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs import integrators
-from lab.parameters import Choice
 from lab.scene import Scene
+from scenes.integrators import INTEGRATORS
+from scenes.parameters import Choice
 
-STEPS = {
-    "semi-implicit Euler": integrators.semi_implicit_euler,
-    "explicit Euler": integrators.explicit_euler,
-    "leapfrog": integrators.leapfrog,
-    "velocity Verlet": integrators.velocity_verlet,
-    "Runge-Kutta 4": integrators.runge_kutta_4,
-}
 RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
@@ -26,7 +19,7 @@ class Stepped(Scene):
     The ``build`` method of a subclass must create ``particles`` and ``registry``.
     """
 
-    integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
+    integrator = Choice("semi-implicit Euler", "integrator", [*INTEGRATORS], live=True)
     rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
 
     particles: Sequence[Particle]
@@ -34,4 +27,4 @@ class Stepped(Scene):
 
     def step(self, duration: float) -> None:
         """Advance the scene by one step of ``duration`` s, with the integrator that was chosen."""
-        STEPS[self.integrator](self.particles, self.registry.update_forces, duration)
+        INTEGRATORS[self.integrator](self.particles, self.registry.update_forces, duration)

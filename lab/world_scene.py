@@ -12,9 +12,9 @@ from ch08_mass_aggregate.world import ParticleWorld
 from lab.drawing.camera import flat
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
-from lab.parameters import Choice
 from lab.scene import Scene
-from studies.runs.links import ends_of
+from scenes.links import ends_of
+from scenes.parameters import Choice
 
 
 class WorldScene(Scene):

@@ -1,4 +1,4 @@
-"""Run one of the studies of the physics engine, as in `python -m studies plot`.
+"""Run one of the studies of the physics engine, as in `python -m plots draw`.
 
 The first argument is the name of the study. Each study is a module with a function ``main``, which
 gets the remaining arguments.
@@ -12,10 +12,7 @@ import sys
 
 from autograder.commands import prepare, sentence
 
-# A handout for students contains only the first of these commands.
 COMMANDS = (
-    "plot",
-    "figures",
     "bench",
     "charts",
     "choose",
@@ -37,7 +34,7 @@ def main() -> int:
     if name not in there:
         print(f"usage: python -m studies {'|'.join(there)}", file=sys.stderr)
         return 2
-    if not prepare("pictures" if name == "plot" else "everything"):
+    if not prepare("everything"):
         return 2
     try:
         return int(importlib.import_module(f"studies.{name}").main(sys.argv[2:]))

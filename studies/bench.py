@@ -17,9 +17,9 @@ from rich.console import Console
 
 from autograder.commands import TUNED, find_engine
 from autograder.text.wrapping import plain_console
+from scenes.reason import shown
+from scenes.timing import Line, Measurement, measure
 from studies.benchmarks.kept import FILE, keep
-from studies.reason import shown
-from studies.timing import Line, Measurement, measure
 
 
 def main(arguments: list[str]) -> int:

@@ -20,9 +20,9 @@ from matplotlib import pyplot
 from autograder.commands import find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console, print_wrapped
-from studies.drawing import BLUE, GRAY
-from studies.reason import shown
-from studies.timing import Line, Measurement, measure, timer, versus
+from plots.drawing import BLUE, GRAY
+from scenes.reason import shown
+from scenes.timing import Line, Measurement, measure, timer, versus
 
 COUNT, ROUNDS, FRAME = 200, 41, 1.0 / 60.0
 FRAMES = 20  # per measurement

@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 from rich.progress import track
 
-from studies.engine import use_engine
+from scenes.engine import use_engine
 
 RATES = (30, 60, 120)  # Hz
 MINUTES = 10

@@ -24,7 +24,7 @@ from web.imports import imported_by
 from web.node import PACKAGES, WEB, run_node
 
 KEPT = ROOT / "build" / "python-library"
-OURS = ("autograder", "lab", "studies", "web")
+OURS = ("autograder", "lab", "plots", "scenes", "studies", "web")
 # Packages copied whole, because pytest finds their parts by name, and packages used only in part.
 WHOLE, IN_PART = ("_pytest", "pytest", "pluggy", "iniconfig"), ("packaging", "py", "pygments")
 SETS_UP = "make_venv.py"  # a browser has no .venv

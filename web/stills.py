@@ -17,8 +17,8 @@ from autograder.handouts.handout import CHARTS
 from autograder.manifest import ROOT
 from lab.catalog import Entry, entries, load
 from lab.drawing.pen import Pen
-from lab.scene import FRAME
-from studies.engine import use_engine
+from scenes.clock import FRAME
+from scenes.engine import use_engine
 from web.svg import svg
 
 COMMAND = re.compile(r'make lab SCENE=([\w-]+)(?:\s+SET="([^"]*)")?')

@@ -32,10 +32,7 @@ STUDENT_TOOLS = {
     "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",
     "autograder/text": "*.py",
-    "studies": (
-        "__init__.py __main__.py drawing.py engine.py plot.py readings.py reason.py timing.py"
-    ),
-    "studies/runs": "*.py",
+    "scenes": "*.py",
 }
 
 README = """\
@@ -64,6 +61,7 @@ Only the files named in the table of exercises are graded, so put your helper fu
 """
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
 CHARTS = "charts.py"  # these scenes draw charts of the reference, so students don't need them
+LESSONS = "figures.py"  # draws the pictures of the lessons
 KEPT_README = """\
 This folder has the original stubs, which `make reset` restores. Do not edit or hand in these files.
 """
@@ -118,7 +116,9 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     """Copy or generate every file of a handout into the folder ``out``."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
-    _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
+    names = [chapter.name for chapter in (*chapters, *given)]
+    _copy_room(root / "lab", out, names)
+    _copy_room(root / "plots", out, names)
     _copy([root / "chapters" / "README.md"], out / "chapters")
     _copy([root / "claims.md", root / "errata.md"], out)
     stubs = make_stubs(root)
@@ -182,14 +182,15 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
     (target / "chapter.toml").write_text(text, encoding="utf-8", newline="\n")
 
 
-def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab into a handout, without the scenes of chapters that students do not receive."""
-    for file in (root / "lab").rglob("*"):
-        numbered = re.search(r"ch\d\d_", str(file.relative_to(root)))
+def _copy_room(room: Path, out: Path, chapters: Collection[str]) -> None:
+    """Copy a room such as lab/ into a handout, without chapters that students do not receive."""
+    for file in room.rglob("*"):
+        path = file.relative_to(room.parent)
+        numbered = re.search(r"ch\d\d_", str(path))
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)
-        wanted = wanted and file.name != CHARTS
+        wanted = wanted and file.name not in (CHARTS, LESSONS)
         if wanted and file.is_file() and "__pycache__" not in file.parts:
-            _copy([file], out / file.parent.relative_to(root))
+            _copy([file], out / path.parent)
 
 
 def _copy(files: Iterable[Path], folder: Path) -> None:

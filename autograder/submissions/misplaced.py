@@ -14,7 +14,7 @@ from autograder.manifest import Chapter
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, is_skipped
 
-STUDIES = "studies"  # a folder of every handout, which has a links.py of its own
+SCENES = "scenes"  # a folder of every handout, which has a links.py of its own
 MOST_PLACES = 3  # how many folders a message lists, if files of one name are in several
 MOST_NAMES = 10  # how many of the other files are listed
 
@@ -37,7 +37,7 @@ def misplaced(
             (len(one.place), one.place)
             for one in found
             if one.other and one.file == file
-            if STUDIES not in one.place and not at_home.intersection(one.place[-1:])
+            if SCENES not in one.place and not at_home.intersection(one.place[-1:])
         }
     )
     if not places:

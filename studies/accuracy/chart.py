@@ -18,10 +18,7 @@ from typing import Any
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
-from studies.accuracy.measure import Point
-from studies.accuracy.results import Row, Side, front, models_of, power, row, table
-from studies.accuracy.scene import Scene
-from studies.drawing import (
+from plots.drawing import (
     BLACK,
     BLUE,
     BROWN,
@@ -35,6 +32,9 @@ from studies.drawing import (
     VIOLET,
     YELLOW,
 )
+from studies.accuracy.measure import Point
+from studies.accuracy.results import Row, Side, front, models_of, power, row, table
+from studies.accuracy.scene import Scene
 
 FLOOR, CEILING = 1e-15, 10.0  # smaller errors are rounding, and larger errors are useless
 OWN = COLORS | {"adaptive": BROWN}  # these have the colors of the other pictures

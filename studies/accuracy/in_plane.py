@@ -9,7 +9,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from studies.accuracy.scene import RATE, TOLERANCES, Model, Outcome, Place
+from scenes.clock import RATE
+from studies.accuracy.scene import TOLERANCES, Model, Outcome, Place
 from studies.models.multistep import LoneMultistep, Multistep
 from studies.models.order_8 import Accelerations, Order8
 from studies.models.smooth_net import hermite_weights

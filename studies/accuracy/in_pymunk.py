@@ -28,7 +28,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, in_frames
+from scenes.clock import RATE
+from studies.accuracy.scene import MANY, Model, Outcome, Place, in_frames
 
 if TYPE_CHECKING:
     import pymunk

@@ -27,8 +27,8 @@ import pymunk  # noqa: F401 - otherwise the first run of a pymunk model would in
 
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
+from scenes.timing import fastest, quartiles
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.timing import fastest, quartiles
 
 EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
 LEAST = 1e-2  # s for one measurement; a faster run is repeated

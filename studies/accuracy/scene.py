@@ -11,25 +11,23 @@ end.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from ch02_vectors.vector import Vector3
-from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.going_further.adaptive import adaptive
 from ch06_springs.integrators import Integrator, explicit_euler
-from studies.runs.stability import INTEGRATORS
+from scenes.clock import RATE, Clock, deviation
+from scenes.integrators import INTEGRATORS
+from scenes.setup import Setup
 
-RATE = 60.0  # frames per second
 STEPS = tuple(2**n for n in range(11))  # per frame
 MANY = tuple(2**n for n in range(16))  # per frame, for pymunk
 TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, for a model that takes one
 Place = Sequence[float]  # all coordinates that are compared, in m
-Made = tuple[Particle, Sequence[ForceGenerator]]
 
 
 @dataclass(frozen=True)
@@ -105,11 +103,8 @@ class Scene:
         It is the largest deviation from the exact solution in any coordinate and any frame. If a
         coordinate is not finite, the error is infinite.
         """
-        worst = 0.0
-        for frame, place in enumerate(outcome.places, 1):
-            for found, true in zip(place, self.truth(frame / RATE), strict=True):
-                worst = max(worst, abs(found - true)) if math.isfinite(found) else math.inf
-        return worst / self.scale
+        frames = enumerate(outcome.places, 1)
+        return max(deviation(place, self.truth(n / RATE)) for n, place in frames) / self.scale
 
 
 def solved(
@@ -148,10 +143,9 @@ def in_frames(
     ``step`` advances the simulation by a given time in s, and ``place`` returns the positions.
     """
     places: list[Place] = []
-    duration = 1.0 / (RATE * steps)
+    clock = Clock()
     for _ in range(frames):
-        for _ in range(steps):
-            step(duration)
+        clock.advance(step, RATE * steps)
         places.append(place())
     return places
 
@@ -166,16 +160,16 @@ def flat(vectors: Sequence[Vector3]) -> Place:
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])
 
 
-def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
+def by_integrators(make: Callable[[], Setup], frames: int) -> list[Model]:
     """Create the models of a scene with one particle, one for each integrator of chapter 6.
 
-    ``make`` creates the particle and its force generators. The last model uses the adaptive
+    ``make`` creates the scene for each run. The last model uses the adaptive
     integrator, which chooses its own steps.
     """
     fixed = [
         Model(
             name,
-            by_forces(make, integrator, frames),
+            by_setup(make, integrator, frames),
             by="the book" if integrator is explicit_euler else "ours",
         )
         for name, integrator in INTEGRATORS.items()
@@ -183,7 +177,7 @@ def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
     return [*fixed, by_tolerance(make, frames)]
 
 
-def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
+def by_tolerance(make: Callable[[], Setup], frames: int) -> Model:
     """Create a model that simulates a particle with the adaptive integrator of chapter 6.
 
     This integrator chooses its own steps within every frame, so the model takes a tolerance instead
@@ -191,25 +185,24 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
     """
 
     def run(finer: int) -> Outcome:
-        return by_forces(make, adaptive(1.0 / finer), frames)(1)
+        return by_setup(make, adaptive(1.0 / finer), frames)(1)
 
     return Model("adaptive", run, TOLERANCES, takes_tolerance=True)
 
 
-def by_forces(
-    make: Callable[[], Made], integrator: Integrator, frames: int
+def by_setup(
+    make: Callable[[], Setup], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
     """Return a function that simulates a particle with a given number of steps per frame.
 
-    The function counts the force evaluations as work. Before each run, it calls ``make`` to create
-    the particle and its force generators. The particle moves in the X-Y plane.
+    The function counts the force evaluations as work. ``make`` creates the scene for each run. The
+    particle moves in the X-Y plane.
     """
 
     def run(steps: int) -> Outcome:
-        particle, generators = make()
-        registry = ForceRegistry()
-        for generator in generators:
-            registry.add(particle, generator)
+        setup = make()
+        (particle,) = setup.particles
+        registry = setup.registry()
         work = 0
 
         def apply_forces(duration: float) -> None:

@@ -19,12 +19,12 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from functools import partial
 
+from scenes.timing import Measurement, Target, versus
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Point, run, seconds_of
 from studies.accuracy.results import order_of
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.timing import Measurement, Target, versus
 
 TOLERANCE = 1e-4
 RK4 = "Runge-Kutta 4"

@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 from autograder.manifest import ROOT
-from studies.timing import Measurement, Target, Timer, timer, versus
+from scenes.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:

@@ -20,10 +20,11 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import ParticlePairs
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Cable, Rod
+from scenes.clock import FRAME
+from scenes.constraints import GRAVITY, LINK, chain_particles, no_forces
+from scenes.timing import Measurement, Target, Timer, timer, versus
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
-from studies.runs.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
-from studies.timing import Measurement, Target, Timer, timer, versus
 
 LINKS = 30
 ANGLE = 30.0  # degrees, at which the chain is released

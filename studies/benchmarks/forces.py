@@ -9,9 +9,9 @@ from __future__ import annotations
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, Gravity
 from ch05_forces.particle import Particle
+from scenes.drag_flight import PROJECTILE, Numbers, make_particle
+from scenes.timing import Measurement, Target, timer, versus
 from studies.benchmarks.particles import FRAME, ROUNDS, STEPS, steps
-from studies.runs.drag_flight import PROJECTILE, Numbers, make_particle
-from studies.timing import Measurement, Target, timer, versus
 
 FORCE = (1.0, 2.0, 3.0)
 FRAMES = [FRAME] * STEPS

@@ -17,7 +17,7 @@ from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.class_list import read_class
 from autograder.submissions.stage import stage
-from studies.timing import Measurement, Target, both, timer, versus
+from scenes.timing import Measurement, Target, both, timer, versus
 
 ENGINE = [ROOT / "solutions", ROOT / "chapters"]
 AT_A_TIME = 2

@@ -19,7 +19,7 @@ from ch06_springs.integrators import (
     velocity_verlet,
 )
 from ch06_springs.springs import AnchoredSpring
-from studies.timing import Measurement, Target, timer, versus
+from scenes.timing import Measurement, Target, timer, versus
 
 STIFFNESS, REST_LENGTH, DAMPING, MASS = 100.0, 1.0, 0.2, 1.0  # N/m, m, N s/m, kg
 STEP = 1.0 / 60.0  # s

@@ -9,7 +9,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
-from studies.timing import Line
+from scenes.timing import Line
 
 FILE = Path(__file__).with_name("figures.json")
 

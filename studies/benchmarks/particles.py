@@ -10,9 +10,9 @@ import sys
 from collections.abc import Callable
 
 from ch03_laws_of_motion.particle import Particle
+from scenes.drag_flight import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
+from scenes.timing import Measurement, Target, timer, versus
 from studies.accuracy.in_pymunk import reading
-from studies.runs.drag_flight import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
-from studies.timing import Measurement, Target, timer, versus
 
 FRAME = 1.0 / 60.0
 STEPS = 10_000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rich.console import Console
 
-from studies.timing import (
+from scenes.timing import (
     ROUNDS,
     Measurement,
     Statements,

@@ -9,8 +9,8 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.closed_form import burst_positions, state_after
 from ch04_particle_engine.fireworks import GRAVITY, FireworkRule, FireworksShow
+from scenes.timing import Measurement, Target, timer, versus
 from studies.benchmarks.particles import steps
-from studies.timing import Measurement, Target, timer, versus
 
 FRAME = 1.0 / 60.0
 SPARKS = 1000

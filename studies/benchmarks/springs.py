@@ -20,7 +20,7 @@ from ch06_springs.going_further.cloth import (
     neighbors,
 )
 from ch06_springs.springs import Spring, spring_force
-from studies.timing import Measurement, Target, timer, versus
+from scenes.timing import Measurement, Target, timer, versus
 
 DAMPING = 0.2  # N s/m
 FRAME = 1.0 / 2400.0  # s, short enough for the book's step to be stable with this cloth

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rich.console import Console
 
-from studies.timing import Measurement, Statements, Target, against_peers
+from scenes.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:

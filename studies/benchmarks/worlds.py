@@ -15,10 +15,11 @@ from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
+from scenes.clock import FRAME
+from scenes.constraints import GRAVITY, no_forces
+from scenes.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
+from scenes.timing import Measurement, Target, timer, versus
 from studies.models.heap_resolver import HeapResolver
-from studies.runs.constraints import FRAME, GRAVITY, no_forces
-from studies.runs.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
-from studies.timing import Measurement, Target, timer, versus
 
 COUNT = 1000  # particles that fly freely
 BALLS = 300  # of which a tenth move

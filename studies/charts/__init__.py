@@ -27,7 +27,7 @@ from rich.table import Table
 from autograder.commands import TUNED, find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from studies.reason import shown
+from scenes.reason import shown
 
 if TYPE_CHECKING:
     from studies.accuracy.results import Row

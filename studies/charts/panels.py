@@ -9,12 +9,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from studies.accuracy.chart import CEILING, FLOOR, said, styles_of
-from studies.accuracy.measure import Point
-from studies.accuracy.results import front, models_of
-from studies.accuracy.scene import RATE, Scene
-from studies.charts.axes import Axis, axis_for
-from studies.drawing import (
+from plots.drawing import (
     BLACK,
     BLUE,
     BROWN,
@@ -27,6 +22,12 @@ from studies.drawing import (
     VIOLET,
     YELLOW,
 )
+from scenes.clock import RATE
+from studies.accuracy.chart import CEILING, FLOOR, said, styles_of
+from studies.accuracy.measure import Point
+from studies.accuracy.results import front, models_of
+from studies.accuracy.scene import Scene
+from studies.charts.axes import Axis, axis_for
 
 WIDTH, HEIGHT = 380, 290
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 360.0, 10.0, 246.0

@@ -53,9 +53,9 @@ def main(arguments: list[str]) -> int:
             return choose(Path(options.scene), options.tolerance, plain_console())
         except SceneError as error:
             parser.error(str(error))
+    from scenes.clock import RATE
     from studies.accuracy import measure, results
     from studies.accuracy.catalog import scenes_with
-    from studies.accuracy.scene import RATE
 
     try:
         scenes = scenes_with(options.scene)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from ch05_forces.forces import ForceGenerator
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.scene import RATE
+from scenes.clock import RATE
 from studies.choose.scene import OwnScene, SceneError
 
 CALLS, ALL_CALLS = 600, 20_000  # at most, of each force and of all forces

@@ -25,11 +25,11 @@ from ch07_constraints.going_further.sequential_impulses import SequentialImpulse
 from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
 from ch08_mass_aggregate.world import ParticleWorld
+from scenes.integrators import INTEGRATORS
 from studies.accuracy.scene import STEPS, TOLERANCES
 from studies.models.direct_net import DirectNet
 from studies.models.net import LINKS
 from studies.models.smooth_net import SmoothNet
-from studies.runs.stability import INTEGRATORS
 
 Step = Callable[[float], object]
 ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others have order 1

@@ -14,9 +14,9 @@ from rich.console import Console
 from rich.table import Table
 
 from autograder.text.wrapping import print_wrapped
+from scenes.clock import RATE
 from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
-from studies.accuracy.scene import RATE
 from studies.choose import runs
 from studies.choose.doubts import contradiction, is_guess, warnings
 from studies.choose.runs import Tried

@@ -11,15 +11,15 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
+from scenes.clock import RATE
+from scenes.timing import fastest
 from studies.accuracy.measure import LEAST, LONG, Point
 from studies.accuracy.results import first_within
-from studies.accuracy.scene import RATE
 from studies.choose.clocks import check_forces
 from studies.choose.halving import LEAST as CONVERGING
 from studies.choose.halving import Halved, Run, distance, halved
 from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
-from studies.timing import fastest
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 PATIENCE = 5  # times SLOWEST, for a model whose runs begin to converge

@@ -14,7 +14,7 @@ from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.scene import RATE
+from scenes.clock import RATE
 
 Values = tuple[float, ...]  # what is measured at the end of a frame
 NAME = "scene_file"  # name of the module that is made from a file

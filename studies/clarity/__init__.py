@@ -21,11 +21,11 @@ from matplotlib import pyplot
 from autograder.commands import TUNED, find_engine
 from autograder.text.marked import with_text
 from autograder.text.wrapping import plain_console, print_wrapped
+from plots.drawing import BLUE, GRAY
+from scenes.reason import shown
+from scenes.timing import Line, Measurement, Timer, measure, versus
 from studies.clarity.lines import lines_of
 from studies.clarity.steps import SCENES
-from studies.drawing import BLUE, GRAY
-from studies.reason import shown
-from studies.timing import Line, Measurement, Timer, measure, versus
 
 ROUNDS = 31
 CLEAR = "solutions"

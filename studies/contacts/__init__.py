@@ -20,7 +20,7 @@ from rich.table import Table
 from autograder.commands import TUNED, find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from studies.reason import shown
+from scenes.reason import shown
 
 QUICK, FULL = (1, 0.02), (3, 1.0)  # rounds, and the time in s for the slowest run of a solver
 

@@ -12,6 +12,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from plots.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture
 from studies.accuracy.measure import Point
 from studies.accuracy.results import models_of, time_to
 from studies.contacts.kept import kept
@@ -28,7 +29,6 @@ from studies.contacts.scenes import (
     SWING,
     named,
 )
-from studies.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture
 
 TOLERANCES = (1e-1, 1e-2, 1e-3)
 COLUMNS = ("scene", "error", *SOLVERS)

@@ -31,7 +31,8 @@ from ch07_constraints.going_further.sequential_impulses import SequentialImpulse
 from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import Rod, TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from scenes.clock import RATE
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
 

@@ -24,7 +24,7 @@ from rich.table import Table
 from autograder.commands import find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from studies.reason import shown
+from scenes.reason import shown
 
 if TYPE_CHECKING:
     from studies.limits.search import Bound

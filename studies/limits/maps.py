@@ -14,7 +14,9 @@ from pathlib import Path
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
-from studies.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
+from plots.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
+from scenes.integrators import INTEGRATORS, SOLVERS
+from scenes.stability import swing
 from studies.limits.search import (
     FRAME,
     HUGE,
@@ -24,7 +26,6 @@ from studies.limits.search import (
     stepping,
     theory_at,
 )
-from studies.runs.stability import INTEGRATORS, SOLVERS, swing
 
 SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 # Pymunk's results lie on the curves of equal methods, so their marks must show on top of others.

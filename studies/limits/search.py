@@ -17,11 +17,9 @@ import pymunk
 
 from ch05_forces.forces import Drag
 from ch06_springs.integrators import Integrator
-from studies.runs.stability import (
-    INTEGRATORS,
-    SOLVERS,
+from scenes.integrators import INTEGRATORS, SOLVERS, Solver
+from scenes.stability import (
     Pull,
-    Solver,
     bounces,
     faked_growth,
     growth,

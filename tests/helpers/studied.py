@@ -70,8 +70,7 @@ def _wait() -> None:
     sys.path[0] = str(ROOT)
     import lab.__main__
     import lab.play  # noqa: F401
-    import studies.__main__
-    import studies.plot  # noqa: F401
+    import plots.draw  # noqa: F401
 
     for line in sys.stdin:
         process = os.fork()
@@ -90,7 +89,7 @@ def _run(request: dict) -> int:
         assert hasattr(module, name), name
         setattr(module, name, value)
     if only := request["only"]:
-        plots = sys.modules["studies.plot"]
+        plots = sys.modules["plots.draw"]
         draw = plots.draw
         plots.draw = lambda plot, folder: plot.__name__ not in only or draw(plot, folder)
     try:

@@ -18,8 +18,8 @@ from scipy.integrate import solve_ivp
 
 from ch08_mass_aggregate import wheel
 from lab.catalog import entries, load
-from lab.parameters import Choice
 from lab.scene import parameters_of
+from scenes.parameters import Choice
 
 G = 9.81
 SECONDS = 2.0

@@ -38,7 +38,7 @@ def data_of(target: str) -> Any:
     chapter, _, plot = target.rpartition("/")
     try:
         if chapter:
-            return getattr(importlib.import_module(f"lab.plots.{chapter}"), plot)().rows
+            return getattr(importlib.import_module(f"plots.{chapter}"), plot)().rows
         scene, shown = load(target)(), []
         for frame in range(round(60 * scene.seconds)):
             scene.play(scene.time)

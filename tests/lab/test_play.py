@@ -17,8 +17,9 @@ from autograder.manifest import ROOT, load_chapters
 from copies import copy_tree
 from lab import play
 from lab.catalog import load
-from lab.scene import FRAME, Scene
+from lab.scene import Scene
 from made import made_stubs
+from scenes.clock import FRAME
 from studied import study
 from wrong import write_all
 

@@ -11,8 +11,8 @@ import numpy
 import pytest
 
 from lab.catalog import load
-from lab.parameters import Choice, Slider
 from lab.scene import Scene, parameters_of
+from scenes.parameters import Choice, Slider
 from studies.accuracy.scene import Outcome
 
 CHARTED = import_module(load("charts").__module__).CHARTED

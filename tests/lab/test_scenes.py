@@ -10,8 +10,8 @@ import pytest
 from lab.catalog import entries, load
 from lab.drawing.pen import COLORS, Pen
 from lab.host import Host
-from lab.parameters import Choice, Slider
 from lab.scene import Scene, parameters_of
+from scenes.parameters import Choice, Slider
 
 SCENES = [entry.name for entry in entries()]
 RESERVED = {" ", ".", "r", "?"}  # keys that the page uses itself

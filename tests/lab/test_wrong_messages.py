@@ -10,7 +10,7 @@ import pytest
 from lab.child import answered
 from lab.engine_process import EngineProcess
 from lab.host import Host
-from studies.reason import reason
+from scenes.reason import reason
 
 LOAD = b'{"kind": "load", "scene": "one-spring", "values": {}, "peer": ""}'
 RUN = b'{"kind": "run", "frames": 1}'

@@ -12,10 +12,10 @@ from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
 from ch07_constraints.time_division import time_division_step
 from lab.scenes.ch07_constraints.ropes import Ropes
+from scenes.constraints import Link, by_resolver, chain
 from studies.contacts.chart import time_within
 from studies.contacts.kept import kept
 from studies.contacts.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
-from studies.runs.constraints import Link, by_resolver, chain
 
 UP = Vector3(0, 1)
 H = 1 / 60

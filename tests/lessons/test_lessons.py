@@ -10,7 +10,6 @@ import pytest
 
 from autograder.manifest import Chapter, load_chapters
 from lab.catalog import find, load
-from lab.parameters import Parameter
 from lessons.lesson import (
     agrees,
     facts_of,
@@ -20,6 +19,7 @@ from lessons.lesson import (
     sections_of,
     turns_of,
 )
+from scenes.parameters import Parameter
 
 CHAPTERS = load_chapters()
 NAMES = [chapter.name for chapter in CHAPTERS]

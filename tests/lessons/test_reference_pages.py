@@ -26,20 +26,12 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
 from ch07_constraints.links import Rod, TwoSidedRod
 from lessons.lesson import agrees
+from scenes.constraints import Link, Resolve, by_resolver, chain, no_forces, pendulum, without_rule
+from scenes.piles import stack
+from scenes.track import track
 from studies.accuracy.scenes.links import double_pendulum
 from studies.accuracy.scenes.nets import swinging
 from studies.models.rod_tensions import RodTensions
-from studies.runs.constraints import (
-    Link,
-    Resolve,
-    by_resolver,
-    chain,
-    no_forces,
-    pendulum,
-    track,
-    without_rule,
-)
-from studies.runs.piles import stack
 
 NUMBER = r"(\d+(?:\.\d+)?)"
 FRAME = 1 / 60

@@ -176,7 +176,7 @@ def test_the_errata_are_all_there_and_each_part_is_in_the_order_of_its_numbers()
 def test_every_erratum_that_is_named_exists() -> None:
     """For example, nothing refers to E-18, which was withdrawn."""
     known = {f"E-{number}" for number in NUMBERS}
-    globs = ("glossary.md", "chapters/*/*", "solutions/*/*", "lab/plots/*/*", "tests/ch*/*")
+    globs = ("glossary.md", "chapters/*/*", "solutions/*/*", "plots/*/*", "tests/ch*/*")
     files = [file for glob in globs for file in ROOT.glob(glob)]
     texts = {
         file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8")

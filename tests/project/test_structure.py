@@ -147,7 +147,7 @@ def test_every_chapter_has_what_its_end_shows(chapter: Chapter) -> None:
     assert re.fullmatch(r"[A-Z][^.]+\.", chapter.summary), "one sentence"
     assert len(chapter.you_can) in (2, 3)
     assert all(re.fullmatch(r"[A-Z][^.]+\.", sentence) for sentence in chapter.you_can)
-    assert chapter.picture in names_in(f"lab.plots.{chapter.name}", "PLOTS")
+    assert chapter.picture in names_in(f"plots.{chapter.name}", "PLOTS")
     played = [name for exercise in chapter.exercises for name in exercise.play]
     assert sorted(played) == sorted(
         e.name for e in entries() if e.chapter == chapter.number and e.name != "charts"

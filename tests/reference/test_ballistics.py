@@ -15,8 +15,8 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange, Shot, is_spent
 from ch04_particle_engine.grenade import FUSE, bounce
 from ch04_particle_engine.targets import TargetBlock, hit_fraction
-from studies.drawing import slope
-from studies.runs.drag_flight import flight_of, with_pymunk
+from plots.drawing import slope
+from scenes.drag_flight import flight_of, with_pymunk
 
 INF = math.inf
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)

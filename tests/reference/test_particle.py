@@ -10,7 +10,7 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from studies.runs.drag_flight import (
+from scenes.drag_flight import (
     DAMPED_FALL,
     GRAVITY,
     DragFlight,

@@ -16,7 +16,10 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from studies import bench, timing
+from scenes import timing
+from scenes.drag_flight import PROJECTILE, make_particle
+from scenes.timing import Measurement, Target
+from studies import bench
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import EXAMPLES
 from studies.benchmarks import (
@@ -30,8 +33,6 @@ from studies.benchmarks import (
     vectors,
 )
 from studies.benchmarks.kept import kept
-from studies.runs.drag_flight import PROJECTILE, make_particle
-from studies.timing import Measurement, Target
 
 
 def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() -> None:

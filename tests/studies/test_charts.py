@@ -14,6 +14,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from ch07_constraints.going_further.angle_pendulum import AnglePendulum
+from plots.drawing import COLORS, slope
+from scenes.clock import RATE
 from studies import charts, choose
 from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with
@@ -21,9 +23,8 @@ from studies.accuracy.chart import styles_of, told, told_ratio
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Measured, Point, load, save
 from studies.accuracy.results import front, stalls, table, time_to
-from studies.accuracy.scene import RATE, Model, Outcome, Scene
+from studies.accuracy.scene import Model, Outcome, Scene
 from studies.accuracy.scenes import impacts
-from studies.drawing import COLORS, slope
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
 G = 9.81

@@ -16,10 +16,10 @@ from scipy.optimize import minimize
 from ch07_constraints.links import AnchoredCable, Rod
 from ch08_mass_aggregate.bridge import links_of
 from ch08_mass_aggregate.bridge_plan import make_rows
+from plots.drawing import slope
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.scenes import hanging
-from studies.drawing import slope
 
 G = 9.81
 MASSES = numpy.repeat([1.0, 1.0, 3.5, 1.0, 1.0, 1.0], 2)  # 5 kg on the ends of the third row

@@ -16,11 +16,11 @@ from scipy.integrate import solve_ivp
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import runge_kutta_4
+from plots.drawing import slope
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import looks
 from studies.accuracy.in_pymunk import BATCH, BEST, reading
 from studies.accuracy.scenes.chains import Chain
-from studies.drawing import slope
 from studies.models.exact_frames import oscillation_in_frames
 from studies.models.multistep import LoneMultistep, Multistep, weights
 from studies.models.order_8 import Order8

@@ -9,10 +9,11 @@ import numpy
 import pytest
 from scipy.integrate import solve_ivp
 
+from plots.drawing import slope
+from scenes.clock import RATE
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
-from studies.accuracy.scene import RATE, Scene
-from studies.drawing import slope
+from studies.accuracy.scene import Scene
 
 NAMES = ("pendulum", "rods", "rope of")
 SCENES = {scene.name: scene for part in NAMES for scene in scenes_with(part)}

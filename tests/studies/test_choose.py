@@ -21,17 +21,18 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import AnchoredCable, AnchoredRod
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
+from scenes.clock import RATE
+from scenes.integrators import INTEGRATORS
 from studies import choose
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
-from studies.accuracy.scene import RATE, Scene
+from studies.accuracy.scene import Scene
 from studies.choose import runs
 from studies.choose.doubts import warnings
 from studies.choose.halving import distance, halved
 from studies.choose.models import models_of
 from studies.choose.scene import OwnScene, load
-from studies.runs.stability import INTEGRATORS
 
 EXAMPLE = ROOT / "studies/choose/example.py"
 DOWN = Vector3(0.0, -10.0)

@@ -18,17 +18,17 @@ from ch05_forces.particle import Particle
 from ch06_springs.going_further.adaptive import adaptive
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch08_mass_aggregate.world import ParticleWorld
+from scenes.clock import RATE
+from scenes.integrators import INTEGRATORS
 from studies import choose
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point
-from studies.accuracy.scene import RATE
 from studies.choose import runs
 from studies.choose.doubts import contradiction, is_guess, warnings
 from studies.choose.halving import distance, halved
 from studies.choose.models import models_of
 from studies.choose.report import told_beside
 from studies.choose.scene import OwnScene, load
-from studies.runs.stability import INTEGRATORS
 
 DRIVEN = ROOT / "studies/choose/example_driven.py"
 

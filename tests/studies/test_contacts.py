@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from matplotlib import pyplot
 
+from plots.drawing import slope
 from studies import contacts
 from studies.accuracy.measure import Point
 from studies.contacts import chart, kept, scenes
 from studies.contacts.scenes import BOOK, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
-from studies.drawing import slope
 
 SCENES = {scene.name: scene for scene in scenes.scenes()}
 

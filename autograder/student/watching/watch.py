@@ -144,7 +144,7 @@ class Keyboard:
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")
-        command = [sys.executable, "-m", "studies", "plot", "--engine", str(session.engine[0])]
+        command = [sys.executable, "-m", "plots", "draw", "--engine", str(session.engine[0])]
         if given := session.progress.given:
             command += ["--given", ",".join(str(chapter.number) for chapter in given)]
         subprocess.run(

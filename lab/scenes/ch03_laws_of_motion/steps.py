@@ -8,9 +8,10 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
-from lab.scene import FRAME, ROUNDING, Question, Scene
-from studies.runs.drag_flight import GRAVITY, DragFlight, State
+from lab.scene import Question, Scene
+from scenes.clock import FRAME, ROUNDING
+from scenes.drag_flight import GRAVITY, DragFlight, State
+from scenes.parameters import Choice, Slider
 
 COLORS = ("red", "orange", "blue")
 
@@ -64,13 +65,13 @@ class FrameRates(Scene):
 
         The error that the page shows is that of the last ball, so the simulated time is its own.
         """
-        self.time += duration
+        self.clock.time += duration
         for i, (rate, ball) in enumerate(zip(self.rates, self.balls, strict=True)):
             while (self.steps[i] + 1) / rate <= self.time + ROUNDING and ball.position.y > 0.0:
                 ball.integrate(1.0 / rate)
                 self.steps[i] += 1
                 self.paths[i].append((ball.position.x, ball.position.y))
-        self.simulated = self.steps[-1] / self.rates[-1]
+        self.clock.simulated = self.steps[-1] / self.rates[-1]
 
     def draw(self, pen: Pen) -> None:
         pen.ground()

@@ -8,9 +8,9 @@ from itertools import pairwise
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Scene
-from studies.runs.drag_flight import GRAVITY, DragFlight, State
+from scenes.drag_flight import GRAVITY, DragFlight, State
+from scenes.parameters import Choice, Slider
 
 Point = tuple[float, float]
 
@@ -94,7 +94,7 @@ class Throw(Scene):
         self.thrown = self.flight()
         self.ball = self.new_ball()
         self.passed = self.score
-        self.start = self.simulated = self.time
+        self.start = self.clock.simulated = self.time
         self.end = math.inf
         self.old = [*self.old, *self.path][-400:]
         self.path, self.truth = [self.HAND], self.exact_path()

@@ -10,9 +10,9 @@ from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, 
 from ch04_particle_engine.closed_form import state_after
 from ch04_particle_engine.targets import TargetBlock, strike_first
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question, Scene
-from studies.readings import is_written
+from scenes.parameters import Choice, Slider
+from scenes.readings import is_written
 
 COLORS = {
     "pistol": "black",
@@ -194,7 +194,7 @@ class Artillery(Scene):
     def build(self) -> None:
         self.shell, self.flies = self.shot(self.elevation), True
         self.path = [(0.0, 0.0)]
-        self.fired = self.simulated = self.time
+        self.fired = self.clock.simulated = self.time
         self.end = math.inf  # s, when the shell lands
         self.length, self.flight = self.landing(self.elevation)
         self.predicted = [

@@ -10,7 +10,7 @@ from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_
 from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
 from lab.drawing.pen import Pen
 from lab.scene import Scene
-from studies.readings import is_written
+from scenes.readings import is_written
 
 COLORS = ("orange", "red", "sky", "pink", "brown", "red", "sky", "green", "violet", "pink", "green")
 # The firework type of the Catherine wheel's sparks.

@@ -9,8 +9,9 @@ from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, ForceRegistry, InverseSquareGravity
 from ch05_forces.particle import Particle
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
-from lab.scene import FRAME, Question, Scene
+from lab.scene import Question, Scene
+from scenes.clock import FRAME
+from scenes.parameters import Choice, Slider
 
 G = 9.81  # m/s^2
 

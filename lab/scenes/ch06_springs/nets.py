@@ -10,8 +10,8 @@ from ch05_forces.particle import Particle
 from ch06_springs.going_further.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.stepped import Stepped
+from scenes.parameters import Choice, Slider
 
 
 class SpringBridge(Stepped):

@@ -8,12 +8,12 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
-from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.springs import AnchoredSpring
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question, Scene
-from lab.stepped import RATES, STEPS
+from lab.stepped import RATES
+from scenes.integrators import INTEGRATORS, SOLVERS
+from scenes.parameters import Choice, Slider
 
 COLORS = {
     "explicit Euler": "red",
@@ -24,7 +24,6 @@ COLORS = {
     "backward Euler": "orange",
     "trapezoidal rule": "pink",
 }
-SOLVED = {"backward Euler": backward_euler, "trapezoidal rule": trapezoidal}
 FAR = 3.0  # m; a ball farther out is not drawn
 
 
@@ -55,7 +54,7 @@ class IntegratorRace(Scene):
 
     def build(self) -> None:
         self.balls = {name: Particle(Vector3(1.0), mass=self.MASS) for name in COLORS}
-        self.registries = {name: ForceRegistry() for name in STEPS}
+        self.registries = {name: ForceRegistry() for name in INTEGRATORS}
         for name, registry in self.registries.items():
             registry.add(self.balls[name], AnchoredSpring(Vector3(), self.stiffness, 0.0))
         self.trails: dict[str, list[tuple[float, float]]] = {name: [] for name in COLORS}
@@ -64,10 +63,10 @@ class IntegratorRace(Scene):
         for name, ball in self.balls.items():
             if abs(ball.position.x) > 100.0:
                 continue  # it has exploded, and the other balls continue
-            if name in STEPS:
-                STEPS[name]([ball], self.registries[name].update_forces, duration)
+            if name in INTEGRATORS:
+                INTEGRATORS[name]([ball], self.registries[name].update_forces, duration)
             else:
-                solve = SOLVED[name]
+                solve = SOLVERS[name]
                 ball.position.x, ball.velocity.x = solve(
                     ball.position.x, ball.velocity.x, self.stiffness, 0.0, self.MASS, duration
                 )

@@ -5,15 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 
-from ch02_vectors.vector import Vector3
-from ch05_forces.forces import ForceRegistry
-from ch05_forces.particle import Particle
-from ch06_springs.closed_form import damped_spring_state
-from ch06_springs.springs import AnchoredSpring
 from lab.drawing.pen import Pen
-from lab.parameters import Slider
 from lab.scene import Question
 from lab.stepped import Stepped
+from scenes.spring_on_a_wall import DAMPING, MASS, START, STIFFNESS, SpringOnAWall
 
 
 def is_stable(integrator: str, kappa: float, drag: float) -> bool:
@@ -58,21 +53,17 @@ class OneSpring(Stepped):
         "explicit Euler, but it lowers the limit of semi-implicit Euler.",
     )
     keys = {"p": "push the ball to the right"}
-    stiffness = Slider(100.0, "stiffness k", "N/m", 1.0, 20_000.0, log=True)
-    mass = Slider(1.0, "mass m", "kg", 0.1, 10.0, log=True)
-    damping = Slider(0.0, "damping c", "N s/m", 0.0, 20.0, step=0.1)
+    stiffness, mass, damping = STIFFNESS, MASS, DAMPING
 
-    START = 1.0  # m
     WALL = -2.0  # m
     PUSH = 1.0  # m/s
 
     def build(self) -> None:
-        self.ball = Particle(Vector3(self.START), mass=self.mass)
-        self.particles = [self.ball]
-        self.registry = ForceRegistry()
-        spring = AnchoredSpring(Vector3(), self.stiffness, 0.0, self.damping)
-        self.registry.add(self.ball, spring)
-        self.since, self.x0, self.v0 = 0.0, self.START, 0.0
+        self.wall = SpringOnAWall(self.stiffness, self.damping, self.mass)
+        setup = self.wall.setup()
+        self.particles, self.registry = setup.particles, setup.registry()
+        (self.ball,) = self.particles
+        self.since, self.x0, self.v0 = 0.0, START, 0.0
 
     def draw(self, pen: Pen) -> None:
         pen.line([(0.0, -0.3), (0.0, 0.3)], "gray", 1.0, dashed=True)
@@ -91,16 +82,11 @@ class OneSpring(Stepped):
         return [self.ball.position.x]
 
     def exact(self, time: float) -> list[float]:
-        passed = time - self.since
-        x, _ = damped_spring_state(
-            self.x0, self.v0, self.stiffness, self.damping, self.mass, passed
-        )
-        return [x]
+        return [self.wall.state(time - self.since, self.x0, self.v0)[0]]
 
     def per_step(self) -> tuple[float, float]:
         """Return k h^2 / m and c h / m, where h is the length of a time step."""
-        h = 1.0 / self.rate
-        return self.stiffness * h * h / self.mass, self.damping * h / self.mass
+        return self.wall.per_step(1.0 / self.rate)
 
     def is_stable(self) -> bool:
         """Predict whether the method keeps the ball from getting farther and farther away."""
@@ -109,7 +95,7 @@ class OneSpring(Stepped):
     def facts(self) -> str:
         kappa, drag = self.per_step()
         judged = "stable" if self.is_stable() else "unstable"
-        period = 2.0 * math.pi * math.sqrt(self.mass / self.stiffness)
+        period = self.wall.period
         return f"k h²/m = {kappa:.4g} and c h/m = {drag:.3g}: {judged}; period {period:.3g} s"
 
     def say(self) -> str:
@@ -134,9 +120,8 @@ class ExactSpring(OneSpring):
 
     def step(self, duration: float) -> None:
         passed = self.simulated - self.since
-        self.ball.position.x, self.ball.velocity.x = damped_spring_state(
-            self.x0, self.v0, self.stiffness, self.damping, self.mass, passed
-        )
+        state = self.wall.state(passed, self.x0, self.v0)
+        self.ball.position.x, self.ball.velocity.x = state
 
     def is_stable(self) -> bool:
         return True

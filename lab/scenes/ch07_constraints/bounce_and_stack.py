@@ -15,8 +15,9 @@ from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
-from lab.scene import FRAME, Question, Scene
+from lab.scene import Question, Scene
+from scenes.clock import FRAME
+from scenes.parameters import Choice, Slider
 
 G = 9.81  # m/s^2
 STEPS = {"semi-implicit Euler": semi_implicit_euler, "explicit Euler": explicit_euler}

@@ -12,8 +12,8 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question, Scene
+from scenes.parameters import Choice, Slider
 
 LENGTH = 3.0  # m, of the whole rope
 COLORS = ("red", "blue", "green")

@@ -9,11 +9,11 @@ from ch07_constraints.links import Rod
 from ch08_mass_aggregate import blob, tilting_platform
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question
 from lab.world_scene import WorldScene
-from studies.readings import is_written
-from studies.runs.links import ends_of
+from scenes.links import ends_of
+from scenes.parameters import Choice, Slider
+from scenes.readings import is_written
 
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 

@@ -7,10 +7,11 @@ from ch08_mass_aggregate import ball_game, bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
-from lab.scene import FRAME, Question, Scene
+from lab.scene import Question, Scene
 from lab.world_scene import WorldScene, draw_cables
-from studies.runs.links import over_length
+from scenes.clock import FRAME
+from scenes.links import over_length
+from scenes.parameters import Choice, Slider
 
 VIEW = (-8.0, 8.0, -1.0, 7.6)
 LATE = 0.5  # s, duration of a late frame
@@ -46,7 +47,7 @@ class Bridge(WorldScene):
     def build(self) -> None:
         self.bridge = bridge.Bridge(self.mass)
         self.run(self.bridge.step, self.bridge.world)
-        self.clock: FixedStep | None = None
+        self.stepper: FixedStep | None = None
         self.count = 0
 
     def advance(self, duration: float = FRAME) -> None:
@@ -54,12 +55,12 @@ class Bridge(WorldScene):
             super().advance(duration)
             return
         # The student's own FixedStep has to cope with the late frames.
-        self.time += duration
-        self.simulated = self.time
-        if self.clock is None or self.clock.duration != 1.0 / self.rate:
-            self.clock = FixedStep(self.step, 1.0 / self.rate, self.MAX_STEPS)
+        self.clock.time += duration
+        self.clock.simulated = self.time
+        if self.stepper is None or self.stepper.duration != 1.0 / self.rate:
+            self.stepper = FixedStep(self.step, 1.0 / self.rate, self.MAX_STEPS)
         self.count += 1
-        self.clock.advance(duration if self.count % self.EVERY else LATE)
+        self.stepper.advance(duration if self.count % self.EVERY else LATE)
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
@@ -77,7 +78,7 @@ class Bridge(WorldScene):
         return {"excess length of the worst cable, %": self.too_long(), **self.used()}
 
     def facts(self) -> str:
-        dropped = f"; {self.clock.dropped:.2f} s dropped so far" if self.clock else ""
+        dropped = f"; {self.stepper.dropped:.2f} s dropped so far" if self.stepper else ""
         return f"{len(self.bridge.links)} rods and cables{dropped}"
 
     def say(self) -> str:

@@ -6,12 +6,13 @@ import time as clock
 
 from autograder.commands import require
 from lab.drawing.pen import Pen
-from lab.parameters import Choice
 from lab.scene import Scene
+from scenes.parameters import Choice
 
 require("everything")  # SciPy computes the truths
+from scenes.clock import RATE  # noqa: E402
 from studies.accuracy.catalog import scenes_with  # noqa: E402
-from studies.accuracy.scene import RATE, Model, Place  # noqa: E402
+from studies.accuracy.scene import Model, Place  # noqa: E402
 
 # Bodies at rest do not move, and most of their models take longer than a reader will wait.
 STILL = ("rope bridge at rest", "rope bridge asleep", "stack", "pile", "thousand")

@@ -8,11 +8,11 @@ from itertools import combinations
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import cube, wheel
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question
 from lab.world_scene import WorldScene
-from studies.readings import is_written
-from studies.runs.links import ends_of
+from scenes.links import ends_of
+from scenes.parameters import Choice, Slider
+from scenes.readings import is_written
 
 
 class Wheel(WorldScene):

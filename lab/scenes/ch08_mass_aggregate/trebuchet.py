@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from ch08_mass_aggregate import trebuchet
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question
 from lab.world_scene import WorldScene
+from scenes.parameters import Choice, Slider
 
 # The machine is drawn a second time, enlarged by this factor and at this position in m.
 LARGER, MACHINE = 2.2, (27.0, 33.0)

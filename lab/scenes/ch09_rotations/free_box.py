@@ -9,9 +9,9 @@ from ch09_rotations.going_further.free_box import FreeBox
 from lab.drawing.box import draw_box
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question, Scene
-from studies.readings import numbers
+from scenes.parameters import Choice, Slider
+from scenes.readings import numbers
 
 SPINS = ("smallest", "middle", "largest")
 

@@ -12,8 +12,8 @@ from ch09_rotations.quaternion import Quaternion
 from lab.drawing.box import draw_box
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen
-from lab.parameters import Choice, Slider
 from lab.scene import Question, Scene
+from scenes.parameters import Choice, Slider
 
 SIDES = (1.3, 0.8, 0.3)  # m
 RATES = [30, 60, 120, 240]

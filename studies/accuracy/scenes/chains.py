@@ -28,6 +28,7 @@ from ch06_springs.integrators import (
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
+from scenes.constraints import resolving
 from studies.accuracy.in_plane import in_plane
 from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk, from_two_runs
 from studies.accuracy.scene import (
@@ -45,7 +46,6 @@ from studies.models.angle_rope import AngleRope
 from studies.models.order_8 import Numbers
 from studies.models.plane_rods import accelerations_on_rods
 from studies.models.rod_tensions import RodTensions
-from studies.runs.constraints import resolving
 
 COUNTED = "contacts resolved, or rods solved for"
 

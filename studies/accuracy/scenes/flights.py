@@ -17,6 +17,9 @@ from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import explicit_euler
 from ch06_springs.springs import Buoyancy
+from scenes.clock import RATE
+from scenes.drag_flight import PROJECTILE, make_particle, make_space
+from scenes.setup import Setup, alone
 from studies.accuracy.in_plane import in_plane, on_all
 from studies.accuracy.in_pymunk import (
     BEST,
@@ -28,18 +31,15 @@ from studies.accuracy.in_pymunk import (
     space_with,
 )
 from studies.accuracy.scene import (
-    RATE,
-    Made,
     Model,
     Outcome,
     Place,
     Scene,
-    by_forces,
     by_formula,
     by_integrators,
+    by_setup,
 )
 from studies.models.exact_frames import oscillation_in_frames, places_in_frames
-from studies.runs.drag_flight import PROJECTILE, make_particle, make_space
 
 G = 9.81  # m/s^2
 
@@ -65,11 +65,11 @@ def projectile() -> Scene:
         vectors = (start.position, start.velocity, PROJECTILE.acceleration)
         return Particle(*(Vector3(*vector) for vector in vectors), damping=damping)
 
-    def with_damping() -> Made:
-        return thrown(PROJECTILE.damping), ()
+    def with_damping() -> Setup:
+        return alone(thrown(PROJECTILE.damping))
 
-    def with_drag() -> Made:
-        return thrown(1.0), [Drag(k1, 0.0)]
+    def with_drag() -> Setup:
+        return alone(thrown(1.0), Drag(k1, 0.0))
 
     def in_space(_: float) -> InSpace:
         return make_space(PROJECTILE)
@@ -87,7 +87,7 @@ def projectile() -> Scene:
 
     shot = make_particle(PROJECTILE)
     damped = Model(
-        "damping in the particle", by_forces(with_damping, explicit_euler, frames), by="the book"
+        "damping in the particle", by_setup(with_damping, explicit_euler, frames), by="the book"
     )
 
     def in_equal_frames(_: int) -> Outcome:
@@ -138,8 +138,8 @@ def quadratic_drag() -> Scene:
             places.append((0.0, -math.log(cosh) / k2))
         return Outcome(places, frames)
 
-    def make() -> Made:
-        return Particle(), [Gravity(Vector3(0.0, -G, 0.0)), Drag(0.0, k2)]
+    def make() -> Setup:
+        return alone(Particle(), Gravity(Vector3(0.0, -G, 0.0)), Drag(0.0, k2))
 
     def acceleration(_: complex, velocity: complex) -> complex:
         return -1j * G - k2 * abs(velocity) * velocity
@@ -173,9 +173,9 @@ def orbit(e: float, turns: int, period: float) -> Scene:
             anomaly -= (anomaly - e * math.sin(anomaly) - mean) / (1.0 - e * math.cos(anomaly))
         return math.cos(anomaly) - e, math.sqrt(1.0 - e * e) * math.sin(anomaly)
 
-    def make() -> Made:
+    def make() -> Setup:
         start = Particle(Vector3(1.0 - e), Vector3(0.0, speed))
-        return start, [InverseSquareGravity(Vector3(), mu)]
+        return alone(start, InverseSquareGravity(Vector3(), mu))
 
     def acceleration(position: complex, _: complex) -> complex:
         r = abs(position)
@@ -207,9 +207,9 @@ def floating_block() -> Scene:
     def truth(time: float) -> Place:
         return 0.0, low + amplitude * math.cos(math.sqrt(stiffness / mass) * time)
 
-    def make() -> Made:
+    def make() -> Setup:
         block = Particle(Vector3(0.0, low + amplitude), mass=mass)
-        return block, [Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0)]
+        return alone(block, Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0))
 
     def acceleration(position: complex, _: complex) -> complex:
         share = min(max((s - position.imag) / (2.0 * s), 0.0), 1.0)

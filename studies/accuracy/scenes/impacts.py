@@ -25,9 +25,10 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import time_division_step
+from scenes.clock import RATE
+from scenes.constraints import resolving
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk
-from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, Scene, in_frames
-from studies.runs.constraints import resolving
+from studies.accuracy.scene import MANY, Model, Outcome, Place, Scene, in_frames
 
 G = 10.0  # m/s^2
 RADIUS = 0.1  # m

@@ -22,9 +22,10 @@ from ch05_forces.particle import Particle
 from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch08_mass_aggregate.sleeping import SleepingWorld
+from scenes.clock import RATE
 from studies.accuracy.asleep import asleep, asleep_in_pymunk
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Step, at_best, by_pymunk, in_turn
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames, places_of
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
 
 if TYPE_CHECKING:

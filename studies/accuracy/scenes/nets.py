@@ -20,10 +20,11 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.world import ParticleWorld
+from scenes.clock import RATE
 from studies.accuracy.in_plane import LONG, ORDERS
 from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, from_two_runs
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene
 from studies.accuracy.scenes.hanging import MASSES, cables, hanging
 from studies.accuracy.scenes.planes import (
     COUNTED,

@@ -64,7 +64,7 @@ def test_a_folder_is_new_until_its_first_file_is_written(tmp_path: Path) -> None
 
 @pytest.mark.parametrize(
     ("command", "begins"),
-    [("autograder release 2", "release: "), ("studies plot --chapter 2 --engine solutions", "")],
+    [("autograder release 2", "release: "), ("plots draw --chapter 2 --engine solutions", "")],
 )
 def test_a_command_that_may_not_write_says_what_to_do(
     command: str, begins: str, tmp_path: Path

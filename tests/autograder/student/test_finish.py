@@ -168,4 +168,4 @@ def test_without_make_the_commands_are_pythons(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(shutil, "which", lambda _: None)
     words = " ".join(shown([report_of(CH03)]).split())
     assert "-m lab serve damping-forms --engine solutions" in words
-    assert "-m studies plot --chapter 3 --engine solutions" in words
+    assert "-m plots draw --chapter 3 --engine solutions" in words

@@ -129,7 +129,7 @@ def reached(roots: Iterable[Path], root: Path = ROOT) -> list[Path]:
 
 def test_students_install_what_their_commands_import_and_no_more(handout: Path) -> None:
     """The files for pictures are those that only plot and demo import."""
-    drawing = {handout / "lab/play.py", handout / "studies/plot.py", handout / "studies/drawing.py"}
+    drawing = {handout / "lab/play.py", handout / "plots/draw.py", handout / "plots/drawing.py"}
     drawing |= {handout / "lab/__main__.py", handout / "studies/__main__.py"}
     roots = [*handout.glob("autograder/**/*.py"), *handout.glob("tests/**/*.py")]
     roots += [*handout.glob("chapters/**/*.py"), *handout.glob("lab/scenes/**/*.py")]
@@ -195,7 +195,7 @@ def without(packages: str, folder: Path, *command: str) -> subprocess.CompletedP
         ("autograder release 2 --out {out}", "teaching"),
         ("autograder similarity sample_class --out {out}", "teaching"),
         ("autograder stubs --check", "teaching"),
-        ("studies plot --chapter 2", "pictures"),
+        ("plots draw --chapter 2", "pictures"),
         ("lab play throw", "pictures"),
         ("lab record throw", "pictures"),
         ("web --out {out}", "pictures"),
@@ -228,7 +228,7 @@ def test_the_commands_of_students_and_of_gradescope_run_without_any_group(tmp_pa
 
 def test_the_scene_of_the_charts_says_which_packages_it_lacks(tmp_path: Path) -> None:
     code = (
-        "from studies.reason import reason\n"
+        "from scenes.reason import reason\n"
         "from lab.host import Host\n"
         "message = {'kind': 'load', 'scene': 'charts', 'values': {}, 'peer': ''}\n"
         "print(Host(reason).receive(message)[0]['why'])\n"

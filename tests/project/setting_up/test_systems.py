@@ -160,7 +160,7 @@ def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Pat
     assert "Chapter 3" in done.stdout
 
 
-@pytest.mark.parametrize("command", ["studies plot --chapter 2", "lab play fireworks"])
+@pytest.mark.parametrize("command", ["plots draw --chapter 2", "lab play fireworks"])
 def test_a_drawing_command_without_the_packages_says_what_to_do(command: str) -> None:
     done = run(sys.executable, "-S", "-m", *command.split())  # no installed packages
     assert done.returncode == 2

@@ -8,7 +8,7 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_second
-from studies.runs.drag_flight import (
+from scenes.drag_flight import (
     DAMPED_FALL,
     DRAG_FLIGHTS,
     FREE_FALL,
@@ -17,8 +17,8 @@ from studies.runs.drag_flight import (
     DragFlight,
     State,
 )
-from studies.runs.drag_flight import with_particle as ours
-from studies.runs.drag_flight import with_pymunk as theirs
+from scenes.drag_flight import with_particle as ours
+from scenes.drag_flight import with_pymunk as theirs
 
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
 

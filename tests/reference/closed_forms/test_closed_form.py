@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.closed_form import drag_factors, state_after
-from studies.runs.drag_flight import DRAG_FLIGHTS, DragFlight, make_particle
+from scenes.drag_flight import DRAG_FLIGHTS, DragFlight, make_particle
 
 
 def in_decimals(damping: float, time: float) -> tuple[float, float, float]:

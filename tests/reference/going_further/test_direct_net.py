@@ -15,8 +15,8 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from plots.drawing import slope
 from studies.accuracy.catalog import scenes_with
-from studies.drawing import slope
 from studies.models.direct_net import DirectNet
 from studies.models.elimination import Elimination
 from studies.models.net import Strut

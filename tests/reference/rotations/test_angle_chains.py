@@ -23,7 +23,7 @@ from ch06_springs.integrators import (
     velocity_verlet,
 )
 from ch07_constraints.going_further.angle_pendulum import DoublePendulum
-from studies.drawing import slope
+from plots.drawing import slope
 from studies.models.angle_chain import AngleChain
 from studies.models.angle_rope import AngleRope
 from studies.models.rod_tensions import RodTensions

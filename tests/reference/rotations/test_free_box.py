@@ -14,7 +14,7 @@ from scipy.special import ellipk
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.going_further.free_box import FreeBox
-from studies.drawing import slope
+from plots.drawing import slope
 
 SIDES = (0.2, 0.3, 0.1)  # the moments about X, Y and Z have the ratio 10 : 5 : 13
 SPEED = 2.0 * math.pi

@@ -20,8 +20,8 @@ from autograder.diagnosis.given import with_given
 from autograder.manifest import load_chapters
 from lab.broken_off import FIRST_LIMIT, TIME_LIMIT, why_it_broke_off
 from lab.host import Host, Message
-from studies.engine import rejected
-from studies.reason import reason
+from scenes.engine import rejected
+from scenes.reason import reason
 from web.python.browser.folder import CHAPTERS, Folder
 from web.python.browser.process import SHALLOW, code, forget_folders
 from web.python.browser.watchdog import watchdog

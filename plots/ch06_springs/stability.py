@@ -1,0 +1,228 @@
+"""Plots for chapter 6: when springs, cloths and penalty forces become unstable.
+
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine.
+"""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+
+from matplotlib import pyplot
+
+from ch02_vectors.vector import Vector3
+from ch06_springs.springs import FakeStiffSpring
+from plots.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map
+from scenes.integrators import INTEGRATORS, SOLVERS
+from scenes.readings import is_written
+from scenes.stability import (
+    bounces,
+    cloth_lasts,
+    faked_growth,
+    growth,
+    growth_of,
+    limits,
+    period,
+    swing,
+    theory,
+    true_place,
+)
+
+FRAME = 1.0 / 60.0
+CLOTH_SECONDS = 2
+
+
+def stability_map() -> Picture:
+    """Map how much a spring's oscillations grow or shrink per time step, for each integrator.
+
+    The map covers a range of stiffnesses and dampings, and shows the stability limits predicted by
+    theory.
+    """
+    figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
+    *maps, key = panels.flat
+    kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]
+    rows: list[Sequence[object]] = []
+    deviations, colored = [], None
+    for axes, name in zip(maps, (*INTEGRATORS, *SOLVERS), strict=True):
+        implicit = name in SOLVERS
+        words = "spring, c h / m" if implicit else "particle, d$^h$"
+        axes.set(xscale="log", title=name, xlim=(kappas[0], kappas[-1]))
+        axes.set(xlabel="k h$^2$ / m", ylabel=f"damping of the {words}")
+        if not is_written(lambda n=name: growth_of(n, 1.0, 1.0, FRAME)):  # type: ignore[misc]
+            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+            continue
+        dampings = [i / 10.0 if implicit else 1.0 - i / 40.0 for i in range(21 if implicit else 39)]
+        grown = [[growth_of(name, kappa, d, FRAME) for kappa in kappas] for d in dampings]
+        rows += [
+            (name, damping, kappa, value, "")
+            for damping, line in zip(dampings, grown, strict=True)
+            for kappa, value in zip(kappas, line, strict=True)
+        ]
+        colored = growth_map(axes, kappas, dampings, grown)
+        if implicit:
+            largest = max(value for line in grown for value in line)
+            axes.set_title(f"{name}: at most x {largest:.4f}", fontsize=11)
+            continue
+        line = [0.05 + 0.949 * i / 99.0 for i in range(100)]
+        axes.plot([theory(name, kept) for kept in line], line, color=BLACK)
+        for kept, limit, true in limits(name, FRAME):
+            deviations.append(abs(limit / true - 1.0))
+            rows.append((f"{name}, limit", kept, limit, 1.0, true))
+            axes.plot(limit, kept, "o", color="white", mec=BLACK)
+    if not rows:
+        growth_of("explicit Euler", 1.0, 1.0, FRAME)  # reports what is not written
+    if colored is not None:
+        growth_bar(figure, panels, colored)
+    key.set_axis_off()
+    if deviations:
+        key.plot([], [], color=BLACK, label="limit from theory")
+        key.plot([], [], "o", color="white", mec=BLACK, label="measured limit")
+        key.legend(loc="center")
+        figure.suptitle(
+            f"The measured limits differ from theory by a fraction of at most {max(deviations):.1g}"
+        )
+    columns = ("method", "d^h or c h / m", "k h^2 / m", "growth per step", "limit from theory")
+    return Picture(figure, columns, rows)
+
+
+def fake_spring() -> Picture:
+    """Compare the motion of a faked stiff spring with that of a real spring.
+
+    The faked spring predicts where a real spring would move the particle, and applies a constant
+    force that moves it there. Another panel shows at which time steps the oscillations of the faked
+    spring grow.
+    """
+    figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
+    k, frames = 400.0, 90
+    times = [i * FRAME for i in range(frames + 1)]
+    rows: list[Sequence[object]] = []
+    for axes, c in ((bare, 0.0), (damped, 4.0)):
+        exact = [true_place(k, c, time) for time in times]
+        axes.plot(times, exact, color=BLACK, lw=1, label="true spring")
+        own, back = math.exp(-c / 2.0 * FRAME), period(exact) * FRAME
+        words = [f"c = {c:g} N s/m. True: x {own:.4f} per frame, period {back:.3f} s"]
+        fake = FakeStiffSpring(Vector3(), k, c)
+        for name in ("semi-implicit Euler", "explicit Euler"):
+            step = INTEGRATORS[name]
+            if not is_written(lambda s=step, g=fake: swing(s, g, FRAME, 1, 1e3)):  # type: ignore[misc]
+                continue
+            seen = swing(step, fake, FRAME, frames, 1e3).places
+            label = f"faked, {name}"
+            axes.plot(times[: len(seen)], seen, ".-", ms=3, lw=0.8, color=COLORS[name], label=label)
+            rows += [("swing", name, c, *row) for row in zip(times, exact, seen, strict=False)]
+            words.append(
+                f"{name}: x {growth(step, fake, FRAME):.4f} per frame, "
+                f"period {period(seen) * FRAME:.3f} s"
+            )
+        axes.set_title("\n".join(words), fontsize=9)
+        axes.set(xlabel="time, s", ylabel="x, m (400 N/m, 1 kg, 60 Hz)", ylim=(-4.0, 4.0))
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize=8, loc="upper left")
+    angles = [0.1 + 0.02 * i for i in range(596)]
+    words = []
+    for share, color, label in ((0.0, RED, "no damping"), (0.05, BLUE, "1/20 of critical damping")):
+        grown = [faked_growth(angle, share, FRAME) for angle in angles]
+        right.plot(angles, grown, color=color, lw=1.2, label=label)
+        seen = zip(angles, grown, strict=True)
+        rows += [("growth", "semi-implicit Euler", share, *pair, "") for pair in seen]
+        most, angle = max(zip(grown, angles, strict=True))
+        words.append(f"{label}: at most x {most:.3f}, at $\\chi$ h = {angle:.2f}")
+    right.axhline(1.0, color=BLACK, lw=0.8)
+    for i in (1, 3):
+        right.axvline(i * math.pi, color=GRAY, lw=1, ls=":")
+    right.set(
+        xlabel=r"$\chi$ h (dotted: $\pi$ and 3 $\pi$)",
+        ylabel="growth per frame with semi-implicit Euler",
+    )
+    right.set_title("\n".join(words), fontsize=9)
+    right.grid(alpha=0.3)
+    right.legend(fontsize=8)
+    columns = (
+        "part",
+        "step",
+        "c or fraction of critical",
+        "time, s, or chi h",
+        "true m, or growth",
+        "faked m",
+    )
+    return Picture(figure, columns, rows)
+
+
+def cloth_frame_rates() -> Picture:
+    """Plot how long a cloth of springs stays stable at each frame rate, with two integrators."""
+    figure, axes = pyplot.subplots(figsize=(9, 5.2), layout="constrained")
+    rows: list[Sequence[object]] = []
+    book = (30, 60, 120, 240, 480, 960)
+    first = (30, 45, 60, 70, 75, 80, 82, 85, 90, 120)
+    note = ""
+    for name, rates in (("explicit Euler", book), ("semi-implicit Euler", first)):
+        for damping, style in ((0.2, "o-"), (0.0, "s--")):
+            if not is_written(lambda n=name, c=damping: cloth_lasts(n, c, 60, 1)):  # type: ignore[misc]
+                continue
+            found = [cloth_lasts(name, damping, rate, CLOTH_SECONDS * rate) for rate in rates]
+            lasts = [steps / rate for (steps, _), rate in zip(found, rates, strict=True)]
+            whole = [rate for rate, (_, message) in zip(rates, found, strict=True) if not message]
+            label = f"{name}, c = {damping:g} N s/m"
+            words = f"{label}: " + (f"stable from {whole[0]} Hz" if whole else "always explodes")
+            axes.semilogx(rates, lasts, style, color=COLORS[name], ms=4, mfc="white", label=words)
+            rows += [(name, damping, *pair) for pair in zip(rates, lasts, strict=True)]
+            if stop := found[1][1]:
+                note = note or f"{label}, {rates[1]} Hz: {stop}"
+    if not rows:
+        cloth_lasts("explicit Euler", 0.2, 60, 1)  # reports what is not written
+    axes.set(xlabel="frame rate, Hz", ylabel="time until the cloth explodes, s", ylim=(0.0, 2.8))
+    axes.axhline(CLOTH_SECONDS, color=GRAY, lw=1, ls=":")
+    axes.set_xticks(book, minor=False)
+    axes.set_xticks([], minor=True)
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.grid(alpha=0.3)
+    if rows:
+        axes.legend(fontsize=8, ncols=2, loc="upper center")
+        axes.set_title(f"Frame rates at which a cloth of 180 springs lasts for {CLOTH_SECONDS} s")
+    figure.supxlabel("\n".join(textwrap.wrap(note, 110)), fontsize=8)
+    return Picture(figure, ("step", "damping, N s/m", "frame rate, Hz", "lasts, s"), rows)
+
+
+def penalty_bounces() -> Picture:
+    """Plot the bounces of a body on ground that pushes back with a penalty force.
+
+    The ground is soft in one run and stiff in another. Stiff ground may throw the body higher than
+    it fell.
+    """
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
+    rows: list[Sequence[object]] = []
+    falls = [0.5 + i / 40.0 for i in range(21)]
+    fall = max(falls, key=lambda fall: max(bounces(10_800.0, fall, 90)) / fall)
+    for stiffness, color in ((200.0, BLUE), (10_800.0, RED)):
+        heights = bounces(stiffness, fall, 180)
+        times = [i * FRAME for i in range(len(heights))]
+        kappa = stiffness * FRAME**2
+        label = f"{stiffness:,.0f} N/m, k h$^2$ / m = {kappa:.3g}: up to {max(heights):.2f} m"
+        left.plot(times, heights, ".-", ms=3, lw=1, color=color, label=label)
+        rows += [("height", kappa, *pair) for pair in zip(times, heights, strict=True)]
+    left.axhline(0.0, color=BLACK, lw=0.8)
+    left.set(xlabel="time, s", ylabel="height, m (below 0: in the ground)")
+    left.set_title(f"1 kg falls {fall:g} m onto a ground without damping, 60 Hz", fontsize=10)
+    left.margins(y=0.2)
+    left.legend(fontsize=8, loc="upper left")
+    kappas = [0.03 * 10.0 ** (i / 24.0) for i in range(51)]
+    highest = []
+    for kappa in kappas:
+        rises = [max(bounces(kappa / FRAME**2, fall, 90)) / fall for fall in falls]
+        highest.append(max(rises))
+        rows.append(("rise / fall", kappa, "", highest[-1]))
+    right.loglog(kappas, highest, color=RED)
+    right.axhline(1.0, color=BLACK, lw=0.8)
+    right.set(xlabel="k h$^2$ / m", ylabel="largest rise / fall, in 21 falls from 0.5 to 1 m")
+    thrown = [kappa for kappa, high in zip(kappas, highest, strict=True) if high > 1.05]
+    if thrown:
+        right.set_title(
+            f"From {thrown[0]:.2g} on, some bodies rise over 5 % higher than they fell from,\n"
+            f"and one rises {max(highest):.1f} times as high",
+            fontsize=10,
+        )
+    for axes in (left, right):
+        axes.grid(alpha=0.3)
+    return Picture(figure, ("part", "k h^2 / m", "time, s", "height, m, or ratio"), rows)

@@ -1,0 +1,103 @@
+"""A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7).
+
+The box would balance on each of these lines. The student's code computes the lines, and the mass on
+either side of each line. The plot compares these results with the exact center of mass and the
+exact masses.
+"""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+
+from matplotlib import pyplot
+from matplotlib.patches import Circle
+
+from ch09_rotations.exercises import masses_beside
+from ch09_rotations.stones import own_stones, read_stones
+from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, tell
+from scenes.balance import balance_line, center
+from scenes.rotations import largest
+
+SMALL = LABEL | {"fontsize": 9}
+
+
+def balance_lines() -> Picture:
+    """Draw a box of the student's stones, its center of mass and its balance lines (exercise 9.7).
+
+    The box would balance on each of these lines. A second panel shows how much mass lies on either
+    side of each line.
+    """
+    masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
+    stones = read_stones(own_stones())
+    if not stones:
+        raise ValueError("there are no stones in stones.csv: weigh some for exercise 9.7")
+    figure, (left, right) = pyplot.subplots(
+        1, 2, figsize=(14, 6.2), layout="constrained", width_ratios=(6, 5)
+    )
+    heaviest = max(mass for _, mass, _, _ in stones)
+    xs, ys = [0.0, *(stone[2] for stone in stones)], [0.0, *(stone[3] for stone in stones)]
+    reach = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
+    for name, mass, x, y in stones:
+        radius = 0.07 * reach * math.sqrt(mass / heaviest)
+        left.add_patch(Circle((x, y), radius, facecolor=SKY, edgecolor=BLUE, alpha=0.5))
+        words = f"{textwrap.fill(name, 16)}\n{mass:g} kg"
+        left.text(x, y - 1.1 * radius, words, ha="center", va="top", **SMALL)
+    left.axvline(0.0, color=BLACK, lw=2)
+    left.axhline(0.0, color=BLACK, lw=2, label="sides of the box, left and front")
+
+    lines = [balance_line(stones, angle) for angle in range(0, 181, 3)]
+    uneven = max(lines[:-1:10], key=lambda line: abs(line.left - line.right))
+    sides = f"{uneven.left:.3g} kg on the left, {uneven.right:.3g} kg on the right"
+    for line in lines[:-1:10]:
+        if math.isfinite(line.offset):
+            color, width = (RED, 2.5) if line is uneven else (GRAY, 1.0)
+            a = math.radians(line.angle)
+            through = (-math.sin(a) * line.offset, math.cos(a) * line.offset)
+            beyond = (through[0] + math.cos(a), through[1] + math.sin(a))
+            left.axline(through, beyond, color=color, lw=width, zorder=1)
+    x, y = center(stones)
+    label = f"exact center of mass: {x:.3f} m, {y:.3f} m"
+    left.plot(x, y, "+", color=BLACK, ms=14, mew=2, label=label)
+    left.plot([], [], color=GRAY, lw=1, label="balance_offset, every 30°")
+    left.plot([], [], color=RED, lw=2.5, label=f"at {uneven.angle}°: {sides}")
+    left.set(xlabel="x, m", ylabel="y, m")
+    left.set_xlim(min(xs) - 0.2 * reach, max(xs) + 0.2 * reach)
+    left.set_ylim(min(ys) - 0.12 * reach, max(ys) + 0.5 * reach)
+    left.set_aspect("equal")
+    left.legend(fontsize=9, loc="upper left")
+    left.set_title(
+        f"{len(stones)} stones: the lines miss the center of mass by at most "
+        f"{largest([line.miss for line in lines]):.2g} m,\n"
+        "the torque of gravity about them is at most "
+        f"{largest([line.torque for line in lines]):.2g} N m",
+        fontsize=11,
+    )
+    angles = [line.angle for line in lines]
+    for name, color, marker in (("left", ORANGE, "o"), ("right", BLUE, "s")):
+        seen = [getattr(line, name) for line in lines]
+        right.plot(angles, seen, marker, color=color, ms=4, label=f"on the {name}, masses_beside")
+        wanted = [getattr(line, f"true_{name}") for line in lines]
+        right.plot(angles, wanted, drawstyle="steps-mid", color=color, lw=1)
+    off = [abs(line.left - line.true_left) for line in lines]
+    off += [abs(line.right - line.true_right) for line in lines]
+    right.set_title(
+        f"At {uneven.angle}°: {sides} (E-32);\n"
+        f"the error of masses_beside (exact: lines) is at most {largest(off):.2g} kg",
+        fontsize=11,
+    )
+    right.set(xlabel="angle of the balance line, degrees", ylabel="mass, kg")
+    right.set_xticks(range(0, 181, 30))
+    right.set_ylim(0.0, 1.3 * math.fsum(stone[1] for stone in stones))
+    right.legend(fontsize=9, loc="upper right")
+    right.grid(alpha=0.3)
+    tell(figure, [*dict.fromkeys(line.message for line in lines if line.message)])
+    rows: list[Sequence[object]] = [("stone", *stone) for stone in stones]
+    rows += [
+        ("line", line.angle, line.offset, line.left, line.right, line.miss, line.torque)
+        for line in lines
+    ]
+    head = ("row", "what; angle, degrees", "mass, kg; offset, m", "x, m; mass on the left, kg")
+    head = (*head, "y, m; mass on the right, kg", "distance from center, m", "torque, N m")
+    return Picture(figure, head, rows)

@@ -1,0 +1,111 @@
+"""Draw the plots of a chapter with a student's engine, as PNG and CSV files in build/plots/.
+
+The plots of each chapter are functions in a module of plots/, which lists them as PLOTS. If a
+plot takes longer than TIME_LIMIT, the program ends with a stack trace, which shows where the engine
+was stuck.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import faulthandler
+import importlib
+import importlib.util
+from collections.abc import Callable
+from pathlib import Path
+
+from matplotlib import pyplot
+
+from autograder.manifest import ROOT, Chapter, select_chapters, split_given
+from autograder.student.finish import DRAWN_WITH
+from plots.drawing import Picture
+from scenes.engine import add_engine_options, use_engine
+from scenes.reason import reason, shown
+
+TIME_LIMIT = 120.0  # s for one plot, which takes a few seconds, or longer with a slow resolver
+
+
+def main(arguments: list[str]) -> int:
+    """Draw the plots of the given chapters, or of all chapters.
+
+    If there is a display, the plots are also shown in windows. Return 1 if a plot could not be
+    drawn, and 0 otherwise.
+    """
+    parser = argparse.ArgumentParser(prog="python -m plots draw", description=__doc__)
+    parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
+    add_engine_options(parser)
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "plots", help="the folder for the plots"
+    )
+    options = parser.parse_args(arguments)
+    use_engine(parser, options.engine, options.given)
+    try:
+        _, chapters = split_given(select_chapters(options.chapter), options.given)
+    except ValueError as error:
+        parser.error(str(error))
+    drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
+    for chapter in chapters:
+        note_engine(options.out / chapter.name, ROOT / options.engine)
+    if pyplot.get_backend().lower() != "agg":  # matplotlib has found a display
+        pyplot.show()
+    return 0 if all(drawn) else 1
+
+
+def note_engine(folder: Path, engine: Path) -> None:
+    """Record which engine drew the plots in ``folder``, in a text file next to the plots.
+
+    `make check` reads this file when a student finishes a chapter. It mentions a plot only if the
+    student's own engine drew it.
+    """
+    if [*folder.glob("*.png")]:
+        (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
+
+
+def draw_chapter(chapter: Chapter, folder: Path) -> bool:
+    """Draw all plots of a chapter, and return True if none of them failed.
+
+    For each plot, print the names of its files, or the reason why it failed.
+    """
+    if importlib.util.find_spec(f"plots.{chapter.name}") is None:
+        print(f"chapter {chapter.number} has no plots")
+        return True
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
+    try:
+        plots = importlib.import_module(f"plots.{chapter.name}").PLOTS
+    except (Exception, SystemExit) as error:
+        print(f"chapter {chapter.number} cannot be drawn: {reason(error)}")
+        return False
+    finally:
+        faulthandler.cancel_dump_traceback_later()
+    folder.mkdir(parents=True, exist_ok=True)
+    drawn = [draw(plot, folder) for plot in plots]
+    return all(drawn)
+
+
+def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
+    """Draw a plot, save it as a PNG file, and save its numbers as a CSV file of the same name.
+
+    Files of an earlier run are deleted first, so that nobody mistakes them for the new plot. If the
+    plot fails, print the reason and return False. If the plot takes longer than ``limit`` seconds,
+    the program ends.
+    """
+    name = plot.__name__
+    png, table = folder / f"{name}.png", folder / f"{name}.csv"
+    for older in (png, table):
+        older.unlink(missing_ok=True)
+    faulthandler.dump_traceback_later(limit, exit=True)
+    print(f"{name}: ", end="", flush=True)  # printed first, so that a plot that never ends is named
+    try:
+        picture = plot()
+        picture.figure.savefig(png, dpi=110)
+    except (Exception, SystemExit) as error:
+        png.unlink(missing_ok=True)
+        print(f"not drawn, {reason(error)}")
+        return False
+    finally:
+        faulthandler.cancel_dump_traceback_later()
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([picture.columns, *picture.rows])
+    print(f"{shown(png)} and {shown(table)}")
+    return True

@@ -1,0 +1,163 @@
+"""Define the colors, labels and arrows that the plots of all chapters and studies share.
+
+For example, each integrator has the same color in every plot.
+"""
+
+from __future__ import annotations
+
+import math
+import statistics
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap, LogNorm
+from matplotlib.figure import Figure
+
+from scenes.readings import Numbers, is_drawable
+
+# Okabe and Ito's colors, which color-blind readers can tell apart.
+BLUE, ORANGE, GREEN, GRAY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
+RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
+VIOLET, BROWN = "#9600F0", "#663300"  # two more that can be told apart from these
+# The colors of chapter 6's integrators, by name, in all pictures.
+COLORS = {
+    "explicit Euler": RED,
+    "semi-implicit Euler": BLUE,
+    "leapfrog": VIOLET,
+    "velocity Verlet": SKY,
+    "Runge-Kutta 4": GREEN,
+    "backward Euler": ORANGE,
+    "trapezoidal rule": PINK,
+}
+
+LABEL: dict[str, Any] = {
+    "fontsize": 12,
+    "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8},
+}
+
+# Red means growth and blue means decay. A gap between them makes even slow growth visible.
+GROWTH = ListedColormap(
+    [*colormaps["RdBu_r"](range(0, 116)), *colormaps["RdBu_r"](range(140, 256))]
+)
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A plot, as a matplotlib figure, and the numbers that it shows.
+
+    The numbers are saved in a CSV file next to the image, with ``columns`` as the header row.
+    """
+
+    figure: Figure
+    columns: Sequence[str]
+    rows: Sequence[Sequence[object]]
+
+
+def tell(figure: Figure, notes: Sequence[str]) -> None:
+    """Write an explanation below a plot if some of its simulations stopped early.
+
+    Each of the ``notes`` is the reason for one simulation, such as an error in the student's code.
+    At most three notes are shown, followed by the number of remaining ones.
+    """
+    lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
+    if len(notes) > 3:
+        lines.append(f"and {len(notes) - 3} more like these")
+    if lines:
+        figure.supxlabel("\n".join(lines), fontsize=8)
+
+
+def arrow(
+    axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
+) -> None:
+    """Draw a vector as a labeled arrow in the X-Y plane.
+
+    A vector from a student's code may contain NaN or infinity. In that case nothing is drawn.
+    """
+    if not is_drawable(tip, tail):
+        return
+    arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
+    axes.annotate("", tip[:2], tail[:2], arrowprops=arrowprops | {"shrinkA": 0, "shrinkB": 0})
+    middle = ((tip[0] + tail[0]) / 2, (tip[1] + tail[1]) / 2)
+    axes.text(*middle, label, color=color, ha="center", va="center", **LABEL)
+
+
+def arrow_3d(
+    axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
+) -> None:
+    """Draw a vector as an arrow in a 3D plot in which +Y points up.
+
+    The label is placed beyond the tip, and may be empty. If a coordinate is NaN or infinite,
+    nothing is drawn.
+    """
+    if not is_drawable(tip, tail):
+        return
+    x, y, z = (end - start for end, start in zip(tip, tail, strict=True))
+    # In matplotlib the third axis points up, and in the engine the second.
+    place = (tail[2], tail[0], tail[1])
+    axes.quiver(*place, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
+    if label:
+        beyond = (place[0] + 1.15 * z, place[1] + 1.15 * x, place[2] + 1.15 * y)
+        axes.text(*beyond, label, color=color, **LABEL)
+
+
+def axes_3d(figure: Figure, place: Any, size: float) -> Any:
+    """Add a 3D plot to a figure, with +Y pointing up and axes from -size to size.
+
+    ``place`` is where the plot goes in the figure, in any form that ``add_subplot`` accepts. Draw
+    vectors in the plot with ``arrow_3d``.
+    """
+    axes: Any = figure.add_subplot(place, projection="3d")
+    axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
+    axes.set(xlabel="z", ylabel="x", zlabel="y")
+    axes.set_box_aspect((1, 1, 1))
+    axes.view_init(elev=22, azim=35)
+    return axes
+
+
+def slope(x: Sequence[float], y: Sequence[float]) -> float:
+    """Fit a power law y ~ x^p to data, and return the exponent p.
+
+    It is the slope of a straight line through the data on logarithmic axes. For example, if x is
+    the time step of an integrator and y is its error, p is the order of the integrator. Return NaN
+    if a value is not positive.
+    """
+    if not all(value > 0.0 for value in (*x, *y)):
+        return math.nan
+    return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope
+
+
+def growth_map(
+    axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
+) -> Any:
+    """Draw a heat map of how much oscillations grow in one time step.
+
+    ``grown`` has one row of factors for each value in ``y``. A factor above 1 means that the
+    simulation explodes, and is drawn in red. Pass the result to ``growth_bar``, which draws the
+    color scale. Factors outside the scale get the color of its nearest end.
+    """
+    shades = [[_shade(value) for value in row] for row in grown]
+    return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
+
+
+def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
+    """Draw the color scale of a heat map from ``growth_map`` beside the panels.
+
+    It goes from 1/4 in blue, which means that an oscillation decays, to 4 in red.
+    """
+    label = "growth of the oscillation per step (red: explodes)"
+    bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
+    bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])
+    bar.minorticks_off()
+
+
+def _shade(growth: float) -> float:
+    """Move a growth factor slightly away from 1, so that its color is clearly red or blue.
+
+    A factor above 1 becomes at least 1.001, which is red. Any other factor becomes at most 0.999,
+    which is blue. A factor that exceeds 1 only by a rounding error counts as 1.
+    """
+    return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

@@ -1,0 +1,186 @@
+"""Draw the pictures of all lessons with the reference solution, for `make figures`.
+
+They are the plots of `make plot` and animations of scenes in the lab. To make pages load quickly,
+all pictures are saved with only a few colors. The animations are also scaled down, and have fewer
+frames per second.
+"""
+
+from __future__ import annotations
+
+import argparse
+import bisect
+import functools
+import importlib
+from pathlib import Path
+
+from matplotlib import pyplot
+from PIL import Image, ImageChops, ImageSequence, ImageStat
+
+from autograder.manifest import ROOT
+from lab.catalog import load
+from lab.play import record
+from plots import draw
+from scenes.engine import use_engine
+from scenes.reason import shown
+
+PLOTS = (
+    "ch02_vectors/addition",
+    "ch02_vectors/projection",
+    "ch02_vectors/cross_product",
+    "ch02_vectors/filmed_motion",
+    "ch03_laws_of_motion/trajectories",
+    "ch03_laws_of_motion/integration_error",
+    "ch03_laws_of_motion/damping_comparison",
+    "ch04_particle_engine/shots",
+    "ch04_particle_engine/step_error",
+    "ch05_forces/terminal_speeds",
+    "ch05_forces/fall_with_drag",
+    "ch05_forces/orbit",
+    "ch06_springs/force_against_length",
+    "ch06_springs/three_regimes",
+    "ch06_springs/energy_over_time",
+    "ch06_springs/stability_map",
+    "ch07_constraints/bounce_heights",
+    "ch07_constraints/stack_height",
+    "ch07_constraints/contact_solvers",
+    "ch08_mass_aggregate/mass_ratios",
+    "ch08_mass_aggregate/wheel_deformation",
+    "ch09_rotations/order_of_turns",
+    "ch09_rotations/drift_of_first_order",
+    "ch09_rotations/gimbal_lock",
+)
+# Plots that show the committed numbers of a study, with the module that draws them.
+OF_STUDIES = {"ch07_constraints/contact_solvers": "studies.contacts.chart"}
+# The length of each animation in s, and the time of its still picture. Pages show the still picture
+# and link to the animation, so that nothing moves unless the reader wants it to.
+ANIMATIONS = {
+    "ch04_particle_engine/fireworks": (6.0, 2.5),
+    "ch05_forces/sniper": (11.0, 3.0),
+    "ch06_springs/cloth": (7.0, 4.0),
+    "ch07_constraints/ropes": (6.0, 1.0),
+    "ch08_mass_aggregate/trebuchet": (5.5, 2.0),
+    "ch09_rotations/spin": (4.5, 2.0),
+}
+COLORS_OF_ANIMATION = 48
+COLORS_OF_STILL = range(8, 257, 8)  # the numbers of colors to try
+UNSEEN = 2.5  # a root-mean-square difference of colors, out of 255, that nobody sees
+WIDTH = 480  # px, of an animation
+PICTURE_TIME = 100  # ms per picture of an animation
+TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but machines may be slow
+
+
+def main(arguments: list[str]) -> int:
+    """Draw the pictures of all lessons, and save them in the chapters' folders.
+
+    Return 1 if a picture could not be drawn, and 0 otherwise.
+    """
+    parser = argparse.ArgumentParser(prog="python -m plots figures", description=__doc__)
+    parser.add_argument("--engine", default="solutions", help="the engine to draw with")
+    parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
+    options = parser.parse_args(arguments)
+    use_engine(parser, options.engine)
+    pyplot.switch_backend("Agg")  # writes scenes to files even if there is a display
+    work = ROOT / "build" / "figures"
+    done = []
+    for name in PLOTS:
+        folder = work / Path(name).parent
+        folder.mkdir(parents=True, exist_ok=True)
+        module = OF_STUDIES.get(name, f"plots.{Path(name).parent}")
+        plots = importlib.import_module(module)
+        done.append(draw.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
+        if done[-1]:
+            with Image.open(work / f"{name}.png") as drawn:
+                _write([_few_colors(drawn)], _file(options.out, f"{name}.png"))
+        pyplot.close("all")
+    for name, (seconds, still) in ANIMATIONS.items():
+        animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
+        _write(_shrunk(animation), _file(options.out, f"{name}.gif"))
+        _write([_still(animation, still)], _file(options.out, f"{name}_still.png"))
+        done.append(True)
+    print(f"{sum(done)} of {len(done)} pictures drawn with {options.engine}")
+    return 0 if all(done) else 1
+
+
+def _file(out: Path, name: str) -> Path:
+    """Return the path of a picture, such as ch02_vectors/pictures/addition.png."""
+    return out / Path(name).parent / "pictures" / Path(name).name
+
+
+def _shrunk(animation: Path) -> list[Image.Image]:
+    """Scale an animation down, and reduce its colors. Return a frame for every PICTURE_TIME ms.
+
+    The frames are WIDTH px wide. They share one small palette, because with separate palettes the
+    parts that do not move would flicker.
+    """
+    pictures: list[Image.Image] = []
+    time = 0.0
+    with Image.open(animation) as frames:
+        size = (WIDTH, round(WIDTH * frames.height / frames.width))
+        for frame in ImageSequence.Iterator(frames):
+            small = frame.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+            time += frame.info["duration"]  # equal pictures are merged and shown for longer
+            while len(pictures) * PICTURE_TIME < time:
+                pictures.append(small)
+    # All pictures share a palette, made from four of them, so that still parts do not flicker.
+    strip = Image.new("RGB", (4 * size[0], size[1]))
+    for i in range(4):
+        strip.paste(pictures[i * (len(pictures) - 1) // 3], (i * size[0], 0))
+    few = _palette(strip, COLORS_OF_ANIMATION)
+    return [picture.quantize(palette=few, dither=Image.Dither.NONE) for picture in pictures]
+
+
+def _still(animation: Path, seconds: float) -> Image.Image:
+    """Return the frame that an animation shows after ``seconds`` seconds, in full size.
+
+    A lesson shows this frame as a still picture that links to the animation.
+    """
+    left = 1000.0 * seconds
+    with Image.open(animation) as frames:
+        for frame in ImageSequence.Iterator(frames):
+            left -= frame.info["duration"]
+            if left <= 0.0:
+                break
+        return _few_colors(frame)
+
+
+def _few_colors(picture: Image.Image) -> Image.Image:
+    """Reduce the colors of a picture as far as possible without a visible change.
+
+    With fewer colors, the file is smaller.
+    """
+    full = picture.convert("RGB")
+    reduced = functools.cache(functools.partial(_palette, full))
+
+    def looks_same(count: int) -> bool:
+        difference = ImageChops.difference(full, reduced(count).convert("RGB"))
+        return max(ImageStat.Stat(difference).rms) <= UNSEEN
+
+    first = bisect.bisect_left(COLORS_OF_STILL, True, key=looks_same)
+    return reduced(COLORS_OF_STILL[min(first, len(COLORS_OF_STILL) - 1)])
+
+
+def _palette(picture: Image.Image, count: int) -> Image.Image:
+    """Reduce ``picture`` to ``count`` colors that are as different from one another as possible.
+
+    The most frequent colors would be a bad choice. Most of them are grays along the edges of
+    letters, so the few colored lines of a plot would turn gray.
+    """
+    few = picture.quantize(
+        count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=3
+    )
+    entries = few.getpalette() or []
+    brightest = max(range(0, len(entries), 3), key=lambda i: sum(entries[i : i + 3]))
+    entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page
+    few.putpalette(entries)
+    return few
+
+
+def _write(pictures: list[Image.Image], place: Path) -> None:
+    """Save one image, or several as a looping GIF animation, and print the path and file size."""
+    place.parent.mkdir(parents=True, exist_ok=True)
+    if len(pictures) == 1:
+        pictures[0].save(place, optimize=True)
+    else:
+        rest, time = pictures[1:], PICTURE_TIME
+        pictures[0].save(place, save_all=True, append_images=rest, duration=time, loop=0)
+    print(f"  {shown(place)}, {place.stat().st_size // 1000} kB")

@@ -1,0 +1,27 @@
+"""Find the ends of cables and rods, and measure how far cables are overstretched."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from ch02_vectors.vector import Vector3
+from ch07_constraints.links import AnchoredCable, Cable, Rod
+from scenes.readings import numbers
+
+
+def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
+    """Return the positions of both ends of a cable or a rod."""
+    if isinstance(link, AnchoredCable):
+        return link.particle.position, link.anchor
+    return link.a.position, link.b.position
+
+
+def over_length(links: Iterable[object]) -> float:
+    """Return the excess length of the worst cable in percent, or 0 if no cable is too long."""
+    worst = 0.0
+    for link in links:
+        if isinstance(link, Cable | AnchoredCable):
+            a, b = map(numbers, ends_of(link))
+            worst = max(worst, 100.0 * (math.dist(a, b) / link.max_length - 1.0))
+    return worst

@@ -1,0 +1,55 @@
+"""A body on a damped spring that is fixed to a wall. It moves along a line, without gravity.
+
+The position of the body is measured from where the spring is relaxed.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.springs import AnchoredSpring
+from scenes.parameters import Slider
+from scenes.setup import Setup, alone
+
+STIFFNESS = Slider(100.0, "stiffness k", "N/m", 1.0, 20_000.0, log=True)
+MASS = Slider(1.0, "mass m", "kg", 0.1, 10.0, log=True)
+DAMPING = Slider(0.0, "damping c", "N s/m", 0.0, 20.0, step=0.1)
+START = 1.0  # m, where the body is released; errors are given as fractions of it
+
+
+@dataclass(frozen=True)
+class SpringOnAWall:
+    """The scene with a stiffness in N/m, a damping in N s/m and a mass in kg."""
+
+    stiffness: float
+    damping: float = 0.0
+    mass: float = 1.0
+
+    def setup(self) -> Setup:
+        """Create the body at rest, and its spring."""
+        body = Particle(Vector3(START), mass=self.mass)
+        return alone(body, AnchoredSpring(Vector3(), self.stiffness, 0.0, self.damping))
+
+    def state(self, time: float, x: float = START, v: float = 0.0) -> tuple[float, float]:
+        """Compute the exact position in m and velocity in m/s at a time after the start, in s.
+
+        ``x`` and ``v`` are the position and the velocity at the start. Source: the closed form of
+        chapter 6.
+        """
+        return damped_spring_state(x, v, self.stiffness, self.damping, self.mass, time)
+
+    @property
+    def period(self) -> float:
+        """The time of one oscillation without damping, in s."""
+        return 2.0 * math.pi * math.sqrt(self.mass / self.stiffness)
+
+    def per_step(self, duration: float) -> tuple[float, float]:
+        """Return k h^2 / m and c h / m for a step of h s, which decide whether it is stable."""
+        return (
+            self.stiffness * duration * duration / self.mass,
+            self.damping * duration / self.mass,
+        )

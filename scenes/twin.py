@@ -1,0 +1,154 @@
+"""Translate a scene into pymunk: particles, springs, rods, cables, ground and spheres.
+
+A twin has the same bodies, joints and shapes as the scene of our engine, so that both can be
+compared. Pymunk is two-dimensional, so all particles of the scene must lie in the X-Y plane.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from ch05_forces.particle import Particle
+from ch06_springs.springs import AnchoredSpring, Spring
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from scenes.setup import Setup
+
+if TYPE_CHECKING:
+    import pymunk
+
+WIDE = 1000.0  # m, half the width of the ground
+InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
+
+
+def twin_of(setup: Setup, ahead: float = 0.0, iterations: int = 10) -> InSpace:
+    """Create a pymunk space with the same scene, and return it with its bodies.
+
+    ``ahead`` is the length of a step in s. If it is not 0, all bodies start with the velocities
+    that they have half a step later, which makes pymunk's step as accurate as leapfrog.
+
+    Raises:
+        ValueError: Pymunk cannot express the scene, because it has a generator of another kind, or
+            particles with different accelerations or damping.
+    """
+    import pymunk  # here, because a student's scenes do not need it
+
+    space = pymunk.Space()
+    space.iterations = iterations
+    movable = [particle for particle in setup.particles if particle.inverse_mass]
+    space.gravity = _common("acceleration", {(*p.acceleration,)[:2] for p in movable})
+    space.damping = _common("damping", {p.damping for p in movable})
+    bodies = {id(particle): _body(space, particle) for particle in setup.particles}
+    if ahead:
+        setup.registry().update_forces(ahead)
+        for particle in movable:
+            total = particle.acceleration + particle.force_accumulator * particle.inverse_mass
+            particle.clear_forces()
+            start = particle.velocity + 0.5 * ahead * total
+            bodies[id(particle)].velocity = start.x, start.y
+    for particle, generator in setup.forces:
+        space.add(_spring(space, bodies, particle, generator))
+    for contacts in _parts(setup.contacts):
+        _add_contacts(space, bodies, contacts)
+    return space, [*bodies.values()]
+
+
+def _common(name: str, values: set[Any]) -> Any:
+    """Return the only one of the values, because pymunk has one for the whole space."""
+    if len(values) != 1:
+        raise ValueError(f"{name} must be the same for all particles in pymunk, got {values}")
+    return values.pop()
+
+
+def _body(space: pymunk.Space, particle: Particle) -> pymunk.Body:
+    """Add a body that cannot rotate, or a static one for a particle of infinite mass."""
+    import pymunk
+
+    if particle.inverse_mass:
+        body = pymunk.Body(particle.mass, math.inf)
+        body.velocity = particle.velocity.x, particle.velocity.y
+    else:
+        body = pymunk.Body(body_type=pymunk.Body.STATIC)
+    body.position = particle.position.x, particle.position.y
+    space.add(body)
+    return body
+
+
+def _spring(
+    space: pymunk.Space, bodies: dict[int, pymunk.Body], particle: Particle, generator: object
+) -> pymunk.DampedSpring:
+    import pymunk
+
+    body = bodies[id(particle)]
+    if isinstance(generator, AnchoredSpring):
+        other, at = space.static_body, (generator.anchor.x, generator.anchor.y)
+    elif isinstance(generator, Spring):
+        other, at = bodies[id(generator.other)], (0.0, 0.0)
+    else:
+        raise ValueError(f"pymunk has no force like {generator!r}")
+    values = generator.rest_length, generator.stiffness, generator.damping
+    return pymunk.DampedSpring(body, other, (0.0, 0.0), at, *values)
+
+
+def _parts(generators: Iterable[object]) -> Iterable[object]:
+    """Yield all contact generators, and the parts of those that combine several."""
+    for generator in generators:
+        if isinstance(generator, Detectors):
+            yield from _parts(generator.detectors)
+        else:
+            yield generator
+
+
+def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator: object) -> None:
+    """Add the joint or the shapes that do the same as a contact generator.
+
+    Pymunk multiplies the elasticities of two shapes to get their restitution. The ground has 1, and
+    each sphere the restitution of the ground or, without ground, the root of that of the pairs.
+    """
+    import pymunk
+
+    match generator:
+        case Rod(a=a, b=b):
+            space.add(pymunk.PinJoint(bodies[id(a)], bodies[id(b)]))
+        case AnchoredRod(particle=particle, anchor=anchor):
+            at = anchor.x, anchor.y
+            space.add(pymunk.PinJoint(space.static_body, bodies[id(particle)], at))
+        case Cable(a=a, b=b, max_length=length):
+            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
+            space.add(pymunk.SlideJoint(*ends, 0.0, length))
+        case AnchoredCable(particle=particle, anchor=anchor, max_length=length):
+            at = anchor.x, anchor.y
+            ends = space.static_body, bodies[id(particle)], at, (0.0, 0.0)
+            space.add(pymunk.SlideJoint(*ends, 0.0, length))
+        case Limits(a=a, b=b, min_length=low, max_length=high):
+            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
+            space.add(pymunk.SlideJoint(*ends, low, high))
+        case GroundPlane(particles=particles, height=height, radius=radius):
+            floor = pymunk.Segment(space.static_body, (-WIDE, height), (WIDE, height), 0.0)
+            floor.elasticity = 1.0
+            space.add(floor)
+            _add_spheres(space, bodies, particles, radius, generator.restitution)
+        case ParticlePairs(particles=particles, radius=radius):
+            _add_spheres(space, bodies, particles, radius, math.sqrt(generator.restitution))
+        case _:
+            raise ValueError(f"pymunk has no contacts like {generator!r}")
+
+
+def _add_spheres(
+    space: pymunk.Space,
+    bodies: dict[int, pymunk.Body],
+    particles: Iterable[Particle],
+    radius: float,
+    elasticity: float,
+) -> None:
+    """Add a sphere around each particle that does not have one yet."""
+    import pymunk
+
+    for particle in particles:
+        body = bodies[id(particle)]
+        if not body.shapes:
+            sphere = pymunk.Circle(body, radius)
+            sphere.elasticity = elasticity
+            space.add(sphere)

@@ -1,1 +1,0 @@
-"""Run simulations with any engine, and return plain numbers for plots and measurements."""

@@ -1,8 +1,7 @@
 """Plots for chapter 2, drawn with the vectors of a student's engine.
 
-The title of each plot reports a measured result, such as an error or an angle, which reveals bugs
-in the engine. The result is computed without the engine's functions, so that they cannot hide their
-own bugs. To draw the plots, run `make plot CH=2`.
+The title of each plot reports a measured result, such as an error or an angle. It is computed
+without the engine's functions, so that they cannot hide their own bugs.
 """
 
 from __future__ import annotations
@@ -12,12 +11,25 @@ from collections.abc import Sequence
 
 from matplotlib import pyplot
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.calculus import difference_quotients
 from ch02_vectors.recordings import thrown_ball
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
-from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, Picture, arrow, arrow_3d, axes_3d
+from plots.drawing import (
+    BLACK,
+    BLUE,
+    GRAY,
+    GREEN,
+    ORANGE,
+    THEORY,
+    Picture,
+    arrow,
+    arrow_3d,
+    axes_3d,
+    finish,
+)
 from scenes.readings import angle_between, cross, dot, is_drawable, number, numbers
 
 COLUMNS = ("vector", "x", "y", "z")
@@ -29,19 +41,18 @@ def addition() -> Picture:
     corner = (5.0, 4.0, 0.0)
     total = numbers(Vector3(*a) + Vector3(*b))
     off = math.dist(total, corner)
-    figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
+    if not is_drawable(total):
+        title = "a + b is not finite, so it cannot be drawn"
+    elif off < 1e-9:
+        title = "a + b ends at the far corner of the parallelogram of a and b"
+    else:
+        title = f"a + b misses the far corner of the parallelogram by {off:.3g}"
+    figure, axes = _plane(title, 7, 6)
     arrow(axes, corner, "", GRAY, tail=a, style="--")
     arrow(axes, corner, "", GRAY, tail=b, style="--")
     arrow(axes, a, "a", BLUE)
     arrow(axes, b, "b", ORANGE)
     arrow(axes, total, "a + b", BLACK)
-    _plane(axes, (-1, 7), (-1, 6))
-    if not is_drawable(total):
-        axes.set_title("a + b is not finite, so it cannot be drawn")
-    elif off < 1e-9:
-        axes.set_title("a + b ends at the far corner of the parallelogram of a and b")
-    else:
-        axes.set_title(f"a + b misses the far corner of the parallelogram by {off:.3g}")
     return Picture(figure, COLUMNS, [("a", *a), ("b", *b), ("a + b", *total)])
 
 
@@ -51,15 +62,13 @@ def projection() -> Picture:
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
     part, rest = numbers(along), numbers(v - along)
-    figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
+    figure, axes = _plane(f"The angle between a and d is {angle_between(a, rest):.4g}°", 5, 5)
     axes.axline((0, 0), a[:2], color=GRAY, ls=":", label="line along a")
     arrow(axes, b, "b", ORANGE)
     arrow(axes, part, "c a, with c = a . b", BLUE)
     end = (part[0] + rest[0], part[1] + rest[1], part[2] + rest[2])
     arrow(axes, end, "d = b - c a", BLACK, tail=part)
-    _plane(axes, (-1, 5), (-1, 5))
     axes.legend(loc="lower right")
-    axes.set_title(f"The angle between a and d is {angle_between(a, rest):.4g}°")
     rows = [("a", *a), ("b", *b), ("c a", *part), ("b - c a", *rest)]
     return Picture(figure, COLUMNS, rows)
 
@@ -77,27 +86,25 @@ def cross_product() -> Picture:
     arrow_3d(space, b, "b", ORANGE)
     arrow_3d(space, product, "a x b", BLACK)
     angles = [angle_between(v, product) for v in (a, b, cross(a, b))]
-    if is_drawable(product):
-        space.set_title(
-            "Angles of a x b: {:.4g}° to a, {:.4g}° to b and\n"
-            "{:.4g}° to its direction in right-handed axes".format(*angles)
-        )
-    else:
-        space.set_title("a x b is not finite, so it cannot be drawn")
+    title = (
+        "Angles of a x b: {:.4g}° to a, {:.4g}° to b and\n"
+        "{:.4g}° to its direction in right-handed axes".format(*angles)
+    )
+    if not is_drawable(product):
+        title = "a x b is not finite, so it cannot be drawn"
+    space.set_title(title)
 
     degrees = range(0, 181, 5)
     lengths = [_product_length(math.radians(angle)) for angle in degrees]
     plane = figure.add_subplot(122)
     theory = [6.0 * math.sin(math.radians(angle)) for angle in degrees]
-    plane.plot(degrees, theory, color=GRAY, lw=5, alpha=0.5, label="|a| |b| sin t")
+    plane.plot(degrees, theory, **THEORY, label="|a| |b| sin t")
     plane.plot(degrees, lengths, "o", color=BLACK, ms=4, label="|a x b|")
     plane.set(xlabel="angle t between a and b, degrees", ylabel="|a x b| for |a| = 2 and |b| = 3")
     plane.legend()
-    gap = max(abs(got - wanted) for got, wanted in zip(lengths, theory, strict=True))
+    rows = [*zip(degrees, lengths, theory, strict=True)]
+    gap = max(abs(got - wanted) for _, got, wanted in rows)
     plane.set_title(f"|a x b| and |a| |b| sin t differ by at most {gap:.1g}")
-    rows = [
-        (angle, got, wanted) for angle, got, wanted in zip(degrees, lengths, theory, strict=True)
-    ]
     return Picture(figure, ("angle t, degrees", "|a x b|", "|a| |b| sin t"), rows)
 
 
@@ -108,21 +115,19 @@ def basis() -> Picture:
     first, second, third = (numbers(v) for v in made)
     figure = pyplot.figure(figsize=(6, 6), layout="constrained")
     space = axes_3d(figure, 111, 1.2)
-    arrow_3d(space, a, "a", GRAY, "--")
-    arrow_3d(space, b, "b", GRAY, "--")
-    arrow_3d(space, first, "first", BLUE)
-    arrow_3d(space, second, "second", ORANGE)
-    arrow_3d(space, third, "third", GREEN)
+    shown = {"a": a, "b": b, "first": first, "second": second, "third": third}
+    for (name, v), color in zip(shown.items(), (GRAY, GRAY, BLUE, ORANGE, GREEN), strict=True):
+        arrow_3d(space, v, name, color, "--" if color == GRAY else "-")
     pairs = ((first, second), (second, third), (third, first))
     angles = ", ".join(f"{angle_between(v, w):.4g}°" for v, w in pairs)
     lengths = ", ".join(f"{math.sqrt(dot(v, v)):.4g}" for v in (first, second, third))
     is_right = dot(cross(first, second), third) > 0.0
     kind = "right-handed basis" if is_right else "basis that is not right-handed"
-    space.set_title(f"A {kind}, with angles of {angles}\nand lengths of {lengths}")
+    title = f"A {kind}, with angles of {angles}\nand lengths of {lengths}"
     if not is_drawable(first, second, third):
-        space.set_title("A vector of the basis is not finite, so it cannot be drawn")
-    rows = [("a", *a), ("b", *b), ("first", *first), ("second", *second), ("third", *third)]
-    return Picture(figure, COLUMNS, rows)
+        title = "A vector of the basis is not finite, so it cannot be drawn"
+    space.set_title(title)
+    return Picture(figure, COLUMNS, [(name, *v) for name, v in shown.items()])
 
 
 def filmed_motion() -> Picture:
@@ -143,13 +148,12 @@ def filmed_motion() -> Picture:
     rows: list[tuple[object, ...]] = []
     for axes, (label, at, vectors, exact) in zip(all_axes, panels, strict=True):
         upward = [numbers(v)[1] for v in vectors]
-        axes.plot(at, exact, color=GRAY, lw=5, alpha=0.5, label="exact")
+        axes.plot(at, exact, **THEORY, label="exact")
         axes.plot(at[: len(upward)], upward[: len(at)], "o", color=BLACK, ms=3, label="measured")
-        axes.set(xlabel="time, s", ylabel=label)
-        axes.grid(alpha=0.3)
         off = max((abs(y - wanted) for y, wanted in zip(upward, exact, strict=False)), default=0.0)
         kind, unit = label.rsplit(", ", 1)
-        axes.set_title(f"The {kind.split()[0]} is off\nby at most {off:.2g} {unit}")
+        title = f"The {kind.split()[0]} is off\nby at most {off:.2g} {unit}"
+        finish(axes, title, "time, s", label)
         rows += [(label, *row) for row in zip(at, upward, exact, strict=False)]
     all_axes[0].legend(loc="lower center")
     return Picture(figure, ("quantity", "time, s", "measured", "exact"), rows)
@@ -170,16 +174,14 @@ def _rates(
 
 
 def _product_length(angle: float) -> float:
-    """Compute the length of the vector product of a and b, with |a| = 2 and |b| = 3.
-
-    ``angle`` is the angle between the two vectors, which lie in a tilted plane. The product is
-    computed by the student's engine.
-    """
+    """Let the engine compute |a x b| for |a| = 2 and |b| = 3 at an angle in a tilted plane."""
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)
     return math.hypot(*numbers(a.cross(b)))
 
 
-def _plane(axes: Axes, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
-    axes.set(xlim=x_range, ylim=y_range, xlabel="x", ylabel="y", aspect="equal")
-    axes.grid(alpha=0.3)
+def _plane(title: str, right: int, top: int) -> tuple[Figure, Axes]:
+    """Create a figure of the X-Y plane from (-1, -1) to (right, top)."""
+    figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
+    finish(axes, title, "x", "y", xlim=(-1, right), ylim=(-1, top), aspect="equal")
+    return figure, axes

@@ -34,6 +34,7 @@ COLORS = {
     "trapezoidal rule": PINK,
 }
 
+THEORY: dict[str, Any] = {"color": GRAY, "lw": 5, "alpha": 0.5}  # of a curve behind the results
 LABEL: dict[str, Any] = {
     "fontsize": 12,
     "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8},
@@ -55,6 +56,17 @@ class Picture:
     figure: Figure
     columns: Sequence[str]
     rows: Sequence[Sequence[object]]
+
+
+def finish(axes: Axes, title: str, x: str, y: str, legend: int = 0, **settings: Any) -> None:
+    """Add a title, the labels of both axes and a grid to a panel.
+
+    ``legend`` is the size of the legend's letters. If it is 0, there is no legend.
+    """
+    axes.set(title=title, xlabel=x, ylabel=y, **settings)
+    axes.grid(alpha=0.3, which="both")
+    if legend:
+        axes.legend(fontsize=legend)
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:

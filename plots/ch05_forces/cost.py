@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from functools import partial
 
 from matplotlib import pyplot
 
@@ -12,7 +12,6 @@ from ch05_forces.forces import (
     Airbrake,
     Drag,
     ForceGenerator,
-    ForceRegistry,
     Gravity,
     InverseSquareGravity,
     PointGravity,
@@ -20,12 +19,14 @@ from ch05_forces.forces import (
 )
 from ch05_forces.particle import Particle
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, Picture
+from scenes.clock import FRAME
+from scenes.fall_in_air import G
 from scenes.readings import is_written
-from scenes.timing import Measurement, measure, timer, versus
+from scenes.setup import alone
+from scenes.timing import Measurement, Timer, measure, timer, versus
+from scenes.track import Move
 
-FRAME = 1.0 / 60.0
-G = 9.81
-DOWN = (0.0, -G, 0.0)
+DOWN = Vector3(0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
@@ -37,32 +38,24 @@ def cost_of_a_generator() -> Picture:
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)
     brake.on = True
-    generators: list[tuple[str, ForceGenerator]] = [
-        ("Gravity", Gravity(Vector3(*DOWN))),
-        ("Drag", Drag(0.3, 0.05)),
-        ("Uplift, inside", Uplift(Vector3(), 1e9, Vector3(0.0, 20.0, 0.0))),
-        ("Airbrake, on", brake),
-        ("PointGravity", PointGravity(Vector3(), G)),
-        ("InverseSquareGravity", InverseSquareGravity(Vector3(), 80.0)),
-    ]
-    built_in = chapter_3.Particle(place, motion, Vector3(*DOWN))
-    base = timer(lambda: _frames(built_in.integrate))
-    shown: list[tuple[str, Callable[[float], None]]] = [
-        (
-            "gravity as acceleration, chapter 5's step",
-            Particle(place, motion, Vector3(*DOWN)).integrate,
-        )
-    ]
-    for name, generator in generators:
+    generators: dict[str, ForceGenerator] = {
+        "Gravity": Gravity(DOWN),
+        "Drag": Drag(0.3, 0.05),
+        "Uplift, inside": Uplift(Vector3(), 1e9, Vector3(0.0, 20.0, 0.0)),
+        "Airbrake, on": brake,
+        "PointGravity": PointGravity(Vector3(), G),
+        "InverseSquareGravity": InverseSquareGravity(Vector3(), 80.0),
+    }
+    base = _frames(chapter_3.Particle(place, motion, DOWN).integrate)
+    shown = {
+        "gravity as acceleration, chapter 5's step": Particle(place, motion, DOWN).integrate,
+    }
+    for name, generator in generators.items():
         particle = Particle(place, motion)
-        if is_written(lambda g=generator, p=particle: g.update_force(p, FRAME)):  # type: ignore[misc]
-            words = f"{name}, via the registry"
-            shown.append((words, _registered(particle, generator)))
+        if is_written(partial(generator.update_force, particle, FRAME)):
+            shown[f"{name}, via the registry"] = _registered(particle, generator)
     lines = measure(
-        [
-            Measurement(name, versus(timer(lambda f=f: _frames(f)), base), 21)  # type: ignore[misc]
-            for name, f in shown
-        ]
+        [Measurement(name, versus(_frames(frame), base), 21) for name, frame in shown.items()]
     )
     rows = [(line.what, line.median, line.low, line.high) for line in lines]
     figure, axes = pyplot.subplots(figsize=(9, 4.2), layout="constrained")
@@ -77,8 +70,7 @@ def cost_of_a_generator() -> Picture:
     axes.axvline(1.0, color=BLACK, lw=1)
     axes.set(xlabel="time per frame / time of chapter 3's step with gravity as acceleration")
     axes.grid(alpha=0.3, axis="x")
-    costs = dict(zip(names, ratios, strict=True))
-    if gravity := costs.get("Gravity, via the registry"):
+    if gravity := dict(zip(names, ratios, strict=True)).get("Gravity, via the registry"):
         axes.set_title(
             f"Gravity as a generator takes {gravity:.1f} times as long for the same path.\n"
             "Use it only if g varies with position or time"
@@ -86,15 +78,17 @@ def cost_of_a_generator() -> Picture:
     return Picture(figure, ("what", "ratio", "lower quartile", "upper quartile"), rows)
 
 
-def _frames(frame: Callable[[float], None]) -> None:
-    for _ in range(500):
-        frame(FRAME)
+def _frames(frame: Move) -> Timer:
+    def run() -> None:
+        for _ in range(500):
+            frame(FRAME)
+
+    return timer(run)
 
 
-def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
-    """Return a function that moves ``particle`` by one frame under the force of ``generator``."""
-    registry = ForceRegistry()
-    registry.add(particle, generator)
+def _registered(particle: Particle, generator: ForceGenerator) -> Move:
+    """Return a function that moves a particle by one frame under the force of a generator."""
+    registry = alone(particle, generator).registry()
 
     def frame(duration: float) -> None:
         registry.update_forces(duration)

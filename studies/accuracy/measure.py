@@ -19,7 +19,7 @@ import random
 import statistics
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field
 from importlib import metadata
 from pathlib import Path
 
@@ -98,12 +98,18 @@ def explore(
                 start = time.process_time()
                 outcome = run(model, steps)
                 taken = time.process_time() - start
-                error, work = (scene.error(outcome), outcome.work) if outcome else (math.inf, 0)
-                point = Point(scene.name, model.name, model.by, steps, error, work)
-                points.append(replace(point, is_formula=model.is_formula))
-                if taken > (theirs if model.by == "pymunk" else slowest) or error < EXACT:
+                points.append(point_of(scene, model, steps, outcome))
+                slow = taken > (theirs if model.by == "pymunk" else slowest)
+                if slow or points[-1].error < EXACT:
                     break
     return Measured(points)
+
+
+def point_of(scene: Scene, model: Model, steps: int, outcome: Outcome | None) -> Point:
+    """Return the point of a run, whose error is infinite if the run failed."""
+    error, work = (scene.error(outcome), outcome.work) if outcome else (math.inf, 0)
+    names = scene.name, model.name, model.by
+    return Point(*names, steps, error, work, is_formula=model.is_formula)
 
 
 def run(model: Model, steps: int) -> Outcome | None:

@@ -1,40 +1,35 @@
-"""Measure how much longer the time step of a particle takes when forces act on it.
-
-A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not. It
-is also compared with plain arithmetic.
-"""
+"""Compare a particle of chapter 5, on which forces act, with one of chapter 3 and arithmetic."""
 
 from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
-from ch05_forces.forces import ForceRegistry, Gravity
+from ch03_laws_of_motion import particle as chapter_3
+from ch05_forces.forces import Gravity
 from ch05_forces.particle import Particle
-from scenes.drag_flight import PROJECTILE, Numbers, make_particle
+from scenes.clock import FRAME
+from scenes.flight import PROJECTILE
+from scenes.readings import Numbers
+from scenes.setup import alone
 from scenes.timing import Measurement, Target, timer, versus
-from studies.benchmarks.particles import FRAME, ROUNDS, STEPS, steps
+from studies.benchmarks.particles import ROUNDS, STEPS, steps
 
 FORCE = (1.0, 2.0, 3.0)
 FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that show how much time it costs to apply forces to a particle.
-
-    One of them compares gravity as a force generator with gravity as a constant acceleration.
-    """
-    chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
-    free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
-    forced = timer(lambda: forced_steps(FRAMES))
+    """Set up the benchmarks that show how much time it costs to apply forces to a particle."""
+    free = timer(lambda: steps(PROJECTILE.particle(Particle), FRAMES))
     return [
         Measurement(
             "Particle.integrate of chapter 5 without forces / that of chapter 3",
-            versus(free, chapter_3),
+            versus(free, timer(lambda: steps(PROJECTILE.particle(chapter_3.Particle), FRAMES))),
             ROUNDS,
             Target("at most", 1.1),
         ),
         Measurement(
             "add_force and Particle.integrate / the same arithmetic in local variables",
-            versus(forced, timer(lambda: forced_arithmetic(FRAMES))),
+            versus(timer(lambda: forced_steps(FRAMES)), timer(lambda: forced_arithmetic(FRAMES))),
             ROUNDS,
             Target("at most", 2.1),
         ),
@@ -46,23 +41,9 @@ def lines() -> list[Measurement]:
     ]
 
 
-def make_particle_with_forces() -> Particle:
-    """Create the projectile from the Particle class of chapter 5, which accepts forces."""
-    start = PROJECTILE.start
-    return Particle(
-        Vector3(*start.position),
-        Vector3(*start.velocity),
-        Vector3(*PROJECTILE.acceleration),
-        damping=PROJECTILE.damping,
-    )
-
-
 def forced_steps(frames: list[float]) -> Numbers:
-    """Move a particle on which a constant force acts, and return its final position.
-
-    ``frames`` lists the durations of the time steps in s.
-    """
-    particle = make_particle_with_forces()
+    """Move a particle on which a constant force acts, and return its final position."""
+    particle = PROJECTILE.particle(Particle)
     force = Vector3(*FORCE)
     for frame in frames:
         particle.add_force(force)
@@ -71,14 +52,10 @@ def forced_steps(frames: list[float]) -> Numbers:
 
 
 def generator_steps(frames: list[float]) -> Numbers:
-    """Move a particle with gravity as a force generator, and return its final position.
-
-    ``frames`` lists the durations of the time steps in s.
-    """
-    particle = make_particle_with_forces()
+    """Move a particle with gravity as a force generator, and return its final position."""
+    particle = PROJECTILE.particle(Particle)
     particle.acceleration = Vector3()
-    registry = ForceRegistry()
-    registry.add(particle, Gravity(Vector3(*PROJECTILE.acceleration)))
+    registry = alone(particle, Gravity(Vector3(*PROJECTILE.acceleration))).registry()
     for frame in frames:
         registry.update_forces(frame)
         particle.integrate(frame)
@@ -86,14 +63,12 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Compute the same motion as ``forced_steps``, but with plain arithmetic in local variables.
+    """Do the arithmetic of ``forced_steps`` without objects, and return the final position.
 
-    As in the engine, each step adds the force to a sum, uses the sum, and clears it. The extra time
-    that ``forced_steps`` takes is therefore the cost of the engine's objects and calls. Return the
-    final position.
+    As in the engine, each step adds the force to a sum, uses the sum, and clears it.
     """
-    x, y, z = PROJECTILE.start.position
-    vx, vy, vz = PROJECTILE.start.velocity
+    x, y, z = PROJECTILE.position
+    vx, vy, vz = PROJECTILE.velocity
     ax, ay, az = PROJECTILE.acceleration
     damping = PROJECTILE.damping
     inverse_mass = 1.0

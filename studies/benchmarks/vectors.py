@@ -8,12 +8,7 @@ from scenes.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Set up one benchmark per library that compares its vectors with Vector3.
-
-    The result is the library's time divided by ours, averaged over all operations that Vector3 and
-    the library both offer. If a library is not installed, its benchmark is skipped, and a message
-    on ``console`` shows how to install it.
-    """
+    """Set up a benchmark per library, and name on ``console`` the ones that are not installed."""
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
         ("numpy", "NumPy array", Target("at least", 4.5)),
@@ -22,49 +17,39 @@ def lines(console: Console) -> list[Measurement]:
     return against_peers(console, "Vector3", STATEMENTS, peers)
 
 
+BY_OPERATORS = {"create": "V(1.5, 2.5, 3.5)", "add": "a + b", "scale": "a * 1.5", "dot": "a.dot(b)"}
+OF_THREE = "a, b, c = V(1.5, 2.5, 3.5), V(0.5, -1.5, 2.0), V(1.0, 1.0, 1.0)"
 STATEMENTS: Statements = {
-    "ours": {
-        "setup": "from ch02_vectors.vector import Vector3 as V\n"
-        "a, b, c = V(1.5, 2.5, 3.5), V(0.5, -1.5, 2.0), V(1.0, 1.0, 1.0)",
-        "create": "V(1.5, 2.5, 3.5)",
-        "add": "a + b",
-        "scale": "a * 1.5",
-        "dot": "a.dot(b)",
+    "ours": BY_OPERATORS
+    | {
+        "setup": f"from ch02_vectors.vector import Vector3 as V\n{OF_THREE}",
         "cross": "a.cross(b)",
         "magnitude": "a.magnitude()",
         "normalize": "a.normalized()",
         "add_scaled": "c.add_scaled(b, 0.001)",
     },
-    "pyglet": {
-        "setup": "from pyglet.math import Vec3 as V\n"
-        "a, b, c = V(1.5, 2.5, 3.5), V(0.5, -1.5, 2.0), V(1.0, 1.0, 1.0)",
-        "create": "V(1.5, 2.5, 3.5)",
-        "add": "a + b",
-        "scale": "a * 1.5",
-        "dot": "a.dot(b)",
+    "pyglet": BY_OPERATORS
+    | {
+        "setup": f"from pyglet.math import Vec3 as V\n{OF_THREE}",
         "cross": "a.cross(b)",
         "magnitude": "a.length()",
         "normalize": "a.normalize()",
         "add_scaled": "c = c + b * 0.001",
     },
-    "numpy": {
+    "numpy": BY_OPERATORS
+    | {
         "setup": "import numpy as n\n"
         "a, b, c = n.array([1.5, 2.5, 3.5]), n.array([0.5, -1.5, 2.0]), n.array([1.0, 1.0, 1.0])",
         "create": "n.array([1.5, 2.5, 3.5])",
-        "add": "a + b",
-        "scale": "a * 1.5",
-        "dot": "a.dot(b)",
         "cross": "n.cross(a, b)",
         "magnitude": "n.linalg.norm(a)",
         "normalize": "a / n.linalg.norm(a)",
         "add_scaled": "c += b * 0.001",
     },
-    "pymunk": {
+    "pymunk": BY_OPERATORS
+    | {
         "setup": "from pymunk import Vec2d as V\na, b, c = V(1.5, 2.5), V(0.5, -1.5), V(1.0, 1.0)",
         "create": "V(1.5, 2.5)",
-        "add": "a + b",
-        "scale": "a * 1.5",
-        "dot": "a.dot(b)",
         "magnitude": "a.length",
         "normalize": "a.normalized()",
         "add_scaled": "c = c + b * 0.001",

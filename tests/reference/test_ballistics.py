@@ -15,8 +15,11 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange, Shot, is_spent
 from ch04_particle_engine.grenade import FUSE, bounce
 from ch04_particle_engine.targets import TargetBlock, hit_fraction
+from ch05_forces import particle as chapter_5
 from plots.drawing import slope
-from scenes.drag_flight import flight_of, with_pymunk
+from scenes.setup import alone
+from scenes.shots_and_sparks import flight_of
+from scenes.twin import twin_of
 
 INF = math.inf
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
@@ -46,10 +49,11 @@ def test_shots_are_pymunk_bodies_in_the_vertical_plane_but_for_the_order_of_damp
     type = SHOT_TYPES[name]
     frames = round(1.5 / h)  # before any shot is removed or bounces
     ours = flight(name, h, frames)
-    theirs = with_pymunk(flight_of(type, 1.5), h, frames)[1:]
+    space, (body,) = twin_of(alone(flight_of(type).particle(chapter_5.Particle)))
     kept = type.damping**h
     a = type.acceleration[1]
-    for n, ((place, velocity), body) in enumerate(zip(ours, theirs, strict=True), 1):
+    for n, (place, velocity) in enumerate(ours, 1):
+        space.step(h)
         ahead = a * h * (1.0 - kept**n)
         gone = a * h * h * (n - (1.0 - kept**n) / (1.0 - kept))
         # The tolerance allows for 360 roundings of numbers up to 150, twice.
@@ -62,7 +66,7 @@ def test_shots_are_pymunk_bodies_in_the_vertical_plane_but_for_the_order_of_damp
 @pytest.mark.parametrize("name", SHOT_TYPES)
 def test_the_error_of_a_shot_is_of_first_order(name: str) -> None:
     counts = (200, 400, 800)
-    exact = flight_of(SHOT_TYPES[name], 1.0).exact(1.0).position[:2]
+    exact = flight_of(SHOT_TYPES[name]).exact(1.0).position[:2]
     errors = [math.dist(flight(name, 1.0 / n, n)[-1][0], exact) for n in counts]
     # The next order is h / t of the first, and changes the slope by less than a hundredth.
     assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)

@@ -10,21 +10,16 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from scenes.drag_flight import (
-    DAMPED_FALL,
-    GRAVITY,
-    DragFlight,
-    State,
-)
+from scenes.flight import DAMPED_FALL, GRAVITY, Flight
 
 INF = math.inf
 VECTORS = ("position", "velocity", "acceleration")
 
 
 def test_the_closed_form_of_the_flights_gives_the_known_flight_of_a_shot() -> None:
-    shot = State((0.0, 1.5, 0.0), (0.0, 30.0, 40.0))
+    place, velocity, acceleration = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
-        landed = DragFlight("artillery", shot, (0.0, -20.0, 0.0), damping, 3.0).exact(time).position
+        landed = Flight(place, velocity, acceleration, damping).exact(time).position
         # The times are known to 5e-8 s, and the shot falls at 31 m/s.
         assert landed[1] == pytest.approx(0.0, abs=2e-6)
         assert landed[2] == pytest.approx(reach, abs=1e-5)

@@ -16,8 +16,10 @@ from typing import Any
 import pytest
 from rich.console import Console
 
+from ch03_laws_of_motion.particle import Particle
+from ch05_forces import particle as chapter_5
 from scenes import timing
-from scenes.drag_flight import PROJECTILE, make_particle
+from scenes.flight import PROJECTILE
 from scenes.timing import Measurement, Target
 from studies import bench
 from studies.accuracy.catalog import scenes_with
@@ -157,9 +159,9 @@ def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:
     (scene,) = scenes_with("projectile")
     for name, tolerance in ((EXAMPLES, 1e-4), ("explicit Euler", 1e-3), ("velocity Verlet", 1e-7)):
         model = accuracy.model_of(scene, name)
-        steps, error = accuracy.fewest_steps(scene, model, tolerance)
-        assert error == scene.error(model.run(steps)) <= tolerance
-        assert scene.error(model.run(steps // 2)) > tolerance
+        point = accuracy.tried_steps(scene, model, tolerance)[-1]
+        assert point.error == scene.error(model.run(point.steps)) <= tolerance
+        assert scene.error(model.run(point.steps // 2)) > tolerance
 
 
 def test_the_coarsest_choice_is_the_first_that_is_accurate_enough() -> None:
@@ -182,9 +184,9 @@ def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
     (scene,) = scenes_with("projectile")
     monkeypatch.setattr(accuracy, "MOST", 40 * scene.frames)
     pymunk = accuracy.model_of(scene, EXAMPLES)
-    steps, error = accuracy.fewest_steps(scene, pymunk, 1e-4)  # this needs 64 steps
-    assert steps == 32
-    assert error == scene.error(pymunk.run(32)) > 1e-4
+    point = accuracy.tried_steps(scene, pymunk, 1e-4)[-1]  # this needs 64 steps
+    assert point.steps == 32
+    assert point.error == scene.error(pymunk.run(32)) > 1e-4
     monkeypatch.setattr(accuracy, "MOST", 400)
     monkeypatch.setattr(accuracy, "lines_of_adaptive", lambda: [])
     bounds = ["a lower bound" in line.what for line in accuracy.lines()]
@@ -247,7 +249,7 @@ def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
 def test_what_is_compared_with_the_step_is_the_same_step() -> None:
     """Operators, methods in place and local variables give the result of Particle.integrate."""
     frames = [0.02, 0.01, 0.02, 0.02] * 250
-    stepped, by_operators, in_place = (make_particle(PROJECTILE) for _ in range(3))
+    stepped, by_operators, in_place = (PROJECTILE.particle(Particle) for _ in range(3))
     particles.steps(stepped, frames)
     particles.operator_steps(by_operators, frames)
     particles.in_place_steps(in_place, frames)
@@ -263,7 +265,7 @@ def test_what_forces_are_compared_with_goes_the_same_way() -> None:
     # 1000 roundings of numbers up to 200.
     wanted = pytest.approx(forces.forced_steps(frames), rel=1e-11)
     assert forces.forced_arithmetic(frames) == wanted
-    free = forces.make_particle_with_forces()
+    free = PROJECTILE.particle(chapter_5.Particle)
     particles.steps(free, frames)
     assert forces.generator_steps(frames) == pytest.approx(tuple(free.position), rel=1e-11)
 

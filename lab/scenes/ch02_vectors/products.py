@@ -19,26 +19,43 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
     return c * x - s * y, s * x + c * y
 
 
-class Projection(Scene):
-    """A scene that shows how far one vector extends along the direction of another.
-
-    This length is the scalar product of the first vector and a unit vector along the second. The
-    reader can drag both vectors.
-    """
+class TwoVectors(Scene):
+    """The base class of scenes with two vectors a and b that the reader can drag and rotate."""
 
     chapter = 2
-    title = "Projection: how much of a points along b?"
-    question = "When is the dot product positive, zero or negative?"
-    view = (-4.5, 4.5, -2.5, 3.5)
     seconds = 4.0
     exact_from = "the same formula in plain numbers"
     keys = {"left": "rotate a to the left", "right": "rotate a to the right"}
-
-    def build(self) -> None:
-        self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
+    a: Vector3
+    b: Vector3
 
     def step(self, duration: float) -> None:
         """Do nothing, because the vectors move only when the reader drags or rotates them."""
+
+    def rotate(self, angle: float) -> None:
+        """Rotate a to the left by an angle in radians."""
+        self.a.x, self.a.y = rotated(self.a.x, self.a.y, angle)
+
+    def press(self, key: str) -> None:
+        if key in self.keys:
+            self.rotate(STEP if key == "left" else -STEP)
+
+    def play(self, time: float) -> None:
+        self.press("left")
+
+
+class Projection(TwoVectors):
+    """A scene that shows how far one vector extends along the direction of another.
+
+    This length is the scalar product of the first vector and a unit vector along the second.
+    """
+
+    title = "Projection: how much of a points along b?"
+    question = "When is the dot product positive, zero or negative?"
+    view = (-4.5, 4.5, -2.5, 3.5)
+
+    def build(self) -> None:
+        self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
 
     def shadow(self) -> Vector3:
         """Project the vector a onto the vector b with the student's Vector3."""
@@ -62,7 +79,7 @@ class Projection(Scene):
         }
 
     def state(self) -> list[float]:
-        return [self.shadow().x, self.shadow().y]
+        return [*self.shadow()][:2]
 
     def exact(self, time: float) -> list[float]:
         a, b = self.a, self.b
@@ -76,36 +93,22 @@ class Projection(Scene):
     def say(self) -> str:
         return f"a · b is {self.a.dot(self.b):.2f}."
 
-    def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            self.a.x, self.a.y = rotated(self.a.x, self.a.y, STEP if key == "left" else -STEP)
-
     def drag(self, name: str, x: float, y: float) -> None:
         if math.hypot(x, y) > TIP:  # a vector of zero length has no direction
             moved = self.a if name == "a" else self.b
             moved.x, moved.y = x, y
 
-    def play(self, time: float) -> None:
-        self.press("left")
 
-
-class CrossProduct(Scene):
+class CrossProduct(TwoVectors):
     """A scene of two vectors on the ground and their vector product, which points up or down."""
 
-    chapter = 2
     title = "Cross product: a direction and an area"
     question = "Where does a × b point, and what is its length?"
     view = (-4.5, 4.5, -4.0, 4.5)
-    seconds = 4.0
-    exact_from = "the same formula in plain numbers"
     error_unit = "m²"
-    keys = {"left": "rotate a to the left", "right": "rotate a to the right"}
 
     def build(self) -> None:
         self.a, self.b = Vector3(0.5, 0.0, 1.8), Vector3(2.0, 0.0, 0.3)
-
-    def step(self, duration: float) -> None:
-        """Do nothing, because the vectors move only when the reader drags or rotates them."""
 
     def draw(self, pen: Pen) -> None:
         zero, product = Vector3(), self.a.cross(self.b)
@@ -126,8 +129,7 @@ class CrossProduct(Scene):
         return {"vertical component of a × b, m²": self.a.cross(self.b).y}
 
     def state(self) -> list[float]:
-        product = self.a.cross(self.b)
-        return [product.x, product.y, product.z]
+        return [*self.a.cross(self.b)]
 
     def exact(self, time: float) -> list[float]:
         a, b = self.a, self.b
@@ -140,17 +142,13 @@ class CrossProduct(Scene):
         up = self.a.cross(self.b).y
         return f"a × b points {'up' if up > 0.0 else 'down'}. Its length is {abs(up):.2f} m²."
 
-    def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            turn = -STEP if key == "left" else STEP  # from above, z points toward the viewer
-            self.a.x, self.a.z = rotated(self.a.x, self.a.z, turn)
+    def rotate(self, angle: float) -> None:
+        """Rotate a on the ground. From above, z points toward the viewer."""
+        self.a.x, self.a.z = rotated(self.a.x, self.a.z, -angle)
 
     def drag(self, name: str, x: float, y: float) -> None:
         moved = self.a if name == "a" else self.b
         moved.x, moved.z = on_the_ground(x, y)
-
-    def play(self, time: float) -> None:
-        self.press("left")
 
 
 SCENES = (Projection, CrossProduct)

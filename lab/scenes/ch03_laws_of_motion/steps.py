@@ -10,18 +10,14 @@ from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
 from scenes.clock import FRAME, ROUNDING
-from scenes.drag_flight import GRAVITY, DragFlight, State
+from scenes.flight import GRAVITY, thrown
 from scenes.parameters import Choice, Slider
 
 COLORS = ("red", "orange", "blue")
 
 
 class FrameRates(Scene):
-    """A scene that simulates the same throw at three step rates, next to its exact path.
-
-    The balls are moved by the book's integrator. The longer its steps are, the farther the balls
-    stray from the exact path.
-    """
+    """A scene that simulates a throw at three step rates with the book's integrator."""
 
     chapter = 3
     title = "One throw at three step rates"
@@ -44,20 +40,9 @@ class FrameRates(Scene):
     angle = Slider(50.0, "angle", "degrees", 10.0, 80.0, step=1.0)
 
     def build(self) -> None:
-        a = math.radians(self.angle)
-        start = State((0.0, 1.0, 0.0), (self.speed * math.cos(a), self.speed * math.sin(a), 0.0))
-        self.flight = DragFlight("throw", start, GRAVITY, self.damping, 6.0)
-        self.rates = (self.rate, 2 * self.rate, max(60, 4 * self.rate))
-        self.balls = [
-            Particle(
-                Vector3(*start.position),
-                Vector3(*start.velocity),
-                Vector3(*GRAVITY),
-                damping=self.damping,
-            )
-            for _ in self.rates
-        ]
-        self.steps = [0 for _ in self.rates]
+        self.flight = thrown((0.0, 1.0), self.speed, self.angle, self.damping)
+        self.rates: tuple[int, ...] = (self.rate, 2 * self.rate, max(60, 4 * self.rate))
+        self.balls = [self.flight.particle(Particle) for _ in self.rates]
         self.paths = [[(ball.position.x, ball.position.y)] for ball in self.balls]
 
     def advance(self, duration: float = FRAME) -> None:
@@ -66,36 +51,36 @@ class FrameRates(Scene):
         The error that the page shows is that of the last ball, so the simulated time is its own.
         """
         self.clock.time += duration
-        for i, (rate, ball) in enumerate(zip(self.rates, self.balls, strict=True)):
-            while (self.steps[i] + 1) / rate <= self.time + ROUNDING and ball.position.y > 0.0:
+        for rate, ball, path in zip(self.rates, self.balls, self.paths, strict=True):
+            while len(path) / rate <= self.time + ROUNDING and ball.position.y > 0.0:
                 ball.integrate(1.0 / rate)
-                self.steps[i] += 1
-                self.paths[i].append((ball.position.x, ball.position.y))
-        self.clock.simulated = self.steps[-1] / self.rates[-1]
+                path.append((ball.position.x, ball.position.y))
+        self.clock.simulated = self.flown(-1)
+
+    def flown(self, i: int) -> float:
+        """Return how long ball ``i`` has been flying, in s."""
+        return (len(self.paths[i]) - 1) / self.rates[i]
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
-        path = [self.flight.exact(i / 30.0).position[:2] for i in range(100)]
-        pen.line([place for place in path if place[1] >= 0.0], "gray", 2.0, dashed=True)
-        for rate, ball, trail, color in zip(
-            self.rates, self.balls, self.paths, COLORS, strict=True
-        ):
-            pen.line(trail, color, 1.5)
-            pen.dots(trail, color)
-            pen.circle(ball.position, 0.3, color)
-            pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
+        exact = [self.flight.exact(i / 30.0).position[:2] for i in range(100)]
+        pen.line([place for place in exact if place[1] >= 0.0], "gray", 2.0, dashed=True)
+        for rate, path, color in zip(self.rates, self.paths, COLORS, strict=True):
+            x, y = path[-1]
+            pen.line(path, color, 1.5)
+            pen.dots(path, color)
+            pen.circle((x, y), 0.3, color)
+            pen.text((x + 0.2, y + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
         """Compute the distance between ball ``i`` and its exact position, in m."""
-        x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
-        return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
+        return math.dist(self.paths[i][-1], self.exact(self.flown(i)))
 
     def chart(self) -> dict[str, float]:
         return {f"error at {rate} Hz, m": self.off(i) for i, rate in enumerate(self.rates)}
 
     def state(self) -> list[float]:
-        ball = self.balls[-1].position
-        return [ball.x, ball.y]
+        return [*self.paths[-1][-1]]
 
     def exact(self, time: float) -> list[float]:
         return [*self.flight.exact(time).position[:2]]
@@ -105,20 +90,13 @@ class FrameRates(Scene):
         return f"each step at {self.rate} Hz ends g h²/2 = {rise:.3g} m too high"
 
     def say(self) -> str:
-        places = [
-            f"{path[-1][0]:.1f} m at {rate} Hz"
-            for rate, path in zip(self.rates, self.paths, strict=True)
-        ]
-        return f"The balls have flown {', '.join(places)}."
+        ends = zip(self.rates, self.paths, strict=True)
+        places = ", ".join(f"{path[-1][0]:.1f} m at {rate} Hz" for rate, path in ends)
+        return f"The balls have flown {places}."
 
 
 class DampingForms(Scene):
-    """A scene of three sliding pucks that compares two forms of damping with the exact motion.
-
-    The first puck loses the same fraction of its speed in every step (Eq. 3.5). The second one
-    loses a fraction that depends on the length of the step (Eq. 3.6). The third follows the exact
-    solution.
-    """
+    """A scene of three sliding pucks, which compares two forms of damping with the exact motion."""
 
     chapter = 3
     title = "Damping per step, or per second?"
@@ -157,19 +135,15 @@ class DampingForms(Scene):
         return self.SPEED * -math.expm1(-k * time) / k
 
     def draw(self, pen: Pen) -> None:
-        for i, (x, (label, color)) in enumerate(
-            zip((*self.places, self.slid(self.simulated)), self.LANES, strict=True)
-        ):
-            y = 2.5 - i
+        places = (*self.places, self.slid(self.simulated))
+        for y, x, (label, color) in zip((2.5, 1.5, 0.5), places, self.LANES, strict=True):
             pen.segments([((0.0, y - 0.3), (10.0, y - 0.3))], "gray")
             pen.circle((x, y), 0.25, color)
             pen.text((1.2, y + 0.45), label, color)
 
     def chart(self) -> dict[str, float]:
-        return {
-            "speed, per step, m/s": self.speeds[0].x,
-            "speed, per second, m/s": self.speeds[1].x,
-        }
+        per_step, per_second = self.speeds
+        return {"speed, per step, m/s": per_step.x, "speed, per second, m/s": per_second.x}
 
     def state(self) -> list[float]:
         return [self.places[1]]
@@ -178,11 +152,8 @@ class DampingForms(Scene):
         return [self.slid(time)]
 
     def facts(self) -> str:
-        per_step = self.kept ** (self.rate / 60.0)
-        return (
-            f"at {self.rate} Hz damping per step keeps {per_step:.3g} of v per second, "
-            f"not {self.kept:g}"
-        )
+        found = f"{self.kept ** (self.rate / 60.0):.3g} of v per second, not {self.kept:g}"
+        return f"at {self.rate} Hz damping per step keeps {found}"
 
     def say(self) -> str:
         return f"The red puck is at {self.places[0]:.2f} m, the blue one at {self.places[1]:.2f} m."

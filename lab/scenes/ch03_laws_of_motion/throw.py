@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
 from lab.scene import Scene
-from scenes.drag_flight import GRAVITY, DragFlight, State
+from scenes.flight import Flight, thrown
 from scenes.parameters import Choice, Slider
 
 Point = tuple[float, float]
@@ -18,7 +17,7 @@ Point = tuple[float, float]
 class Throw(Scene):
     """A game of throwing a ball through a hoop, in which the student's engine moves the ball.
 
-    The exact path is drawn too, so the player can see how much of a miss is the integrator's fault.
+    The exact path shows how much of a miss is the integrator's fault.
     """
 
     chapter = 3
@@ -42,6 +41,8 @@ class Throw(Scene):
     HAND = (1.0, 2.0)  # m
     HOOPS = ((9.0, 3.0), (14.0, 4.0), (11.0, 5.0), (16.0, 2.5))  # m, the center of each rim
     RIM, BALL = 0.5, 0.25  # m, half the width of the rim and the radius of the ball
+    # What the keys change: the angle in degrees and the speed in m/s.
+    AIMS = {"up": (2.0, 0.0), "down": (-2.0, 0.0), "right": (0.0, 0.25), "left": (0.0, -0.25)}
     PULL = 2.0  # 1/s, throwing speed per meter between the hand and the click
     REST = 1.0  # s, how long the hoop stays in place after a throw
     LONGEST = 6.0  # s, after which a throw ends even if the ball has not landed
@@ -64,35 +65,23 @@ class Throw(Scene):
         self.truth: list[Point] = []
         self.orders = [*self.ORDERS]
         self.thrown = self.flight()
-        self.ball = self.new_ball()
+        self.ball = self.thrown.particle(Particle)
 
     @property
     def hoop(self) -> Point:
         """The position of the hoop's center, in m. The hoop moves whenever a ball goes in."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
-    def flight(self) -> DragFlight:
-        """Describe the throw that the player is aiming, so that its exact path can be computed."""
-        angle = math.radians(self.angle)
-        velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
-        return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
-
-    def new_ball(self) -> Particle:
-        """Create a particle for the ball at the start of the current throw."""
-        start = self.thrown.start
-        return Particle(
-            Vector3(*start.position),
-            Vector3(*start.velocity),
-            Vector3(*GRAVITY),
-            damping=self.damping,
-        )
+    def flight(self) -> Flight:
+        """Return the throw that the player is aiming."""
+        return thrown(self.HAND, self.speed, self.angle, self.damping)
 
     def throw(self) -> None:
         """Throw the ball, unless it is still in the air."""
         if self.flies:
             return
         self.thrown = self.flight()
-        self.ball = self.new_ball()
+        self.ball = self.thrown.particle(Particle)
         self.passed = self.score
         self.start = self.clock.simulated = self.time
         self.end = math.inf
@@ -105,8 +94,7 @@ class Throw(Scene):
         """Compute points along the exact path of the throw, from the hand down to the ground."""
         path: list[Point] = []
         while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
-            x, y, _ = self.thrown.exact(len(path) / 60.0).position
-            path.append((x, y))
+            path.append(self.thrown.exact(len(path) / 60.0).position[:2])
         return path
 
     def step(self, duration: float) -> None:
@@ -130,8 +118,7 @@ class Throw(Scene):
     def past_hoop(self, path: list[Point]) -> float | None:
         """Compute how far beyond the hoop's center a path comes down to the hoop's height, in m.
 
-        The distance is negative if the path falls short of the center. It is None if the path never
-        comes down to that height.
+        The distance is negative if the path falls short, and None if it stays too low.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
@@ -140,11 +127,7 @@ class Throw(Scene):
         return None
 
     def is_in(self, beyond: float | None) -> bool:
-        """Return True if a ball goes through the hoop.
-
-        ``beyond`` is the result of ``past_hoop``: how far beyond the center of the rim the ball
-        comes down.
-        """
+        """Return True if a ball goes through the hoop, given the result of ``past_hoop``."""
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
@@ -174,9 +157,9 @@ class Throw(Scene):
         pen.line(self.truth, "gray", 1.5, dashed=True)
         pen.dots(self.path, "blue")
         if self.flies:
-            true = self.exact(self.simulated)
-            pen.circle((true[0], true[1]), self.BALL, "gray", fill=False)
-            pen.segments([(self.path[-1], (true[0], true[1]))], "red", 1.5)
+            x_exact, y_exact = self.exact(self.simulated)
+            pen.circle((x_exact, y_exact), self.BALL, "gray", fill=False)
+            pen.segments([(self.path[-1], (x_exact, y_exact))], "red", 1.5)
         else:
             a, reach = math.radians(self.angle), 0.2 * self.speed
             pen.arrow(self.HAND, (reach * math.cos(a), reach * math.sin(a)), "red")
@@ -202,18 +185,14 @@ class Throw(Scene):
         return self.message or f"The ball is {self.path[-1][1]:.1f} m high."
 
     def press(self, key: str) -> None:
-        if key in ("up", "down"):
-            self.aim(self.angle + (2.0 if key == "up" else -2.0), self.speed)
-        elif key in ("left", "right"):
-            self.aim(self.angle, self.speed + (0.25 if key == "right" else -0.25))
+        if key in self.AIMS:
+            angle, speed = self.AIMS[key]
+            self.aim(self.angle + angle, self.speed + speed)
         elif key == "t":
             self.throw()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Aim the throw at an angle in degrees, with a speed in m/s.
-
-        Both values are clamped to what a person can throw.
-        """
+        """Aim the throw, within the ranges of the sliders."""
         self.values["angle"] = max(0.0, min(88.0, angle))
         self.values["speed"] = max(4.0, min(20.0, speed))
 
@@ -224,12 +203,7 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Simulate a player who throws the ball five times.
-
-        The first throw uses 60 steps per second, and the second and third throws use 10. The last
-        two use 60 again, with damping. Recordings and tests use this script in place of a human
-        player.
-        """
+        """Simulate a player who makes the throws in ORDERS."""
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

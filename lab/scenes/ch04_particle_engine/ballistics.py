@@ -6,13 +6,15 @@ import math
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot, grenade_after
+from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot
 from ch04_particle_engine.closed_form import state_after
 from ch04_particle_engine.targets import TargetBlock, strike_first
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
+from scenes.flight import thrown
 from scenes.parameters import Choice, Slider
-from scenes.readings import is_written
+from scenes.readings import Numbers, is_written
+from scenes.shots_and_sparks import shot_names
 
 COLORS = {
     "pistol": "black",
@@ -69,18 +71,18 @@ class Ballistics(Scene):
                 TargetBlock(Vector3(4, 1.5, 65), (3, 3, 1), mass=1000),
                 TargetBlock(Vector3(0, 4, 120), (16, 8, 0.5), mass=math.inf),
             ]
-        self.names = [name for name in SHOT_TYPES if name != "grenade" or can_throw()]
+        self.names = shot_names()
         self.name = "pistol"
         self.azimuth = 0.0
         self.elevation: float | None = None
-        self.trails: dict[int, tuple[Shot, list[tuple[float, float, float]]]] = {}
+        self.trails: dict[int, tuple[Shot, list[Numbers]]] = {}
         self.orders = [order for order in self.ORDERS if order[1] in self.names]
 
     def step(self, duration: float) -> None:
         self.range.update(duration)
         for shot in self.range.shots:
-            p = shot.particle.position
             _, trail = self.trails.setdefault(id(shot), (shot, []))
+            p = shot.particle.position
             trail.append((p.x, p.y, p.z))
         for key in [*self.trails][:-24]:  # keep the trails of the last 24 shots
             del self.trails[key]
@@ -101,20 +103,19 @@ class Ballistics(Scene):
             color = COLORS.get(shot.type, "pink")
             pen.dots([(z, y) for _, y, z in trail], color, 2.0)
             pen.dots([(z, MIDDLE + x) for x, _, z in trail], color, 2.0)
-        elevation = self.muzzle()
-        side = (10.0 * math.cos(elevation), 10.0 * math.sin(elevation))
-        above = (10.0 * math.cos(self.azimuth), 10.0 * math.sin(self.azimuth))
-        pen.arrow((0.0, MUZZLE[1]), side, COLORS.get(self.name, "pink"))
-        pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
+        for y, angle in ((MUZZLE[1], self.muzzle()), (MIDDLE, self.azimuth)):
+            tip = (10.0 * math.cos(angle), 10.0 * math.sin(angle))
+            pen.arrow((0.0, y), tip, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation of the gun in radians.
-
-        Until the reader aims, the gun has the usual elevation for the type of shot.
-        """
+        """Return the elevation of the gun in rad. Until the reader aims, the shot decides it."""
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
         return own if self.elevation is None else self.elevation
+
+    def fire(self) -> None:
+        """Fire a shot of the chosen type."""
+        self.range.fire(self.name, self.azimuth, self.elevation)
 
     def chart(self) -> dict[str, float]:
         return {"shots in flight": float(len(self.range.shots))}
@@ -124,11 +125,12 @@ class Ballistics(Scene):
         return f"{self.name}: {kind.mass:g} kg, damping {kind.damping:g}"
 
     def say(self) -> str:
-        hits = [
-            f"{_mass(block)}: {block.hits} hits, {block.particle.velocity.z:.1f} m/s"
-            for block in self.range.targets
-        ]
-        return "; ".join([*hits, f"{len(self.range.shots)} shots in flight."])
+        told = []
+        for block in self.range.targets:
+            p = block.particle
+            name = f"{p.mass:g} kg" if p.has_finite_mass else "the wall"
+            told.append(f"{name}: {block.hits} hits, {p.velocity.z:.1f} m/s")
+        return "; ".join([*told, f"{len(self.range.shots)} shots in flight."])
 
     def press(self, key: str) -> None:
         if key in "12345"[: len(self.names)]:
@@ -138,28 +140,24 @@ class Ballistics(Scene):
         elif key in ("up", "down"):
             self.elevation = self.muzzle() + (self.TURN if key == "up" else -self.TURN)
         elif key == "f":
-            self.range.fire(self.name, self.azimuth, self.elevation)
+            self.fire()
 
     def click(self, x: float, y: float) -> None:
-        """Aim at the clicked point, and fire.
-
-        A click in the side view changes the elevation of the gun. A click in the view from above
-        changes its direction to the left or right.
-        """
+        """Aim at a point of the side view or of the view from above, and fire."""
         if x <= MUZZLE[2]:
             return
         if y > 0.5 * MIDDLE:
             self.elevation = math.atan2(y - MUZZLE[1], x)
         else:
             self.azimuth = math.atan2(y - MIDDLE, x)
-        self.range.fire(self.name, self.azimuth, self.elevation)
+        self.fire()
 
     def play(self, time: float) -> None:
         while self.orders and self.orders[0][0] <= time:
             _, self.name, azimuth, elevation = self.orders.pop(0)
             self.azimuth = math.radians(azimuth)
             self.elevation = None if elevation is None else math.radians(elevation)
-            self.range.fire(self.name, self.azimuth, self.elevation)
+            self.fire()
 
 
 def best_of_three(scene: Artillery) -> int:
@@ -197,29 +195,20 @@ class Artillery(Scene):
         self.fired = self.clock.simulated = self.time
         self.end = math.inf  # s, when the shell lands
         self.length, self.flight = self.landing(self.elevation)
-        self.predicted = [
-            self.place_after(self.flight * i / 60.0, self.elevation) for i in range(61)
-        ]
+        times = [self.flight * i / 60.0 for i in range(61)]
+        self.predicted = [self.place_after(time, self.elevation) for time in times]
 
     def shot(self, elevation: float) -> Particle:
         """Create a shell fired from the ground at ``elevation``, in degrees."""
-        a = math.radians(elevation)
-        velocity = Vector3(self.speed * math.cos(a), self.speed * math.sin(a))
-        return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
+        return thrown((0.0, 0.0), self.speed, elevation, self.damping).particle(Particle)
 
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
-        """Compute the exact position of a shell ``time`` s after it was fired.
-
-        ``elevation`` is the angle of the gun in degrees.
-        """
+        """Compute the exact position of a shell ``time`` s after it was fired."""
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Compute how far a shell flies, in m, and how long it is in the air, in s.
-
-        ``elevation`` is in degrees. The time of landing is found by bisection.
-        """
+        """Compute how far a shell flies, in m, and for how long, in s, by bisection."""
         low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
         while high - low > 1e-9:
             middle = 0.5 * (low + high)
@@ -265,13 +254,4 @@ class Artillery(Scene):
             self.build()
 
 
-def can_throw() -> bool:
-    """Return True if the student has already written the code for grenades."""
-    return is_written(lambda: grenade_after(Shot("grenade", Particle())))
-
-
 SCENES = (Artillery, Ballistics)
-
-
-def _mass(block: TargetBlock) -> str:
-    return f"{block.particle.mass:g} kg" if block.particle.has_finite_mass else "the wall"

@@ -3,25 +3,19 @@
 from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
-from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.display import Display, click, find_rocket, is_over, tick
-from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
-from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_types
+from ch04_particle_engine.fireworks import FireworksShow, endless_types
 from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
 from lab.drawing.pen import Pen
 from lab.scene import Scene
 from scenes.readings import is_written
+from scenes.shots_and_sparks import WHEEL_SPARK, can_turn, firework_rules, make_wheel
 
 COLORS = ("orange", "red", "sky", "pink", "brown", "red", "sky", "green", "violet", "pink", "green")
-# The firework type of the Catherine wheel's sparks.
-WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
 
 
 class Fireworks(Scene):
-    """A fireworks display that goes on as long as the player keeps hitting its rockets.
-
-    Next to the rockets, a Catherine wheel throws sparks.
-    """
+    """A fireworks display that goes on as long as the player keeps hitting its rockets."""
 
     chapter = 4
     title = "Keep the fireworks alive"
@@ -32,19 +26,15 @@ class Fireworks(Scene):
     SPIN = 5.0  # rad/s, at which sparks rotate on the screen
 
     def build(self) -> None:
-        own = own_types() if is_written(own_types) else []
-        rules = [*FIREWORK_TYPES, *own, WHEEL_SPARK]
+        rules = [*firework_rules(), WHEEL_SPARK]
         self.display = Display(FireworksShow(rules, capacity=400, seed=2))
         self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
         self.turns = can_turn()
-        self.plays = is_written(lambda: is_over(self.display)) and is_written(
-            lambda: find_rocket(self.display, 0.0, 0.0)
-        )
+        game = (lambda: is_over(self.display), lambda: find_rocket(self.display, 0.0, 0.0))
+        self.plays = all(map(is_written, game))
         self.endless = endless_types(rules) if is_written(lambda: endless_types([])) else []
-        self.spins = is_written(
-            lambda: screen_corners((0.0, 0.0), 1.0, screen_angle(0.0, 1.0, 0.0))
-        )
-        for kind in (1, 6, 10 if own else 2):
+        self.spins = is_written(lambda: screen_corners((0.0, 0.0), 1.0, screen_angle(0.0, 1.0, 0)))
+        for kind in (1, 6, 10 if 10 in self.display.show.rules else 2):
             self.display.show.launch(kind)
 
     def step(self, duration: float) -> None:
@@ -56,10 +46,7 @@ class Fireworks(Scene):
             self.display.show.update(duration)
 
     def ended(self) -> bool:
-        """Return True if the fireworks game is over.
-
-        The game never ends if the student has not written its rules yet.
-        """
+        """Return True if the game is over. It never ends if its rules are not written yet."""
         return self.plays and is_over(self.display)
 
     def draw(self, pen: Pen) -> None:
@@ -99,11 +86,9 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Simulate a player who clicks on each rocket just before it bursts.
+        """Simulate a player who clicks on each rocket just before it bursts, until 3 s are left.
 
-        There are no clicks in the last 3 s, so that the display dies out. If the student has not
-        written the game yet, rockets are launched instead. Recordings and tests use this script in
-        place of a human player.
+        If the student has not written the game yet, rockets are launched instead.
         """
         if time > self.seconds - 3.0:
             return
@@ -117,17 +102,4 @@ class Fireworks(Scene):
                 click(self.display, p.x, p.y)
 
 
-def can_turn() -> bool:
-    """Return True if the student's Catherine wheel is complete enough to throw sparks."""
-    trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
-    return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
-
-
 SCENES = (Fireworks,)
-
-
-def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
-    """Create a Catherine wheel, which throws sparks of the type WHEEL_SPARK."""
-    return CatherineWheel(
-        show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
-    )

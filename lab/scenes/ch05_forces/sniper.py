@@ -22,6 +22,8 @@ from lab.drawing.pen import Pen
 from lab.scene import Scene
 
 COLORS = ("sky", "water", "blue")  # of the rings, from the outside in
+STEP = 0.0005  # rad
+TURNS = {"left": (STEP, 0.0), "right": (-STEP, 0.0), "up": (0.0, STEP), "down": (0.0, -STEP)}
 
 
 class Sniper(Scene):
@@ -43,7 +45,6 @@ class Sniper(Scene):
         "f": "fire",
         "n": "begin a new round",
     }
-    STEP = 0.0005  # rad
 
     def build(self) -> None:
         self.seed = 2
@@ -106,28 +107,20 @@ class Sniper(Scene):
             self.begin()
         elif key == "f":
             self.shoot(azimuth, elevation)
-        elif key in ("left", "right"):
-            self.aim = (azimuth + (self.STEP if key == "left" else -self.STEP), elevation)
-        elif key in ("up", "down"):
-            self.aim = (azimuth, elevation + (self.STEP if key == "up" else -self.STEP))
+        elif key in TURNS:
+            left, up = TURNS[key]
+            self.aim = (azimuth + left, elevation + up)
 
     def click(self, x: float, y: float) -> None:
         self.shoot(-x / 1000.0, y / 1000.0)
 
     def shoot(self, azimuth: float, elevation: float) -> None:
-        """Aim the rifle at two angles in rad, and fire unless another bullet is in flight.
-
-        The angles are clamped to the range through which the rifle can turn.
-        """
-        self.aim = (limited(azimuth), limited(elevation))
+        """Aim at two angles in rad, as far as the rifle can turn, and fire if it is loaded."""
+        self.aim = (max(-SWING, min(SWING, azimuth)), max(-SWING, min(SWING, elevation)))
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Simulate a player who shoots at one target after another.
-
-        The aim takes gravity and the wind into account. Recordings and tests use this script in
-        place of a human player.
-        """
+        """Simulate a player who shoots at one target after another, and allows for the wind."""
         if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
@@ -146,14 +139,6 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Compute where the point (x, y, z) of the world appears in the rifle scope, in milliradians.
-
-    The world's +x points to the left.
-    """
+    """Compute where the rifle scope shows the point (x, y, z), in milliradians. +x is left."""
     along = max(z, 1.0)
     return -1000.0 * x / along, 1000.0 * (y - MUZZLE[1]) / along
-
-
-def limited(angle: float) -> float:
-    """Clamp an aiming angle to the range through which the rifle can turn."""
-    return max(-SWING, min(SWING, angle))

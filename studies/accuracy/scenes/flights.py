@@ -1,34 +1,36 @@
-"""Define five scenes with a single body, in which our engine is compared with pymunk.
+"""Measure single bodies beside pymunk: a projectile, a fall with drag, orbits and a floating block.
 
-They are a projectile, a fall with drag, two orbits, and a block that floats in water.
+The functions without arguments, and ``orbit``, each create one of these scenes.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine.closed_form import state_after
 from ch05_forces.closed_form import quadratic_fall
-from ch05_forces.forces import Drag, Gravity, InverseSquareGravity
+from ch05_forces.forces import Drag, Gravity
 from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import explicit_euler
-from ch06_springs.springs import Buoyancy
+from ch06_springs.springs import AnchoredSpring, Buoyancy
 from scenes.clock import RATE
-from scenes.drag_flight import PROJECTILE, make_particle, make_space
+from scenes.fall_in_air import G, falling
+from scenes.flight import LANDED, PROJECTILE
+from scenes.orbit import KeplerOrbit
 from scenes.setup import Setup, alone
+from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_plane import in_plane, on_all
 from studies.accuracy.in_pymunk import (
     BEST,
     EXAMPLES,
-    InSpace,
+    Acceleration,
     by_pymunk,
     from_two_runs,
     lone,
-    space_with,
 )
 from studies.accuracy.scene import (
     Model,
@@ -41,94 +43,63 @@ from studies.accuracy.scene import (
 )
 from studies.models.exact_frames import oscillation_in_frames, places_in_frames
 
-G = 9.81  # m/s^2
-
 
 def projectile() -> Scene:
-    """Create the scene of a projectile with linear drag.
-
-    Some of its models evaluate a closed form. The others simulate the flight in time steps, and
-    treat the drag either as damping or as a force.
-    """
-    frames = round(PROJECTILE.duration * RATE)
+    """Create the scene of a projectile with linear drag, as damping or as a force."""
+    frames = round(LANDED * RATE)
     k1 = -math.log(PROJECTILE.damping)
+    gravity = complex(*PROJECTILE.acceleration[:2])
 
     def place_at(time: float) -> Place:
         place, _ = state_after(shot, time)
         return place.x, place.y
 
-    def truth(time: float) -> Place:
-        return PROJECTILE.exact(time).position[:2]
-
-    def thrown(damping: float) -> Particle:
-        start = PROJECTILE.start
-        vectors = (start.position, start.velocity, PROJECTILE.acceleration)
-        return Particle(*(Vector3(*vector) for vector in vectors), damping=damping)
-
     def with_damping() -> Setup:
-        return alone(thrown(PROJECTILE.damping))
+        return alone(PROJECTILE.particle(Particle))
 
     def with_drag() -> Setup:
-        return alone(thrown(1.0), Drag(k1, 0.0))
-
-    def in_space(_: float) -> InSpace:
-        return make_space(PROJECTILE)
+        body = PROJECTILE.particle(Particle)
+        body.damping = 1.0
+        return alone(body, Drag(k1, 0.0))
 
     def ahead(duration: float) -> InSpace:
-        space, (body,) = make_space(PROJECTILE)
+        space, (body,) = twin_of(with_damping())
         kept = PROJECTILE.damping ** (0.5 * duration)
-        gravity = complex(*PROJECTILE.acceleration[:2]) * kept
-        start = complex(*body.velocity) * kept + 0.5 * duration * gravity
-        space.gravity, body.velocity = (gravity.real, gravity.imag), (start.real, start.imag)
+        start = complex(*body.velocity) * kept + 0.5 * duration * (gravity * kept)
+        space.gravity, body.velocity = (0.0, gravity.imag * kept), (start.real, start.imag)
         return space, [body]
 
-    def acceleration(_: complex, velocity: complex) -> complex:
-        return complex(*PROJECTILE.acceleration[:2]) - k1 * velocity
-
-    shot = make_particle(PROJECTILE)
-    damped = Model(
-        "damping in the particle", by_setup(with_damping, explicit_euler, frames), by="the book"
-    )
-
-    def in_equal_frames(_: int) -> Outcome:
-        return Outcome([*places_in_frames(shot, 1.0 / RATE, frames)], frames)
-
-    start = PROJECTILE.start
+    shot = PROJECTILE.particle(Particle)
     best = by_pymunk(BEST, ahead, frames)
     models = [
         by_formula(place_at, frames),
-        Model("exact steps", in_equal_frames, (1,), is_formula=True),
-        damped,
-        *by_integrators(with_drag, frames),
-        *in_plane(
-            [complex(*start.position[:2])],
-            [complex(*start.velocity[:2])],
-            on_all(acceleration),
-            frames,
-            is_damped=True,
+        exact_steps(lambda: places_in_frames(shot, 1.0 / RATE, frames)),
+        Model(
+            "damping in the particle", by_setup(with_damping, explicit_euler, frames), by="the book"
         ),
-        by_pymunk(EXAMPLES, in_space, frames),
+        *stepped(with_drag, lambda _, velocity: gravity - k1 * velocity, frames, is_damped=True),
+        by_pymunk(EXAMPLES, lambda _: twin_of(with_damping()), frames),
         best,
         from_two_runs(best),
     ]
-    return Scene("projectile with linear drag", frames, 30.0, truth, models)
+    return Scene(
+        "projectile with linear drag",
+        frames,
+        30.0,
+        lambda time: PROJECTILE.exact(time).position[:2],
+        models,
+    )
 
 
 def quadratic_drag() -> Scene:
-    """Create the scene of a body that falls from rest until it almost reaches terminal speed.
-
-    The drag is proportional to the square of the speed. The motion has a closed form.
-    """
+    """Create the scene of a fall with quadratic drag, until almost the terminal speed."""
     frames, k2 = 180, 0.05
-
-    def place_at(time: float) -> Place:
-        return 0.0, -quadratic_fall(1.0, G, k2, time)[1]
 
     def truth(time: float) -> Place:
         u = math.sqrt(G / k2)
         return 0.0, -u * u / G * math.log(math.cosh(G * time / u))
 
-    def in_equal_frames(_: int) -> Outcome:
+    def in_equal_frames() -> list[Place]:
         """Compute cosh and sinh of each frame from those of the frame before, by addition."""
         turn = math.sqrt(k2 * G) / RATE
         c, s, cosh, sinh = math.cosh(turn), math.sinh(turn), 1.0, 0.0
@@ -136,113 +107,122 @@ def quadratic_drag() -> Scene:
         for _ in range(frames):
             cosh, sinh = cosh * c + sinh * s, sinh * c + cosh * s
             places.append((0.0, -math.log(cosh) / k2))
-        return Outcome(places, frames)
-
-    def make() -> Setup:
-        return alone(Particle(), Gravity(Vector3(0.0, -G, 0.0)), Drag(0.0, k2))
+        return places
 
     def acceleration(_: complex, velocity: complex) -> complex:
         return -1j * G - k2 * abs(velocity) * velocity
 
-    in_space = lone((0.0, 0.0), (0.0, 0.0), acceleration, frames)
+    make = partial(falling, [(1.0, 0.0, k2)])
     models = [
-        by_formula(place_at, frames),
-        Model("exact steps", in_equal_frames, (1,), is_formula=True),
-        *by_integrators(make, frames),
-        *in_plane([0j], [0j], on_all(acceleration), frames, is_damped=True),
-        *in_space,
-        from_two_runs(in_space[-1]),
+        by_formula(lambda time: (0.0, -quadratic_fall(1.0, G, k2, time)[1]), frames),
+        exact_steps(in_equal_frames),
+        *stepped(make, acceleration, frames, is_damped=True),
+        *pushed(make, acceleration, frames),
     ]
+    models.append(from_two_runs(models[-1]))
     return Scene("fall with quadratic drag", frames, 30.0, truth, models)
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Create the scene of a body on an elliptical orbit with eccentricity ``e``.
-
-    The semi-major axis is 1 m. The body starts at the point nearest to the center of attraction,
-    and makes ``turns`` revolutions of ``period`` s each.
-    """
+    """Create the scene of an orbit with eccentricity ``e`` and a semi-major axis of 1 m."""
     frames = math.floor(turns * period * RATE)
-    rate = 2.0 * math.pi / period
-    mu, speed = rate * rate, rate * math.sqrt((1.0 + e) / (1.0 - e))
-
-    def truth(time: float) -> Place:
-        mean = rate * time  # Kepler's equation M = E - e sin E, by Newton's method
-        anomaly = mean + math.copysign(0.85 * e, math.sin(mean))  # Danby's start always converges
-        for _ in range(60):
-            anomaly -= (anomaly - e * math.sin(anomaly) - mean) / (1.0 - e * math.cos(anomaly))
-        return math.cos(anomaly) - e, math.sqrt(1.0 - e * e) * math.sin(anomaly)
-
-    def make() -> Setup:
-        start = Particle(Vector3(1.0 - e), Vector3(0.0, speed))
-        return alone(start, InverseSquareGravity(Vector3(), mu))
+    kepler = KeplerOrbit(e, mu=(math.tau / period) ** 2)
 
     def acceleration(position: complex, _: complex) -> complex:
         r = abs(position)
-        return -mu / (r * r * r) * position
+        return -kepler.mu / (r * r * r) * position
 
-    in_space = lone((1.0 - e, 0.0), (0.0, speed), acceleration, frames)
     models = [
-        *by_integrators(make, frames),
-        *in_plane([1.0 - e], [1j * speed], on_all(acceleration), frames, is_damped=False),
-        *in_space,
-        from_two_runs(in_space[-1]),
+        *stepped(kepler.setup, acceleration, frames, is_damped=False),
+        *pushed(kepler.setup, acceleration, frames),
     ]
-    return Scene(f"orbit of eccentricity {e:g}", frames, 1.0, truth, models)
+    models.append(from_two_runs(models[-1]))
+    return Scene(f"orbit of eccentricity {e:g}", frames, 1.0, kepler.exact, models)
 
 
 def floating_block() -> Scene:
-    """Create the scene of a block that bobs up and down in water.
+    """Create the scene of a block that bobs up and down in water, always partly submerged.
 
-    The block is always partly submerged, so its buoyancy is proportional to the depth of its lower
-    side. It therefore moves like a body on a spring.
+    Its buoyancy is proportional to the depth of its lower side, so it moves like a body on a
+    spring.
     """
-    frames, s, volume, mass = 240, 0.05, 0.001, 0.5
+    frames, s, volume, mass, amplitude = 240, 0.05, 0.001, 0.5, 0.04
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth
-    low, amplitude = s * (1.0 - 2.0 * mass / (1000.0 * volume)), 0.04
+    low = s * (1.0 - 2.0 * mass / (1000.0 * volume))
 
     def place_at(time: float) -> Place:
         return 0.0, low + damped_spring_state(amplitude, 0.0, stiffness, 0.0, mass, time)[0]
 
-    def truth(time: float) -> Place:
-        return 0.0, low + amplitude * math.cos(math.sqrt(stiffness / mass) * time)
+    def block() -> Particle:
+        return Particle(Vector3(0.0, low + amplitude), mass=mass)
 
     def make() -> Setup:
-        block = Particle(Vector3(0.0, low + amplitude), mass=mass)
-        return alone(block, Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0))
+        return alone(block(), Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0))
+
+    def on_spring(duration: float) -> InSpace:
+        """Replace the weight and the buoyancy by a spring."""
+        spring = AnchoredSpring(Vector3(0.0, low), stiffness, 0.0)
+        return twin_of(alone(block(), spring), ahead=duration, iterations=1)
 
     def acceleration(position: complex, _: complex) -> complex:
         share = min(max((s - position.imag) / (2.0 * s), 0.0), 1.0)
         return 1j * (1000.0 * volume * share / mass - 1.0) * G
 
-    def on_spring(duration: float) -> InSpace:
-        """Replace the weight and the buoyancy by a spring, as the block stays partly submerged."""
-        import pymunk  # here, because a chapter's plots do not need it
-
-        start = -0.5 * duration * amplitude * stiffness / mass
-        space, (body,) = space_with((0.0, low + amplitude), (0.0, start))
-        anchor = (0.0, low)
-        body.mass = mass
-        space.add(
-            pymunk.DampedSpring(body, space.static_body, (0.0, 0.0), anchor, 0.0, stiffness, 0.0)
-        )
-        return space, [body]
-
-    def in_equal_frames(_: int) -> Outcome:
+    def in_equal_frames() -> list[Place]:
         heights = oscillation_in_frames(amplitude, stiffness / mass, 0.0, 1.0 / RATE, frames)
-        return Outcome([(0.0, low + height) for height in heights], frames)
+        return [(0.0, low + height) for height in heights]
 
     best = by_pymunk(f"{BEST}, as a spring", on_spring, frames)
     models = [
         by_formula(place_at, frames),
-        Model("exact steps", in_equal_frames, (1,), is_formula=True),
-        *by_integrators(make, frames),
-        *in_plane([1j * (low + amplitude)], [0j], on_all(acceleration), frames, is_damped=False),
-        *lone((0.0, low + amplitude), (0.0, 0.0), acceleration, frames),
+        exact_steps(in_equal_frames),
+        *stepped(make, acceleration, frames, is_damped=False),
+        *pushed(make, acceleration, frames),
         best,
         from_two_runs(best),
     ]
-    return Scene("floating block", frames, amplitude, truth, models)
+    rate = math.sqrt(stiffness / mass)
+    return Scene(
+        "floating block",
+        frames,
+        amplitude,
+        lambda time: (0.0, low + amplitude * math.cos(rate * time)),
+        models,
+    )
+
+
+def exact_steps(places: Callable[[], Sequence[Place]]) -> Model:
+    """Create a model that computes each frame exactly from the one before."""
+
+    def run(_: int) -> Outcome:
+        found = places()
+        return Outcome(found, len(found))
+
+    return Model("exact steps", run, (1,), is_formula=True)
+
+
+def stepped(
+    make: Callable[[], Setup], acceleration: Acceleration, frames: int, *, is_damped: bool
+) -> list[Model]:
+    """Create our models that step the equations of motion of a body."""
+    place, velocity = start(make)
+    accelerations = on_all(acceleration)
+    return [
+        *by_integrators(make, frames),
+        *in_plane([place], [velocity], accelerations, frames, is_damped=is_damped),
+    ]
+
+
+def pushed(make: Callable[[], Setup], acceleration: Acceleration, frames: int) -> list[Model]:
+    """Create pymunk's models of a body under a force of our own."""
+    place, velocity = start(make)
+    return [*lone((place.real, place.imag), (velocity.real, velocity.imag), acceleration, frames)]
+
+
+def start(make: Callable[[], Setup]) -> tuple[complex, complex]:
+    """Return the position and the velocity of a body at the start as complex numbers."""
+    (body,) = make().particles
+    return complex(*[*body.position][:2]), complex(*[*body.velocity][:2])
 
 
 # The first orbit resembles a planet's. The second resembles a comet's, and takes only 60 frames.

@@ -63,10 +63,8 @@ def every(console: Console) -> list[Measurement]:
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
-        bounds,
         check,
         constraints,
-        forces,
         grading,
         integrators,
         particles,
@@ -78,9 +76,9 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*forces.lines(), *springs.lines(), *integrators.lines(), *constraints.lines()]
+    found += [*springs.lines(), *integrators.lines(), *constraints.lines()]
     found += worlds.lines()
-    return [*found, *rotations.lines(console), *accuracy.lines(), *bounds.lines(), *grading.lines()]
+    return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
 
 
 def told(line: Line) -> str:

@@ -10,15 +10,19 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
-from scenes.timing import Measurement, Target, versus
+from scenes.clock import FRAME
+from scenes.timing import Measurement, Target, timer, versus
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Point, point_of, run, seconds_of
 from studies.accuracy.results import order_of
 from studies.accuracy.scene import Model, Outcome, Scene
+from studies.accuracy.scenes.links import G
+from studies.models.order_8 import Accelerations
+from studies.models.plane_rods import accelerations_on_rods
 
 TOLERANCE = 1e-4
 RK4 = "Runge-Kutta 4"
@@ -58,6 +62,7 @@ def lines() -> list[Measurement]:
         *best,
         line("bouncing ball, restitution 0.8", None, BEST, 15, Target("at least", 30)),
         *lines_of_adaptive(),
+        *lines_of_arithmetic(),
     ]
 
 
@@ -82,6 +87,31 @@ def lines_of_adaptive() -> list[Measurement]:
         Measurement(what % counts, lambda: ratio, 1, Target("at least", 10)),
         Measurement(what % "time", time, 9),
     ]
+
+
+def lines_of_arithmetic() -> list[Measurement]:
+    """Divide pymunk's time by that of bare arithmetic, in the scenes where we miss our goals.
+
+    The arithmetic is one evaluation of the forces per frame, and nothing else. A method with one
+    evaluation per frame stays below this ratio, however good it is. For the projectile, the
+    arithmetic is that of the velocity and the position.
+    """
+    double = accelerations_on_rods([1.0, 1.0], [1.0, 1.0], G)
+    five = accelerations_on_rods([1.0, 1.0, 1.0, 1.0, 10.0], [1.0] * 5, G)
+    found = []
+    for part, theirs, work in (
+        ("double pendulum", at_best(2), evaluating(double, 2)),
+        ("five rods, heavy tip", at_best(35), evaluating(five, 5)),
+        ("spring, k = 10 N/m", BEST, evaluating(lambda x, v: [-10.0 * x[0] - 0.632 * v[0]], 1)),
+        ("projectile with linear drag", BEST, falling),
+    ):
+        (scene,) = scenes_with(part)
+        model = model_of(scene, theirs)
+        finest = tried_steps(scene, model, TOLERANCE)[-1]
+        what = f"{scene.name}: {told(model, finest)} / the bare arithmetic of its frames"
+        pymunk, bare = partial(seconds_of, model, finest.steps), partial(work, scene.frames)
+        found.append(Measurement(what, versus(pymunk, timer(bare)), 15))
+    return found
 
 
 def coarsest(
@@ -159,3 +189,24 @@ def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
 def told(model: Model, point: Point) -> str:
     """Describe a model and its accuracy, as in "leapfrog (8 steps per frame, error 3e-05)"."""
     return f"{model.name} ({model.chosen(point.steps)}, error {point.error:.1g})"
+
+
+def evaluating(accelerations: Accelerations, count: int) -> Callable[[int], object]:
+    """Return a function that evaluates the forces once per frame, for ``count`` bodies on rods."""
+    positions = [complex(0.6 * i, -0.8 * i) for i in range(1, count + 1)]
+    velocities = [complex(0.1 * i, 0.2) for i in range(1, count + 1)]
+
+    def work(frames: int) -> None:
+        for _ in range(frames):
+            accelerations(positions, velocities)
+
+    return work
+
+
+def falling(frames: int) -> None:
+    """Move a body with two additions and two products per frame, and keep its positions."""
+    z, w, places, h = 0j, 20.0 + 20.0j, [], FRAME
+    for _ in range(frames):
+        z += w * h
+        w = w * 0.99 - 0.16j
+        places.append((z.real, z.imag))

@@ -1,63 +1,80 @@
-"""Compare a time step of a particle with plain arithmetic, vector operators and pymunk."""
+"""Compare a time step of a particle, with and without forces, with arithmetic and with pymunk."""
 
 from __future__ import annotations
 
 import random
 import sys
 from collections.abc import Callable
+from typing import Any
 
+from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch05_forces import particle as chapter_5
+from ch05_forces.forces import Gravity
 from scenes.clock import FRAME
 from scenes.flight import DAMPED_FALL, PROJECTILE
 from scenes.readings import Numbers
-from scenes.setup import Setup
+from scenes.setup import Setup, alone
 from scenes.timing import Measurement, Target, Timer, timer, versus
 from scenes.twin import twin_of
 from studies.accuracy.in_pymunk import reading
 
 STEPS = 10_000
 ROUNDS = 51
+FORCE = (1.0, 2.0, 3.0)
 # How the positions of pymunk's bodies are read after each step.
 IN_TURN, AT_ONCE, NOT = " and read every position", " and read all in one call", " only"
+OURS, BARE = "Particle.integrate", "the same arithmetic"
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of a time step."""
+    """Set up the benchmarks of a time step, and of what it costs to apply forces."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
 
-    def moving(move: Callable[[Particle, list[float]], None], frames: list[float]) -> Timer:
-        return timer(lambda: move(PROJECTILE.particle(Particle), frames))
+    def moving(
+        move: Callable[[Any, list[float]], None], kind: type[Particle] = chapter_5.Particle
+    ) -> Timer:
+        return timer(lambda: move(PROJECTILE.particle(kind), even))
 
-    step = moving(steps, even)
+    step, free = moving(steps, Particle), moving(steps)
+    randomly = timer(lambda: steps(PROJECTILE.particle(Particle), uneven))
+    bare, bare_randomly = timer(lambda: arithmetic(even)), timer(lambda: arithmetic(uneven))
+    forced, bare_forced = moving(forced_steps), timer(lambda: forced_arithmetic(even))
+    generated, constant = "gravity as a force generator in the registry", "as constant acceleration"
+    operators = "a step written with + and *, which make new vectors"
+    at_most = Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.4)
+    at_least = Target("at least", 5)
     return [
-        Measurement(
-            "Particle.integrate / the same arithmetic in local variables",
-            versus(step, timer(lambda: arithmetic(even))),
-            ROUNDS,
-            Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.4),
-        ),
-        Measurement(
-            "Particle.integrate / the same arithmetic, with steps of random length",
-            versus(moving(steps, uneven), timer(lambda: arithmetic(uneven))),
-            ROUNDS,
-        ),
-        Measurement(
-            "a step written with + and *, which make new vectors / Particle.integrate",
-            versus(moving(operator_steps, even), step),
-            ROUNDS,
-            Target("at least", 5),
-        ),
-        Measurement(
-            "a step written with add_scaled and *= / Particle.integrate",
-            versus(moving(in_place_steps, even), step),
-            ROUNDS,
+        _ratio(f"{OURS} / {BARE} in local variables", step, bare, at_most),
+        _ratio(f"{OURS} / {BARE}, with steps of random length", randomly, bare_randomly),
+        _ratio(f"{operators} / {OURS}", moving(operator_steps, Particle), step, at_least),
+        _ratio(
+            f"a step written with add_scaled and *= / {OURS}",
+            moving(in_place_steps, Particle),
+            step,
         ),
         *(_against_pymunk(bodies, IN_TURN) for bodies in (1, 10, 100, 1000)),
         *(_against_pymunk(bodies, AT_ONCE) for bodies in (10, 100, 1000)),
         *(_against_pymunk(bodies, NOT) for bodies in (1, 3, 10, 1000)),
+        _ratio(
+            f"{OURS} of chapter 5 without forces / that of chapter 3",
+            free,
+            step,
+            Target("at most", 1.1),
+        ),
+        _ratio(
+            f"add_force and {OURS} / {BARE} in local variables",
+            forced,
+            bare_forced,
+            Target("at most", 2.1),
+        ),
+        _ratio(f"{generated} / {constant}", moving(generator_steps), free),
     ]
+
+
+def _ratio(what: str, first: Timer, second: Timer, target: Target | None = None) -> Measurement:
+    return Measurement(what, versus(first, second), ROUNDS, target)
 
 
 def _against_pymunk(bodies: int, read: str) -> Measurement:
@@ -68,9 +85,8 @@ def _against_pymunk(bodies: int, read: str) -> Measurement:
     """
     frames = max(1, 4000 // bodies)
     particles = [DAMPED_FALL.particle(Particle) for _ in range(bodies)]
-    space, others = twin_of(
-        Setup([DAMPED_FALL.particle(chapter_5.Particle) for _ in range(bodies)])
-    )
+    twins = [DAMPED_FALL.particle(chapter_5.Particle) for _ in range(bodies)]
+    space, others = twin_of(Setup(twins))
 
     def ours() -> None:
         for _ in range(frames):
@@ -99,8 +115,7 @@ def _against_pymunk(bodies: int, read: str) -> Measurement:
     if read != IN_TURN and bodies > 1:
         what += " (below 1, pymunk is faster)"
     target = Target("at least", 2.0 if bodies >= 100 else 1.8) if read == IN_TURN else None
-    figure = versus(timer(theirs), timer(ours))
-    return Measurement(f"pymunk / Particle, {what}", figure, ROUNDS, target)
+    return _ratio(f"pymunk / Particle, {what}", timer(theirs), timer(ours), target)
 
 
 def steps(particle: Particle, frames: list[float]) -> None:
@@ -139,4 +154,48 @@ def arithmetic(frames: list[float]) -> Numbers:
         vx = (vx + ax * frame) * keep
         vy = (vy + ay * frame) * keep
         vz = (vz + az * frame) * keep
+    return x, y, z
+
+
+def forced_steps(particle: chapter_5.Particle, frames: list[float]) -> None:
+    """Move a particle on which a constant force acts."""
+    force = Vector3(*FORCE)
+    for frame in frames:
+        particle.add_force(force)
+        particle.integrate(frame)
+
+
+def generator_steps(particle: chapter_5.Particle, frames: list[float]) -> None:
+    """Move a particle with gravity as a force generator."""
+    registry = alone(particle, Gravity(particle.acceleration)).registry()
+    particle.acceleration = Vector3()
+    for frame in frames:
+        registry.update_forces(frame)
+        particle.integrate(frame)
+
+
+def forced_arithmetic(frames: list[float]) -> Numbers:
+    """Do the arithmetic of ``forced_steps`` without objects, and return the final position.
+
+    As in the engine, each step adds the force to a sum, uses the sum, and clears it.
+    """
+    x, y, z = PROJECTILE.position
+    vx, vy, vz = PROJECTILE.velocity
+    ax, ay, az = PROJECTILE.acceleration
+    damping = PROJECTILE.damping
+    inverse_mass = 1.0
+    force_x, force_y, force_z = FORCE
+    sum_x = sum_y = sum_z = 0.0
+    for frame in frames:
+        sum_x += force_x
+        sum_y += force_y
+        sum_z += force_z
+        x += vx * frame
+        y += vy * frame
+        z += vz * frame
+        keep = damping**frame
+        vx = (vx + (ax + sum_x * inverse_mass) * frame) * keep
+        vy = (vy + (ay + sum_y * inverse_mass) * frame) * keep
+        vz = (vz + (az + sum_z * inverse_mass) * frame) * keep
+        sum_x = sum_y = sum_z = 0.0
     return x, y, z

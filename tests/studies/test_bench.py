@@ -27,7 +27,6 @@ from studies.accuracy.in_pymunk import EXAMPLES
 from studies.benchmarks import (
     accuracy,
     constraints,
-    forces,
     particles,
     rotations,
     sparks,
@@ -262,12 +261,14 @@ def test_what_is_compared_with_the_step_is_the_same_step() -> None:
 
 def test_what_forces_are_compared_with_goes_the_same_way() -> None:
     frames = [0.02, 0.01, 0.02, 0.02] * 250
-    # 1000 roundings of numbers up to 200.
-    wanted = pytest.approx(forces.forced_steps(frames), rel=1e-11)
-    assert forces.forced_arithmetic(frames) == wanted
-    free = PROJECTILE.particle(chapter_5.Particle)
+    forced, generated, free = (PROJECTILE.particle(chapter_5.Particle) for _ in range(3))
+    particles.forced_steps(forced, frames)
+    particles.generator_steps(generated, frames)
     particles.steps(free, frames)
-    assert forces.generator_steps(frames) == pytest.approx(tuple(free.position), rel=1e-11)
+    # 1000 roundings of numbers up to 200.
+    wanted = pytest.approx(tuple(forced.position), rel=1e-11)
+    assert particles.forced_arithmetic(frames) == wanted
+    assert tuple(generated.position) == pytest.approx(tuple(free.position), rel=1e-11)
 
 
 def test_the_closed_form_of_the_sparks_is_where_the_steps_go(

@@ -1,4 +1,4 @@
-"""Plots for chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
+"""Plots for chapter 5: terminal speeds, a fall with drag, an orbit, and the cost of generators.
 
 The title of each plot reports a measured result, such as the largest error, which reveals bugs in
 the student's engine.
@@ -8,16 +8,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 from matplotlib import pyplot
 
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import particle as chapter_3
+from ch05_forces import forces
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
-from plots.drawing import BLACK, BLUE, ORANGE, RED, SKY, THEORY, Picture, finish, slope
+from ch05_forces.particle import Particle
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, THEORY, Picture, finish, slope
 from scenes.clock import FRAME
 from scenes.fall_in_air import G, falling
 from scenes.orbit import KeplerOrbit
-from scenes.readings import Numbers, cross, numbers
-from scenes.setup import Setup
+from scenes.readings import Numbers, cross, is_written, numbers
+from scenes.setup import Setup, alone
+from scenes.timing import Measurement, measure, timer, versus
+from scenes.track import Move
 
 MASS = 2.0
 ECCENTRICITY = 0.5
@@ -153,6 +160,55 @@ def orbit() -> Picture:
     return Picture(figure, columns, rows)
 
 
+def cost_of_a_generator() -> Picture:
+    """Plot the computing time per frame for a particle with each type of force generator.
+
+    Each time is divided by that for chapter 3's particle, whose gravity is an acceleration.
+    """
+    down = Vector3(0.0, -G, 0.0)
+    place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
+    brake = forces.Airbrake(0.5)
+    brake.on = True
+    generators: dict[str, forces.ForceGenerator] = {
+        "Gravity": forces.Gravity(down),
+        "Drag": forces.Drag(0.3, 0.05),
+        "Uplift, inside": forces.Uplift(Vector3(), 1e9, Vector3(0.0, 20.0, 0.0)),
+        "Airbrake, on": brake,
+        "PointGravity": forces.PointGravity(Vector3(), G),
+        "InverseSquareGravity": forces.InverseSquareGravity(Vector3(), 80.0),
+    }
+    moves = {"gravity as acceleration, chapter 5's step": Particle(place, motion, down).integrate}
+    for name, generator in generators.items():
+        particle = Particle(place, motion)
+        if is_written(partial(generator.update_force, particle, FRAME)):
+            moves[f"{name}, via the registry"] = _registered(particle, generator)
+    base, *timers = (
+        timer(partial(move, FRAME), 500)
+        for move in (chapter_3.Particle(place, motion, down).integrate, *moves.values())
+    )
+    figures = zip(moves, timers, strict=True)
+    lines = measure([Measurement(name, versus(timed, base), 21) for name, timed in figures])
+    rows = [(line.what, line.median, line.low, line.high) for line in lines]
+    figure, axes = pyplot.subplots(figsize=(9, 4.2), layout="constrained")
+    names, ratios, *quartiles = zip(*rows, strict=True)
+    spread = [[abs(r - end) for r, end in zip(ratios, ends, strict=True)] for ends in quartiles]
+    colors = [GREEN if "acceleration" in name else BLUE for name in names]
+    axes.barh(names, ratios, xerr=spread, color=colors, ecolor=GRAY)
+    axes.invert_yaxis()
+    axes.axvline(1.0, color=BLACK, lw=1)
+    axes.set(xlabel="time per frame / time of chapter 3's step with gravity as acceleration")
+    axes.grid(alpha=0.3, axis="x")
+    if gravity := dict(zip(names, ratios, strict=True)).get("Gravity, via the registry"):
+        axes.set_title(
+            f"Gravity as a generator takes {gravity:.1f} times as long for the same path.\n"
+            "Use it only if g varies with position or time"
+        )
+    return Picture(figure, ("what", "ratio", "lower quartile", "upper quartile"), rows)
+
+
+PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
+
+
 def _states(
     setup: Setup, frame: float, frames: int, every: int = 1
 ) -> list[tuple[Numbers, Numbers]]:
@@ -204,3 +260,14 @@ def _energy_drift(h: float) -> float:
         time = r * r / math.sqrt(p) * math.tau / count
         total += (1.0 / r**4 + (square - 3.0 * radial**2) / r**3) * time
     return h / 2.0 * total
+
+
+def _registered(particle: Particle, generator: forces.ForceGenerator) -> Move:
+    """Return a function that moves a particle by one frame under the force of a generator."""
+    registry = alone(particle, generator).registry()
+
+    def frame(duration: float) -> None:
+        registry.update_forces(duration)
+        particle.integrate(duration)
+
+    return frame

@@ -18,14 +18,7 @@ from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, Picture, 
 from scenes.clock import FRAME
 from scenes.flight import flown
 from scenes.readings import Numbers, numbers
-from scenes.shots_and_sparks import (
-    WHEEL_SPARK,
-    can_turn,
-    firework_rules,
-    flight_of,
-    make_wheel,
-    shot_names,
-)
+from scenes.shots_and_sparks import WHEEL_SPARK, firework_rules, flight_of, make_wheel, shot_names
 
 SHOT_COLORS = {  # pink for a shot type that the student has added
     **dict.fromkeys(SHOT_TYPES, PINK),
@@ -100,8 +93,7 @@ def fireworks() -> Picture:
         axes.set_title(title, fontsize=9)
         rows += [(rule.type, (i + 1) * FRAME, count) for i, count in enumerate(counts)]
     show = FireworksShow([WHEEL_SPARK], capacity=400, seed=4)
-    wheel = make_wheel(show, Vector3(0, 12, 0))
-    if can_turn():
+    if wheel := make_wheel(show, Vector3(0, 12, 0)):
         counts = _streaks(panels.flat[11], show, lambda: wheel.update(FRAME), frames=60)
         panels.flat[11].set_title(f"Catherine wheel: {wheel.thrown} sparks in 1 s", fontsize=9)
         rows += [("wheel", (i + 1) * FRAME, count) for i, count in enumerate(counts)]

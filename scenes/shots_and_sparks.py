@@ -32,14 +32,13 @@ def firework_rules() -> list[FireworkRule]:
     return [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
 
 
-def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
-    """Create a Catherine wheel, which throws sparks of the type WHEEL_SPARK."""
-    return CatherineWheel(
-        show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
-    )
+def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel | None:
+    """Create a Catherine wheel in a show with WHEEL_SPARK, or None if it is not written yet."""
 
+    def wheel(show: FireworksShow) -> CatherineWheel:
+        return CatherineWheel(
+            show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
+        )
 
-def can_turn() -> bool:
-    """Return True if the student's Catherine wheel is complete enough to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
-    return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
+    return wheel(show) if is_written(lambda: wheel(trial).update(1.0)) else None

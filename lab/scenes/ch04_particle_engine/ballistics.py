@@ -17,12 +17,8 @@ from scenes.readings import Numbers, is_written
 from scenes.shots_and_sparks import shot_names
 
 COLORS = {
-    "pistol": "black",
-    "artillery": "green",
-    "fireball": "orange",
-    "laser": "red",
-    "grenade": "blue",
-    "fragment": "blue",
+    **{"pistol": "black", "artillery": "green", "fireball": "orange", "laser": "red"},
+    **{"grenade": "blue", "fragment": "blue"},
 }
 MIDDLE = -20.0  # y at which the view from above is drawn, below the view from the side
 

@@ -9,7 +9,7 @@ from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
 from lab.drawing.pen import Pen
 from lab.scene import Scene
 from scenes.readings import is_written
-from scenes.shots_and_sparks import WHEEL_SPARK, can_turn, firework_rules, make_wheel
+from scenes.shots_and_sparks import WHEEL_SPARK, firework_rules, make_wheel
 
 COLORS = ("orange", "red", "sky", "pink", "brown", "red", "sky", "green", "violet", "pink", "green")
 
@@ -29,7 +29,6 @@ class Fireworks(Scene):
         rules = [*firework_rules(), WHEEL_SPARK]
         self.display = Display(FireworksShow(rules, capacity=400, seed=2))
         self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
-        self.turns = can_turn()
         game = (lambda: is_over(self.display), lambda: find_rocket(self.display, 0.0, 0.0))
         self.plays = all(map(is_written, game))
         self.endless = endless_types(rules) if is_written(lambda: endless_types([])) else []
@@ -38,7 +37,7 @@ class Fireworks(Scene):
             self.display.show.launch(kind)
 
     def step(self, duration: float) -> None:
-        if self.turns and not self.ended():
+        if self.wheel and not self.ended():
             self.wheel.update(duration)
         if self.plays:
             tick(self.display, duration)
@@ -52,7 +51,7 @@ class Fireworks(Scene):
     def draw(self, pen: Pen) -> None:
         show = self.display.show
         pen.ground()
-        if self.turns:
+        if self.wheel:
             pen.circle(self.wheel.center, self.wheel.radius, "gray", fill=False)
         for firework in show.fireworks:
             p = firework.particle.position

@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ch05_forces.sniper import (
-    BULLET_MASS,
-    GRAVITY,
-    K1,
-    K2,
-    MUZZLE,
-    MUZZLE_SPEED,
-    RINGS,
-    SHOTS,
-    STRONGEST_WIND,
-    SWING,
-    TARGETS,
-    SniperRange,
-)
+from ch05_forces import sniper
 from lab.drawing.pen import Pen
 from lab.scene import Scene
 
@@ -53,7 +40,7 @@ class Sniper(Scene):
     def begin(self) -> None:
         """Begin a new round of ten shots, with new winds."""
         self.seed += 1
-        self.range = SniperRange(self.seed)
+        self.range = sniper.SniperRange(self.seed)
         self.aim = (0.0, 0.0)
         self.waited = 0.0
         self.result = "Wait for the wind, aim and fire."
@@ -69,9 +56,9 @@ class Sniper(Scene):
             self.result = f"A hit for {hits[0].points} points." if hits else "The shot missed."
 
     def draw(self, pen: Pen) -> None:
-        for target in TARGETS:
+        for target in sniper.TARGETS:
             middle = seen(target.x, target.y, target.distance)
-            for (radius, _), color in zip(reversed(RINGS), COLORS, strict=True):
+            for (radius, _), color in zip(reversed(sniper.RINGS), COLORS, strict=True):
                 pen.circle(middle, 1000.0 * radius / target.distance, color)
             below = (middle[0], middle[1] - 14.0)
             pen.text(below, f"{target.distance:g} m, x {target.factor}", "gray", 12.0)
@@ -84,7 +71,7 @@ class Sniper(Scene):
         x, y = -1000.0 * self.aim[0], 1000.0 * self.aim[1]
         pen.segments([((x - 2.0, y), (x + 2.0, y)), ((x, y - 2.0), (x, y + 2.0))], "red", 1.5)
         wind = self.range.wind.velocity
-        scale = 10.0 / STRONGEST_WIND
+        scale = 10.0 / sniper.STRONGEST_WIND
         pen.arrow((0.0, 25.0), (-scale * wind.x, 0.0), "orange")
         pen.text((0.0, 27.5), f"crosswind of {abs(wind.x):.1f} m/s", "orange")
 
@@ -99,7 +86,8 @@ class Sniper(Scene):
         if self.range.is_over():
             return f"The round is over. Your score is {self.range.score}. Press n for a new round."
         side = "left" if self.range.wind.velocity.x > 0.0 else "right"
-        return f"The wind blows to the {side}. {self.range.shots_left} of {SHOTS} shots are left."
+        shots = f"{self.range.shots_left} of {sniper.SHOTS} shots"
+        return f"The wind blows to the {side}. {shots} are left."
 
     def press(self, key: str) -> None:
         azimuth, elevation = self.aim
@@ -116,22 +104,23 @@ class Sniper(Scene):
 
     def shoot(self, azimuth: float, elevation: float) -> None:
         """Aim at two angles in rad, as far as the rifle can turn, and fire if it is loaded."""
-        self.aim = (max(-SWING, min(SWING, azimuth)), max(-SWING, min(SWING, elevation)))
+        most = sniper.SWING
+        self.aim = (max(-most, min(most, azimuth)), max(-most, min(most, elevation)))
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
         """Simulate a player who shoots at one target after another, and allows for the wind."""
         if self.waited < 1.0 or self.range.is_over():
             return
-        target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
-        slows = (K1 + K2 * MUZZLE_SPEED) / BULLET_MASS
-        flight = -math.log(1.0 - slows * target.distance / MUZZLE_SPEED) / slows
-        drop = -GRAVITY[1] * flight * flight / 2.0
+        target = sniper.TARGETS[(sniper.SHOTS - self.range.shots_left) % len(sniper.TARGETS)]
+        slows = (sniper.K1 + sniper.K2 * sniper.MUZZLE_SPEED) / sniper.BULLET_MASS
+        flight = -math.log(1.0 - slows * target.distance / sniper.MUZZLE_SPEED) / slows
+        drop = -sniper.GRAVITY[1] * flight * flight / 2.0
         # The wind carries the bullet along for as long as drag has delayed it.
-        drift = self.range.wind.velocity.x * (flight - target.distance / MUZZLE_SPEED)
+        drift = self.range.wind.velocity.x * (flight - target.distance / sniper.MUZZLE_SPEED)
         self.shoot(
             math.atan2(target.x - drift, target.distance),
-            math.atan2(target.y + drop - MUZZLE[1], target.distance),
+            math.atan2(target.y + drop - sniper.MUZZLE[1], target.distance),
         )
 
 
@@ -141,4 +130,4 @@ SCENES = (Sniper,)
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
     """Compute where the rifle scope shows the point (x, y, z), in milliradians. +x is left."""
     along = max(z, 1.0)
-    return -1000.0 * x / along, 1000.0 * (y - MUZZLE[1]) / along
+    return -1000.0 * x / along, 1000.0 * (y - sniper.MUZZLE[1]) / along

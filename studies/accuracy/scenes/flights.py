@@ -6,7 +6,7 @@ The functions without arguments, and ``orbit``, each create one of these scenes.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 
 from ch02_vectors.vector import Vector3
@@ -24,22 +24,15 @@ from scenes.orbit import KeplerOrbit
 from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_plane import in_plane, on_all
-from studies.accuracy.in_pymunk import (
-    BEST,
-    EXAMPLES,
-    Acceleration,
-    by_pymunk,
-    from_two_runs,
-    lone,
-)
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, Acceleration, by_pymunk, from_two_runs, lone
 from studies.accuracy.scene import (
     Model,
-    Outcome,
     Place,
     Scene,
     by_formula,
     by_integrators,
     by_setup,
+    exact_steps,
 )
 from studies.models.exact_frames import oscillation_in_frames, places_in_frames
 
@@ -53,6 +46,9 @@ def projectile() -> Scene:
     def place_at(time: float) -> Place:
         place, _ = state_after(shot, time)
         return place.x, place.y
+
+    def truth(time: float) -> Place:
+        return PROJECTILE.exact(time).position[:2]
 
     def with_damping() -> Setup:
         return alone(PROJECTILE.particle(Particle))
@@ -70,25 +66,18 @@ def projectile() -> Scene:
         return space, [body]
 
     shot = PROJECTILE.particle(Particle)
+    damped = by_setup(with_damping, explicit_euler, frames)
     best = by_pymunk(BEST, ahead, frames)
     models = [
         by_formula(place_at, frames),
         exact_steps(lambda: places_in_frames(shot, 1.0 / RATE, frames)),
-        Model(
-            "damping in the particle", by_setup(with_damping, explicit_euler, frames), by="the book"
-        ),
+        Model("damping in the particle", damped, by="the book"),
         *stepped(with_drag, lambda _, velocity: gravity - k1 * velocity, frames, is_damped=True),
         by_pymunk(EXAMPLES, lambda _: twin_of(with_damping()), frames),
         best,
         from_two_runs(best),
     ]
-    return Scene(
-        "projectile with linear drag",
-        frames,
-        30.0,
-        lambda time: PROJECTILE.exact(time).position[:2],
-        models,
-    )
+    return Scene("projectile with linear drag", frames, 30.0, truth, models)
 
 
 def quadratic_drag() -> Scene:
@@ -153,6 +142,9 @@ def floating_block() -> Scene:
     def place_at(time: float) -> Place:
         return 0.0, low + damped_spring_state(amplitude, 0.0, stiffness, 0.0, mass, time)[0]
 
+    def truth(time: float) -> Place:
+        return 0.0, low + amplitude * math.cos(math.sqrt(stiffness / mass) * time)
+
     def block() -> Particle:
         return Particle(Vector3(0.0, low + amplitude), mass=mass)
 
@@ -181,48 +173,26 @@ def floating_block() -> Scene:
         best,
         from_two_runs(best),
     ]
-    rate = math.sqrt(stiffness / mass)
-    return Scene(
-        "floating block",
-        frames,
-        amplitude,
-        lambda time: (0.0, low + amplitude * math.cos(rate * time)),
-        models,
-    )
-
-
-def exact_steps(places: Callable[[], Sequence[Place]]) -> Model:
-    """Create a model that computes each frame exactly from the one before."""
-
-    def run(_: int) -> Outcome:
-        found = places()
-        return Outcome(found, len(found))
-
-    return Model("exact steps", run, (1,), is_formula=True)
+    return Scene("floating block", frames, amplitude, truth, models)
 
 
 def stepped(
     make: Callable[[], Setup], acceleration: Acceleration, frames: int, *, is_damped: bool
 ) -> list[Model]:
     """Create our models that step the equations of motion of a body."""
-    place, velocity = start(make)
-    accelerations = on_all(acceleration)
+    (body,) = make().particles
+    place, velocity = (complex(v.x, v.y) for v in (body.position, body.velocity))
     return [
         *by_integrators(make, frames),
-        *in_plane([place], [velocity], accelerations, frames, is_damped=is_damped),
+        *in_plane([place], [velocity], on_all(acceleration), frames, is_damped=is_damped),
     ]
 
 
 def pushed(make: Callable[[], Setup], acceleration: Acceleration, frames: int) -> list[Model]:
     """Create pymunk's models of a body under a force of our own."""
-    place, velocity = start(make)
-    return [*lone((place.real, place.imag), (velocity.real, velocity.imag), acceleration, frames)]
-
-
-def start(make: Callable[[], Setup]) -> tuple[complex, complex]:
-    """Return the position and the velocity of a body at the start as complex numbers."""
     (body,) = make().particles
-    return complex(*[*body.position][:2]), complex(*[*body.velocity][:2])
+    place, velocity = ((v.x, v.y) for v in (body.position, body.velocity))
+    return [*lone(place, velocity, acceleration, frames)]
 
 
 # The first orbit resembles a planet's. The second resembles a comet's, and takes only 60 frames.

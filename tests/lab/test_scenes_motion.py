@@ -57,11 +57,11 @@ def test_keys_and_clicks_aim_the_ball() -> None:
     scene = after("throw", 0.0, ("up", "right", "right"))
     assert (scene.angle, scene.speed) == (57.0, 9.5)
     scene.press("t")
-    velocity = scene.thrown.velocity
+    velocity = scene.flight.velocity
     assert math.degrees(math.atan2(velocity[1], velocity[0])) == pytest.approx(57.0)
     scene = after("throw", 0.0)
     scene.click(4.0, 6.0)  # the speed is twice the distance from the hand at (1, 2)
-    assert scene.thrown.velocity == pytest.approx((6.0, 8.0, 0.0))
+    assert scene.flight.velocity == pytest.approx((6.0, 8.0, 0.0))
 
 
 def test_a_ball_that_falls_through_the_hoop_counts_and_moves_it() -> None:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
 from lab.scene import Scene
-from scenes.flight import Flight, thrown
+from scenes.flight import thrown
 from scenes.parameters import Choice, Slider
 
 Point = tuple[float, float]
@@ -64,24 +64,23 @@ class Throw(Scene):
         self.path: list[Point] = []
         self.truth: list[Point] = []
         self.orders = [*self.ORDERS]
-        self.thrown = self.flight()
-        self.ball = self.thrown.particle(Particle)
+        self.prepare()
 
     @property
     def hoop(self) -> Point:
         """The position of the hoop's center, in m. The hoop moves whenever a ball goes in."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
-    def flight(self) -> Flight:
-        """Return the throw that the player is aiming."""
-        return thrown(self.HAND, self.speed, self.angle, self.damping)
+    def prepare(self) -> None:
+        """Take a ball to throw it as the player is aiming."""
+        self.flight = thrown(self.HAND, self.speed, self.angle, self.damping)
+        self.ball = self.flight.particle(Particle)
 
     def throw(self) -> None:
         """Throw the ball, unless it is still in the air."""
         if self.flies:
             return
-        self.thrown = self.flight()
-        self.ball = self.thrown.particle(Particle)
+        self.prepare()
         self.passed = self.score
         self.start = self.clock.simulated = self.time
         self.end = math.inf
@@ -91,10 +90,10 @@ class Throw(Scene):
         self.message, self.flies = "", True
 
     def exact_path(self) -> list[Point]:
-        """Compute points along the exact path of the throw, from the hand down to the ground."""
+        """Compute the exact path of the throw, from the hand down to the ground."""
         path: list[Point] = []
         while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
-            path.append(self.thrown.exact(len(path) / 60.0).position[:2])
+            path.append(self.flight.exact(len(path) / 60.0).position[:2])
         return path
 
     def step(self, duration: float) -> None:
@@ -110,33 +109,21 @@ class Throw(Scene):
 
     def land(self) -> None:
         """End the throw, and report how far the ball and the exact path missed the hoop."""
-        yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
-        self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
-        self.score += self.is_in(yours)
+        yours, exact = self.outcome(self.path), self.outcome(self.truth)
+        self.message = f"Your ball: {yours}. The exact path: {exact}."
+        self.score += yours == "in"
         self.flies, self.rest, self.end = False, self.REST, self.simulated
 
-    def past_hoop(self, path: list[Point]) -> float | None:
-        """Compute how far beyond the hoop's center a path comes down to the hoop's height, in m.
-
-        The distance is negative if the path falls short, and None if it stays too low.
-        """
+    def outcome(self, path: list[Point]) -> str:
+        """Describe where a path comes down to the hoop's height, such as "0.25 m too short"."""
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
             if y1 > y >= y2:
-                return x1 + (x2 - x1) * (y1 - y) / (y1 - y2) - x
-        return None
-
-    def is_in(self, beyond: float | None) -> bool:
-        """Return True if a ball goes through the hoop, given the result of ``past_hoop``."""
-        return beyond is not None and abs(beyond) < self.RIM
-
-    def told(self, beyond: float | None) -> str:
-        """Describe how close a throw came to the hoop, such as "0.25 m too short"."""
-        if beyond is None:
-            return "too low"
-        if self.is_in(beyond):
-            return "in"
-        return f"{abs(beyond):.2f} m too {'far' if beyond > 0.0 else 'short'}"
+                beyond = x1 + (x2 - x1) * (y1 - y) / (y1 - y2) - x
+                if abs(beyond) < self.RIM:
+                    return "in"
+                return f"{abs(beyond):.2f} m too {'far' if beyond > 0.0 else 'short'}"
+        return "too low"
 
     def draw(self, pen: Pen) -> None:
         x, y = self.hoop
@@ -176,7 +163,7 @@ class Throw(Scene):
         return [*(self.path[-1] if self.path else self.HAND)]
 
     def exact(self, time: float) -> list[float]:
-        return [*self.thrown.exact(min(time, self.end) - self.start).position[:2]]
+        return [*self.flight.exact(min(time, self.end) - self.start).position[:2]]
 
     def facts(self) -> str:
         return f"{self.score} of {self.throws} went in; {self.rate} steps per second"

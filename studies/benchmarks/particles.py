@@ -38,37 +38,24 @@ def lines() -> list[Measurement]:
         return timer(lambda: move(PROJECTILE.particle(kind), even))
 
     step, free = moving(steps, Particle), moving(steps)
+    in_place = moving(in_place_steps, Particle)
     randomly = timer(lambda: steps(PROJECTILE.particle(Particle), uneven))
     bare, bare_randomly = timer(lambda: arithmetic(even)), timer(lambda: arithmetic(uneven))
     forced, bare_forced = moving(forced_steps), timer(lambda: forced_arithmetic(even))
     generated, constant = "gravity as a force generator in the registry", "as constant acceleration"
     operators = "a step written with + and *, which make new vectors"
-    at_most = Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.4)
-    at_least = Target("at least", 5)
+    little = Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.4)
+    nothing, twice, much = Target("at most", 1.1), Target("at most", 2.1), Target("at least", 5)
     return [
-        _ratio(f"{OURS} / {BARE} in local variables", step, bare, at_most),
+        _ratio(f"{OURS} / {BARE} in local variables", step, bare, little),
         _ratio(f"{OURS} / {BARE}, with steps of random length", randomly, bare_randomly),
-        _ratio(f"{operators} / {OURS}", moving(operator_steps, Particle), step, at_least),
-        _ratio(
-            f"a step written with add_scaled and *= / {OURS}",
-            moving(in_place_steps, Particle),
-            step,
-        ),
+        _ratio(f"{operators} / {OURS}", moving(operator_steps, Particle), step, much),
+        _ratio(f"a step written with add_scaled and *= / {OURS}", in_place, step),
         *(_against_pymunk(bodies, IN_TURN) for bodies in (1, 10, 100, 1000)),
         *(_against_pymunk(bodies, AT_ONCE) for bodies in (10, 100, 1000)),
         *(_against_pymunk(bodies, NOT) for bodies in (1, 3, 10, 1000)),
-        _ratio(
-            f"{OURS} of chapter 5 without forces / that of chapter 3",
-            free,
-            step,
-            Target("at most", 1.1),
-        ),
-        _ratio(
-            f"add_force and {OURS} / {BARE} in local variables",
-            forced,
-            bare_forced,
-            Target("at most", 2.1),
-        ),
+        _ratio(f"{OURS} of chapter 5 without forces / that of chapter 3", free, step, nothing),
+        _ratio(f"add_force and {OURS} / {BARE} in local variables", forced, bare_forced, twice),
         _ratio(f"{generated} / {constant}", moving(generator_steps), free),
     ]
 

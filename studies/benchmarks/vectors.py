@@ -17,10 +17,10 @@ def lines(console: Console) -> list[Measurement]:
     return against_peers(console, "Vector3", STATEMENTS, peers)
 
 
-BY_OPERATORS = {"create": "V(1.5, 2.5, 3.5)", "add": "a + b", "scale": "a * 1.5", "dot": "a.dot(b)"}
+COMMON = {"create": "V(1.5, 2.5, 3.5)", "add": "a + b", "scale": "a * 1.5", "dot": "a.dot(b)"}
 OF_THREE = "a, b, c = V(1.5, 2.5, 3.5), V(0.5, -1.5, 2.0), V(1.0, 1.0, 1.0)"
 STATEMENTS: Statements = {
-    "ours": BY_OPERATORS
+    "ours": COMMON
     | {
         "setup": f"from ch02_vectors.vector import Vector3 as V\n{OF_THREE}",
         "cross": "a.cross(b)",
@@ -28,7 +28,7 @@ STATEMENTS: Statements = {
         "normalize": "a.normalized()",
         "add_scaled": "c.add_scaled(b, 0.001)",
     },
-    "pyglet": BY_OPERATORS
+    "pyglet": COMMON
     | {
         "setup": f"from pyglet.math import Vec3 as V\n{OF_THREE}",
         "cross": "a.cross(b)",
@@ -36,7 +36,7 @@ STATEMENTS: Statements = {
         "normalize": "a.normalize()",
         "add_scaled": "c = c + b * 0.001",
     },
-    "numpy": BY_OPERATORS
+    "numpy": COMMON
     | {
         "setup": "import numpy as n\n"
         "a, b, c = n.array([1.5, 2.5, 3.5]), n.array([0.5, -1.5, 2.0]), n.array([1.0, 1.0, 1.0])",
@@ -46,7 +46,7 @@ STATEMENTS: Statements = {
         "normalize": "a / n.linalg.norm(a)",
         "add_scaled": "c += b * 0.001",
     },
-    "pymunk": BY_OPERATORS
+    "pymunk": COMMON
     | {
         "setup": "from pymunk import Vec2d as V\na, b, c = V(1.5, 2.5), V(0.5, -1.5), V(1.0, 1.0)",
         "create": "V(1.5, 2.5)",

@@ -146,18 +146,20 @@ def described(rows: Sequence[Row]) -> str:
         words.append(f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases")
         if slower:
             ratio, found = max(slower, key=lambda pair: pair[0])
-            bound = max(own, key=lambda row: row.bounds[0])
             words[-1] += f", up to {rounded(ratio)} times as long ({found.scene}"
             words[-1] += ", extrapolated)" if found.is_extrapolated else ")"
-            if bound.bounds[0] > ratio:
-                words[-1] += f" or at least {rounded(bound.bounds[0])} times ({bound.scene})"
+            low, scene = max((row.bounds[0], row.scene) for row in own)
+            if low > ratio:
+                words[-1] += f" or, without reaching the error, at least {rounded(low)} ({scene})"
         words[-1] += f", and less time in {len(faster)}"
         if faster:
             ratio, found = min(faster, key=lambda pair: pair[0])
-            bound = min(own, key=lambda row: row.bounds[1])
             words[-1] += f", as little as 1/{rounded(1.0 / ratio)} ({found.scene})"
-            if bound.bounds[1] < ratio:
-                words[-1] += f" or at most 1/{rounded(1.0 / bound.bounds[1])} ({bound.scene})"
+            high, scene = min((row.bounds[1], row.scene) for row in own)
+            if high < ratio:
+                words[-1] += (
+                    f" or, where we miss the error, at most 1/{rounded(1.0 / high)} ({scene})"
+                )
         ties = len(known) - len(slower) - len(faster)
         only_ours = sum(bool(row.ours.time) and not row.pymunk.time for row in own)
         only_theirs = sum(bool(row.pymunk.time) and not row.ours.time for row in own)

@@ -33,6 +33,7 @@ class Chart {
     const svg = this.plot.querySelector(".point")?.ownerSVGElement;
     svg?.setAttribute("role", "group");
     svg?.setAttribute("aria-label", options.name);
+    for (const group of all(this.plot, "g[aria-label]")) group.removeAttribute("aria-label"); // a g without a role may have none
     this.elements = new Map();
     for (const element of all(this.plot, ".point > *")) {
       const point = points[d3.select(element).datum()];

@@ -9,9 +9,9 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -19,8 +19,8 @@ from autograder.files import replace_bytes
 from scenes.clock import RATE
 from studies.accuracy.catalog import group_of, scenes_with
 from studies.accuracy.measure import Point
-from studies.accuracy.results import TOLERANCES, Row, front, models_of, table
-from studies.accuracy.scene import Model, Scene
+from studies.accuracy.results import TOLERANCES, front, models_of, table
+from studies.accuracy.scene import Scene
 from studies.charts import ratios
 
 HERE = Path(__file__).parent
@@ -52,26 +52,6 @@ LOOKS = {
 }
 
 
-@dataclass(frozen=True)
-class Drawn:
-    """A model on the page: its color and symbol, and its runs, some among the best trade-offs."""
-
-    model: Model
-    look: tuple[str, str]
-    runs: list[tuple[Point, bool]]
-
-
-@dataclass(frozen=True)
-class Panel:
-    """A scene's section of the page, with a chart, sentences and two tables."""
-
-    scene: Scene
-    about: str
-    said: list[str]
-    rows: list[tuple[Row, ratios.Figure]]
-    models: list[Drawn]
-
-
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
     """Write the page with all charts to ``index.html``, and all data points to ``points.csv``.
 
@@ -79,7 +59,7 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
     how the times were measured.
     """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
-    groups: dict[str, list[Panel]] = {}
+    groups: dict[str, list[dict[str, Any]]] = {}
     for scene in scenes:
         group = groups.setdefault(group_of()[scene.name], [])
         group.append(panel(scene, own[scene.name]))
@@ -97,9 +77,11 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
         figures={(f["scene"], f["is_formula"], f["tolerance"]): f for f in figures},
         tolerances=TOLERANCES,
         ratios=ratios,
+        looks=looks(),
         how=how,
         columns=COLUMNS,
         ceiling=CEILING,
+        id=id,
         **{file.replace(".", "_"): _read(f"vendor/{file}") for file in LIBRARIES},
         style=_read("style.css"),
         script=_read("script.js"),
@@ -112,21 +94,18 @@ def _read(name: str) -> str:
     return (HERE / name).read_text(encoding="utf-8")
 
 
-def panel(scene: Scene, points: Sequence[Point]) -> Panel:
-    """Prepare the section of a scene from its measured points."""
+def panel(scene: Scene, points: Sequence[Point]) -> dict[str, Any]:
+    """Prepare the section of a scene for the template, from its measured points."""
     best = {id(point) for point in front(points) if point.error < CEILING}
     own, rows = models_of(points), table(points)
-    return Panel(
-        scene,
-        f"{scene.frames / RATE:.3g} s; errors in units of its scale, {scene.scale:.3g} m",
-        ratios.said(points, 1e-4),
-        [*zip(rows, ratios.figures_of(rows), strict=True)],
-        [
-            Drawn(model, looks()[model.name], [(p, id(p) in best) for p in own[model.name]])
-            for model in scene.models
-            if model.name in own
-        ],
-    )
+    return {
+        "scene": scene,
+        "about": f"{scene.frames / RATE:.3g} s; errors in units of its scale, {scene.scale:.3g} m",
+        "said": ratios.said(points, 1e-4),
+        "rows": [*zip(rows, ratios.figures_of(rows), strict=True)],
+        "models": [(model, own[model.name]) for model in scene.models if model.name in own],
+        "best": best,
+    }
 
 
 @cache

@@ -83,38 +83,42 @@ class Chart {
 // A scene's runs, one for each row of its table. A tbody is a model.
 function runsOf(panel) {
   const counted = texts(panel.querySelector(".runs tr")).at(-1);
-  return all(panel, "tbody[data-model]").flatMap((body) => all(body, "[data-steps]").map((row) => {
-    const {model, by} = body.dataset;
+  return all(panel, "[data-steps]").map((row) => {
     const [choice, shown, time, low, high, work] = texts(row);
-    const label = `${model}, ${choice}: error ${shown} of the scale, ${time} ms (quartiles ${low} to ${high}), ${counted}: ${work}`;
-    const error = shown === "useless" ? NaN : Math.max(row.dataset.error, FLOOR);
-    return {line: model, by, label, isBest: row.className === "best", error, time, low, high, work: work.replaceAll(",", "")};
-  }));
+    const model = row.parentElement.dataset;
+    const label = `${model.model}, ${choice}: error ${shown} of the scale, ${time} ms (quartiles ${low} to ${high}), ${counted}: ${work}`;
+    const isUseful = shown !== "useless";
+    return {...model, ...row.dataset, line: model.model, label, isUseful, isBest: row.className === "best", time, low, high, work: work.replaceAll(",", ""), counted};
+  });
 }
 
 function drawScene(chart, panel, runs) {
-  const [model, x] = [$("model").value, $("across").value];
-  const points = runs.filter((run) => run.error && run[x] > 0 && (!model || run.line === model));
-  const models = all(panel, "tbody[data-model]").map((body) => body.dataset).filter((one) => !model || one.model === model);
-  const by = Object.fromEntries(models.map((one) => [one.model, one.by]));
-  const told = (name) => name + (by[name] === "the book" ? " (the book's step)" : "") + (runs.some((run) => run.line === name && run.error) ? "" : ": useless");
-  const at = {x: (run) => Number(run[x]), y: "error"};
+  const [model, across] = [$("model").value, $("across").value];
+  const own = runs.filter((run) => !model || run.model === model);
+  const points = own.filter((run) => run.isUseful && run[across] > 0);
+  const models = [...d3.group(own, (run) => run.model).values()];
+  const names = models.map(([run]) => run.model);
+  const told = (name) => {
+    const found = models[names.indexOf(name)];
+    return name + (found[0].by === "the book" ? " (the book's step)" : "") + (found.some((run) => run.isUseful) ? "" : ": useless");
+  };
+  const at = {x: (run) => Number(run[across]), y: (run) => Math.max(run.error, FLOOR)};
   const line = {...at, z: "line", stroke: "line", strokeWidth: 1.4};
-  const best = d3.sort(points.filter((run) => run.isBest), (run) => Number(run[x]));
+  const best = d3.sort(points.filter((run) => run.isBest), at.x);
   chart.draw(points, {
-    name: `${panel.dataset.scene}: error over ${x}, whose numbers are in the table below`,
+    name: `${panel.dataset.scene}: error over ${across}, whose numbers are in the table below`,
     at,
     width: 380,
     height: 290,
     ...PLACE,
     marginLeft: 62,
-    x: {...LOG, label: x === "time" ? "processor time, ms" : texts(panel.querySelector(".runs tr")).at(-1)},
+    x: {...LOG, label: across === "time" ? "processor time, ms" : own[0].counted},
     y: {...LOG, ticks: 6, label: "error / scale", labelOffset: 56},
-    color: {type: "categorical", domain: models.map((one) => one.model), range: models.map((one) => `var(--${one.color})`)},
-    symbol: {domain: models.map((one) => one.model), range: models.map((one) => one.symbol), legend: true, tickFormat: told},
+    color: {domain: names, range: models.map(([run]) => `var(--${run.color})`)},
+    symbol: {domain: names, range: models.map(([run]) => run.symbol), legend: true, tickFormat: told},
     marks: [
       Plot.line(model ? [] : best, {...at, stroke: "var(--front)", strokeWidth: 11, strokeLinecap: "round"}),
-      Plot.ruleY(x === "time" ? points : [], {y: "error", x1: (run) => Number(run.low), x2: (run) => Number(run.high), stroke: "line"}),
+      Plot.ruleY(across === "time" ? points : [], {...at, x: null, x1: (run) => Number(run.low), x2: (run) => Number(run.high), stroke: "line"}),
       Plot.line(points, {...line, filter: (run) => run.by !== "pymunk"}),
       Plot.line(points, {...line, filter: (run) => run.by === "pymunk", strokeDasharray: "5 3"}),
       Plot.dot(points, {...at, symbol: "line", fill: "line", stroke: "line", r: 3.5, className: "point"}),
@@ -153,16 +157,6 @@ function drawRatios(chart, section) {
   });
 }
 
-function csv() {
-  const lines = all(document, ".panel").flatMap((panel) => all(panel, "[data-steps]").map((row) => {
-    const {model, by, better, per} = row.parentElement.dataset;
-    const [, , time, low, high, work] = texts(row);
-    const counted = texts(panel.querySelector(".runs tr")).at(-1);
-    return [panel.dataset.scene, model, by, better, row.dataset.steps, per, row.dataset.error, time, low, high, work.replaceAll(",", ""), counted];
-  }));
-  return `${d3.csvFormatRows([JSON.parse($("csv").dataset.columns), ...lines])}\n`;
-}
-
 const panels = all(document, ".panel").map((panel) => [panel, new Chart(panel.querySelector("figure")), runsOf(panel)]);
 const compared = all(document, ".compared").map((section) => [section, new Chart(section.querySelector("figure"))]);
 
@@ -170,7 +164,7 @@ function filter() {
   const [scene, model] = [$("scene").value, $("model").value];
   let shown = 0;
   for (const [panel, chart, runs] of panels) {
-    panel.hidden = (scene && panel.dataset.scene !== scene) || (model && !runs.some((run) => run.line === model));
+    panel.hidden = (scene && panel.dataset.scene !== scene) || (model && !runs.some((run) => run.model === model));
     for (const body of all(panel, "[data-model]")) body.hidden = model && body.dataset.model !== model;
     shown += !panel.hidden;
     if (!panel.hidden) drawScene(chart, panel, runs);
@@ -182,7 +176,10 @@ function filter() {
   $("status").textContent = shown ? `${shown} of ${panels.length} scenes` : "No scene has both.";
 }
 
-$("csv").href = URL.createObjectURL(new Blob([csv()], {type: "text/csv"}));
+const columns = ["model", "by", "better", "steps", "per", "error", "time", "low", "high", "work", "counted"];
+const lines = panels.flatMap(([panel, , runs]) => runs.map((run) => [panel.dataset.scene, ...columns.map((column) => run[column])]));
+const csv = `${d3.csvFormatRows([JSON.parse($("csv").dataset.columns), ...lines])}\n`;
+$("csv").href = URL.createObjectURL(new Blob([csv], {type: "text/csv"}));
 for (const id of ["csv", "filter"]) $(id).hidden = false;
 $("filter").addEventListener("input", filter);
 $("filter").addEventListener("submit", (event) => event.preventDefault());

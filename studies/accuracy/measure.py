@@ -18,6 +18,7 @@ import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from datetime import date
 from importlib import metadata
 from pathlib import Path
 
@@ -65,13 +66,14 @@ class Point:
 
 @dataclass
 class Measured:
-    """The points so far, and the number of finished timing rounds.
+    """The points so far, the number of finished timing rounds, and the day of the last one.
 
     A point that the present round has timed already has one time more than there are rounds.
     """
 
     points: list[Point]
     rounds: int = 0
+    day: str = ""
 
 
 def explore(
@@ -120,6 +122,7 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
             point.times.append(seconds_of(models[point.scene, point.model], point.steps))
         hear()
     measured.rounds += 1
+    measured.day = date.today().isoformat()
 
 
 def seconds_of(model: Model, steps: int) -> float:
@@ -135,8 +138,7 @@ def seconds_of(model: Model, steps: int) -> float:
 
 def save(measured: Measured, path: Path, sign: str) -> None:
     """Save all measurements so far, with their signature from ``sign_of``."""
-    data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
-    replace_bytes(path, json.dumps(data).encode())
+    replace_bytes(path, json.dumps({"sign": sign, **asdict(measured)}).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
@@ -145,7 +147,8 @@ def load(path: Path, sign: str) -> Measured | None:
         data = json.loads(path.read_text(encoding="utf-8"))
         if data["sign"] != sign:
             return None
-        return Measured([Point(**point) for point in data["points"]], data["rounds"])
+        points = [Point(**point) for point in data["points"]]
+        return Measured(points, data["rounds"], data["day"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
 

@@ -12,11 +12,10 @@ import csv
 import platform
 import sys
 import time
-from datetime import date
 from importlib import metadata
 from itertools import repeat
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
@@ -28,6 +27,9 @@ from autograder.commands import TUNED, find_engine
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
 from scenes.reason import shown
+
+if TYPE_CHECKING:
+    from studies.accuracy.measure import Measured
 
 # The number of rounds, and the time in s for the slowest run of our models and of pymunk's. Pymunk
 # gets more time, because it needs many steps to become as accurate as our models.
@@ -115,10 +117,10 @@ def main(arguments: list[str]) -> int:
         console.print("~: pymunk's time is extrapolated from its measured order of convergence.")
     with (options.out / "table.csv").open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([COLUMNS, *table])
-    page.write(scenes, measured.points, _how(measured.rounds, options.quick), options.out)
+    page.write(scenes, measured.points, _how(measured, options.quick), options.out)
     is_whole = not options.quick and not options.scene
     if is_whole:
-        kept.keep(rows, options.out)
+        kept.keep(rows, measured.day, options.out)
     console.print(
         f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
         f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}\n"
@@ -131,13 +133,13 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def _how(rounds: int, is_quick: bool) -> str:
+def _how(measured: Measured, is_quick: bool) -> str:
     """Write a note for the charts page that says when and how the times were measured."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (
-        f"Measured on {date.today():%Y-%m-%d}{quick}, with {versions}. Each time is the median of "
-        f"{rounds} rounds."
+        f"Measured on {measured.day}{quick}, with {versions}. Each time is the median of "
+        f"{measured.rounds} rounds."
     )
 
 

@@ -7,7 +7,6 @@ import platform
 import re
 import textwrap
 from collections.abc import Sequence
-from datetime import date
 from importlib import metadata
 from pathlib import Path
 
@@ -24,17 +23,17 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 BEGIN, END = "<!-- ratios: `make charts` writes this -->", "<!-- end of ratios -->"
 
 
-def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
+def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:
     """Copy the overview picture, the page with all charts and the ratios into the repository.
 
-    ``out`` is the folder of the picture and the page. The READMEs get a new description of the
-    picture, and one of them a new table.
+    ``day`` is the day of the measurement, and ``out`` the folder of the picture and the page. The
+    READMEs get a new description of the picture, and one of them a new table.
     """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     figures = figures_of(rows)
     found = {
-        "measured": date.today().isoformat(),
+        "measured": day,
         "python": platform.python_version(),
         "pymunk": metadata.version("pymunk"),
         "rows": figures,

@@ -245,11 +245,11 @@ def test_a_full_run_keeps_the_picture_the_page_and_its_description(tmp_path: Pat
         (tmp_path / name).write_text(text, encoding="utf-8")
     for name in ("overview.png", "index.html"):
         (tmp_path / name).write_text(f"new {name}", encoding="utf-8")
-    keep(rows, tmp_path, tmp_path)
+    keep(rows, "2026-11-30", tmp_path, tmp_path)
     assert (tmp_path / PICTURE).read_text(encoding="utf-8") == "new overview.png"
     assert (tmp_path / PAGE).read_text(encoding="utf-8") == "new index.html"
-    kept = json.loads((tmp_path / FIGURES).read_text(encoding="utf-8"))["rows"]
-    assert kept == figures_of(rows)
+    kept = json.loads((tmp_path / FIGURES).read_text(encoding="utf-8"))
+    assert (kept["measured"], kept["rows"]) == ("2026-11-30", figures_of(rows))
     page = (tmp_path / "studies/README.md").read_text(encoding="utf-8")
     assert between(page, BEGIN, END).splitlines()[2:] == [
         "| a ball | 230 | 0.14 |  |  |  |  |",

@@ -70,6 +70,7 @@ def _wait() -> None:
     sys.path[0] = str(ROOT)
     import lab.__main__
     import lab.play  # noqa: F401
+    import plots.__main__
     import plots.draw  # noqa: F401
 
     for line in sys.stdin:

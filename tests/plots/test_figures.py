@@ -12,8 +12,8 @@ from PIL import Image, ImageColor, ImageSequence
 from autograder.manifest import ROOT, Chapter, load_chapters
 from lab.drawing.picture import PAINT
 from plots import ch02_vectors as plots
+from plots import figures
 from plots.drawing import BLUE, ORANGE
-from studies import figures
 
 LARGEST = 300_000  # bytes, so that a page loads quickly
 STILLS = {f"{name}.png" for name in figures.PLOTS}

@@ -15,7 +15,7 @@ from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.exercises import random_frames
 from ch03_laws_of_motion.particle import Particle
 from plots.drawing import BLACK, BLUE, GREEN, ORANGE, THEORY, Picture, finish, slope
-from scenes.flight import FREE_FALL, GRAVITY, LANDED, PROJECTILE, Flight, flown
+from scenes.flight import FLIGHT_TIME, FREE_FALL, GRAVITY, PROJECTILE, Flight, flown
 from scenes.readings import numbers
 
 G = -GRAVITY[1]
@@ -92,7 +92,7 @@ def integration_error() -> Picture:
 def trajectories() -> Picture:
     """Draw the simulated and the exact path of a ball that is thrown with and without damping."""
     frame = 0.1
-    times = [i * frame for i in range(round(LANDED / frame) + 1)]
+    times = [i * frame for i in range(round(FLIGHT_TIME / frame) + 1)]
     undamped = Flight(PROJECTILE.position, PROJECTILE.velocity)
     figure, axes = pyplot.subplots(figsize=(8, 4), layout="constrained")
     rows, gaps = [], []

@@ -74,4 +74,4 @@ def flown(flight: Flight, frame: float, frames: int) -> list[State]:
 FREE_FALL = Flight()
 DAMPED_FALL = Flight(damping=0.5)
 PROJECTILE = Flight((0.0, 1.5, 0.0), (20.0, 20.0, 0.0), damping=0.6)
-LANDED = 3.2  # s, after which the projectile has landed
+FLIGHT_TIME = 3.2  # s, in which the projectile almost comes back to its first height

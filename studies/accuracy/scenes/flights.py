@@ -19,7 +19,7 @@ from ch06_springs.integrators import explicit_euler
 from ch06_springs.springs import AnchoredSpring, Buoyancy
 from scenes.clock import RATE
 from scenes.fall_in_air import G, falling
-from scenes.flight import LANDED, PROJECTILE
+from scenes.flight import FLIGHT_TIME, PROJECTILE
 from scenes.orbit import KeplerOrbit
 from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
@@ -39,7 +39,7 @@ from studies.models.exact_frames import oscillation_in_frames, places_in_frames
 
 def projectile() -> Scene:
     """Create the scene of a projectile with linear drag, as damping or as a force."""
-    frames = round(LANDED * RATE)
+    frames = round(FLIGHT_TIME * RATE)
     k1 = -math.log(PROJECTILE.damping)
     gravity = complex(*PROJECTILE.acceleration[:2])
 

@@ -1,13 +1,24 @@
-"""Find the ends of cables and rods, and measure how far cables are overstretched."""
+"""Struts, the ends of cables and rods, and how far cables are overstretched."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable, Rod
 from scenes.readings import numbers
+
+
+@dataclass(frozen=True)
+class Strut:
+    """A link that keeps two particles at least ``min_length`` m apart, like touching balls."""
+
+    a: Particle
+    b: Particle
+    min_length: float
 
 
 def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:

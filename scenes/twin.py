@@ -14,20 +14,24 @@ from ch05_forces.particle import Particle
 from ch06_springs.springs import AnchoredSpring, Spring
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from scenes.links import Strut
 from scenes.setup import Setup
 
 if TYPE_CHECKING:
     import pymunk
 
-WIDE = 1000.0  # m, half the width of the ground
+WIDE = 1000.0  # m, half the width of the ground, and more than the length of any strut
 InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
-def twin_of(setup: Setup, ahead: float = 0.0, iterations: int = 10) -> InSpace:
+def twin_of(
+    setup: Setup, ahead: float = 0.0, iterations: int = 10, *, corrects: bool = False
+) -> InSpace:
     """Create a pymunk space with the same scene, and return it with its bodies.
 
     ``ahead`` is the length of a step in s. If it is not 0, all bodies start with the velocities
-    that they have half a step later, which makes pymunk's step as accurate as leapfrog.
+    that they have half a step later, which makes pymunk's step as accurate as leapfrog. With
+    ``corrects``, joints correct their whole error in each step, and not only a fraction of it.
 
     Raises:
         ValueError: Pymunk cannot express the scene, because it has a generator of another kind, or
@@ -52,6 +56,9 @@ def twin_of(setup: Setup, ahead: float = 0.0, iterations: int = 10) -> InSpace:
         space.add(_spring(space, bodies, particle, generator))
     for contacts in _parts(setup.contacts):
         _add_contacts(space, bodies, contacts)
+    if corrects:
+        for joint in space.constraints:
+            joint.error_bias = 0.0
     return space, [*bodies.values()]
 
 
@@ -125,6 +132,9 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
         case Limits(a=a, b=b, min_length=low, max_length=high):
             ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
             space.add(pymunk.SlideJoint(*ends, low, high))
+        case Strut(a=a, b=b, min_length=length):
+            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
+            space.add(pymunk.SlideJoint(*ends, length, WIDE))
         case GroundPlane(particles=particles, height=height, radius=radius):
             floor = pymunk.Segment(space.static_body, (-WIDE, height), (WIDE, height), 0.0)
             floor.elasticity = 1.0

@@ -13,8 +13,8 @@ from functools import partial
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
+from plots.ch08_mass_aggregate.energy import load_on_bridge
 from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
-from scenes.mass_aggregate import load_on_bridge
 from scenes.readings import stopped, written
 from scenes.ropes import (
     LENGTH,

@@ -15,10 +15,7 @@ from scenes.parameters import Choice, Slider
 
 
 class SpringBridge(Stepped):
-    """A scene of a person walking across a bridge whose planks hang from springs (exercise G6.2).
-
-    If the springs are too stiff for the time step, the bridge explodes.
-    """
+    """A person who walks across a bridge whose planks hang from springs (exercise G6.2)."""
 
     chapter = 6
     title = "A bridge on springs"
@@ -46,7 +43,6 @@ class SpringBridge(Stepped):
         self.x = 0.5
 
     def step(self, duration: float) -> None:
-        """Add the person's weight to the nearest planks, and advance the bridge by one step."""
         load_bridge(self.particles, self.x, self.WEIGHT)
         super().step(duration)
 
@@ -79,13 +75,11 @@ class SpringBridge(Stepped):
     def limit(self) -> float:
         """Compute the largest stiffness in N/m for which semi-implicit Euler is stable.
 
-        A plank has mass m, and a spring has stiffness k and damping c. In a long row of planks, the
-        fastest oscillation is the one in which neighboring planks move in opposite directions. Each
-        plank then moves as if it hung from a single spring with stiffness 4 k and damping 4 c. With
-        steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        The fastest oscillation is the one in which neighboring planks move in opposite directions.
+        Each plank of mass m then moves as if it hung from a single spring with stiffness 4 k and
+        damping 4 c. With steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
-        limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
-        return limit
+        return float(self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate)
 
     def say(self) -> str:
         return f"The walker stands at x = {self.x:.1f} m, {self.ground():.2f} m high."
@@ -96,17 +90,14 @@ class SpringBridge(Stepped):
             self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """Simulate a player who walks to the right end of the bridge and back.
-
-        Recordings and tests use this script in place of a human player.
-        """
+        """Walk to the right end of the bridge and back."""
         frame = round(60.0 * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
 
 
 class Cloth(Stepped):
-    """A scene of a cloth that hangs from two corners, which the reader can drag."""
+    """A cloth that hangs from two corners, which the reader can drag."""
 
     chapter = 6
     title = "A cloth of 180 springs"
@@ -129,11 +120,8 @@ class Cloth(Stepped):
             pen.circle(places[i], 0.05, "red", grab=name)
 
     def chart(self) -> dict[str, float]:
-        energy = sum(
-            knot.kinetic_energy() + knot.mass * G * knot.position.y
-            for knot in self.particles
-            if knot.has_finite_mass
-        )
+        movable = [knot for knot in self.particles if knot.has_finite_mass]
+        energy = sum(knot.kinetic_energy() + knot.mass * G * knot.position.y for knot in movable)
         return {"kinetic + gravitational energy, J": energy}
 
     def facts(self) -> str:
@@ -148,10 +136,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Simulate a player who pulls a corner of the cloth aside and up, and then moves it back.
-
-        Recordings and tests use this script in place of a human player.
-        """
+        """Pull a corner of the cloth aside and up, and move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:

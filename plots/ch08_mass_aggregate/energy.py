@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any
 
 from matplotlib import pyplot
+from matplotlib.axes import Axes
 
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
@@ -29,11 +30,22 @@ SETTLED = 5.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, by which the energy of a scene at rest may vary
 SECONDS = 7.5  # s, the length of each run; the energies vary no more in longer runs
 COLORS = {30: RED, 60: BLUE}  # by frame rate in Hz
+FRAMED = 3.0  # s, the length of a run in uneven frames
 SPIKES, SPIKE = (0.75, 1.75), 0.5  # s; at these times a frame takes that long
 
 Make = Callable[[], Any]  # creates a mass aggregate of chapter 8, such as the rope bridge
 Measure = Callable[[Any], float]
 Framed = tuple[Track, dict[int, list[Numbers]]]
+
+
+def legends(*panels: Axes) -> None:
+    """Add a grid and a legend to each of the panels, or say that nothing is drawn in it yet."""
+    for axes in panels:
+        axes.grid(alpha=0.3)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(fontsize=8)
+        else:
+            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
 
 
 def recorded(make: Make, measure: Measure, rate: float, seconds: float) -> Track:
@@ -69,19 +81,15 @@ def load_on_bridge(
 
 
 def energy_of_bridge() -> Picture:
-    """Plot the energy of the rope bridge at two frame rates, as it comes to rest under a ball.
-
-    A third curve shows a run at 30 Hz with the default number of iterations.
-    """
+    """Plot the energy of the rope bridge as it comes to rest, also with fewer iterations."""
 
     def default_bridge() -> Bridge:
         bridge = Bridge()
         bridge.world.resolver.iterations = None
         return bridge
 
-    ways = {f"{rate} Hz": (Bridge, rate, color) for rate, color in COLORS.items()}
-    ways["30 Hz, default iterations"] = (default_bridge, 30, ORANGE)
-    return _energies("The bridge with its ball", ways)
+    default = {"30 Hz, default iterations": (default_bridge, 30, ORANGE)}
+    return _energies("The bridge with its ball", Bridge, default)
 
 
 def energy_of_platform() -> Picture:
@@ -92,16 +100,16 @@ def energy_of_platform() -> Picture:
         platform.put_weight(5.0, 3.0)
         return platform
 
-    ways = {f"{rate} Hz": (loaded_platform, rate, color) for rate, color in COLORS.items()}
-    return _energies("The platform with 5 kg at 3 m", ways)
+    return _energies("The platform with 5 kg at 3 m", loaded_platform, {})
 
 
-def _energies(what: str, ways: dict[str, tuple[Make, int, str]]) -> Picture:
-    """Plot the energy in several runs of a scene, and how much it varies once the scene is at rest.
+def _energies(what: str, make: Make, more: dict[str, tuple[Make, int, str]]) -> Picture:
+    """Plot the energy of a scene at two frame rates, and how much it varies once it is at rest.
 
-    Each of the ``ways`` has a frame rate and a color. The second panel shows how far the energy is
-    from the middle of its range, in percent.
+    The second panel shows how far the energy is from the middle of its range, in percent. ``more``
+    lists further runs, each with a frame rate and a color.
     """
+    ways = {f"{rate} Hz": (make, rate, color) for rate, color in COLORS.items()} | more
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
 
     def energy(made: Any) -> float:
@@ -114,24 +122,23 @@ def _energies(what: str, ways: dict[str, tuple[Make, int, str]]) -> Picture:
         }
     )
     rows: list[Sequence[object]] = []
-    bad: list[str] = []
-    reach = 0.0
+    bad, reach = [], 0.0
     for name, run in found.items():
-        late = [(t, e) for t, e in run.points if t >= SETTLED]
-        energies = [e for _, e in late]
+        times = [time for time in run.times if time >= SETTLED]
+        energies = run.values[len(run.times) - len(times) :]
         lowest, highest = min(energies, default=0.0), max(energies, default=0.0)
         middle = 0.5 * (highest + lowest)
         off = [100.0 * (e / middle - 1.0) if middle else math.nan for e in energies]
         reach = max([reach, *map(abs, off)])
         varies = math.nan  # if the engine failed
-        if not run.message and late and late[-1][1]:
-            varies = 100.0 * ((highest - lowest) / abs(late[-1][1]))
+        if not run.message and energies and energies[-1]:
+            varies = 100.0 * ((highest - lowest) / abs(energies[-1]))
         if not varies <= STEADY:
             bad.append(name)
         color = ways[name][-1]
         left.plot(run.times, run.values, color=color, lw=1.2, label=name)
         label = f"{name}: varies by {varies:.2g} %{': fails' if name in bad else ''}"
-        right.plot([time for time, _ in late], off, color=color, lw=1.0, label=label)
+        right.plot(times, off, color=color, lw=1.0, label=label)
         rows += [(name, *row) for row in run.points]
     half = 0.5 * STEADY
     right.axhspan(-half, half, color=GRAY, alpha=0.12, lw=0, label=f"allowed: {STEADY:g} %")
@@ -150,9 +157,7 @@ def _energies(what: str, ways: dict[str, tuple[Make, int, str]]) -> Picture:
     )
     left.set(xlabel="time, s", ylabel="mechanical energy relative to the ground, J")
     right.set(xlabel="time, s", ylabel="deviation from the middle of the range, %")
-    for axes in (left, right):
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+    legends(left, right)
     tell(figure, [f"{name}: {run.message}" for name, run in found.items() if run.message])
     return Picture(figure, ("run", "time, s", "energy, J"), rows)
 
@@ -164,7 +169,6 @@ def variable_frames() -> Picture:
     uneven frames into steps of equal length.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
-    seconds = 3.0
     rows: list[Sequence[object]] = []
     notes: list[str] = []
     colors = {"even frames": BLACK, "uneven frames, run 1": RED, "uneven frames, run 2": ORANGE}
@@ -174,9 +178,9 @@ def variable_frames() -> Picture:
         ("the bridge", "height of the ball, m", Bridge, height_of_ball, min),
     )
     for axes, (what, ylabel, make, measure, extreme) in zip(panels, scenes, strict=True):
-        runs = {"even frames": partial(_framed, make, measure, [FRAME] * round(RATE * seconds))}
+        runs = {"even frames": partial(_framed, make, measure, [FRAME] * round(RATE * FRAMED))}
         for seed in (1, 2):
-            frames = _uneven_frames(seed, seconds)
+            frames = _uneven_frames(seed)
             runs[f"uneven frames, run {seed}"] = partial(_framed, make, measure, frames)
             runs[f"FixedStep, run {seed}"] = partial(_framed, make, measure, frames, fixed=True)
         found = written(runs)
@@ -190,11 +194,7 @@ def variable_frames() -> Picture:
             if run.message:
                 notes.append(f"{what}, {name}: {run.message}")
             if fixed:
-                off += [
-                    max(map(math.dist, now, even[steps]))
-                    for steps, now in states.items()
-                    if steps in even
-                ]
+                off += [max(map(math.dist, now, even[n])) for n, now in states.items() if n in even]
         reach = {name: extreme(run.values) for name, (run, _) in found.items()}
         raw = [height for name, height in reach.items() if name.startswith("uneven frames")]
         most = f"{max(off):.2g} m" if off else "?"
@@ -209,17 +209,16 @@ def variable_frames() -> Picture:
             label = f"a frame of {SPIKE:g} s, near here" if i == 0 else None
             axes.axvspan(spike, spike + SPIKE, color=GRAY, alpha=0.15, lw=0, label=label)
         axes.set(xlabel="time, s", ylabel=ylabel)
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+    legends(*panels)
     tell(figure, notes)
     return Picture(figure, ("scene", "frames", "time, s", "height, m"), rows)
 
 
-def _uneven_frames(seed: int, seconds: float) -> list[float]:
+def _uneven_frames(seed: int) -> list[float]:
     """Create random frame durations from 5 to 30 ms, with a longer one at each of the SPIKES."""
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*SPIKES]
-    while time < seconds:
+    while time < FRAMED:
         if left and time >= left[0]:
             frames.append(SPIKE)
             left.pop(0)
@@ -236,26 +235,26 @@ def _framed(make: Make, measure: Measure, frames: list[float], *, fixed: bool = 
     step. Also return the positions of all particles by the number of steps so far.
     """
     made = make()
-    stepper = FixedStep(made.step, FRAME)
     times, values, states = [0.0], [], {}
-    steps = 0
 
-    def look() -> None:
+    def one_step(elapsed: float) -> int:
+        made.step(elapsed)
+        return 1
+
+    advance = FixedStep(made.step, FRAME).advance if fixed else one_step
+
+    def look(steps: int) -> None:
         values.append(number(measure(made)))
         states[steps] = [numbers(particle.position) for particle in made.world.particles]
 
     def run() -> None:
-        nonlocal steps
+        steps = 0
         for elapsed in frames:
-            if fixed:
-                steps += stepper.advance(elapsed)
-            else:
-                made.step(elapsed)
-                steps += 1
-            look()
+            steps += advance(elapsed)
+            look(steps)
             times.append(times[-1] + elapsed)
 
-    look()
+    look(0)
     message = stopped(run)
     return Track(times, values[: len(times)], message), states
 

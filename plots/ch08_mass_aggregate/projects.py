@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from functools import partial
 
 from matplotlib import pyplot
-from matplotlib.axes import Axes
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
@@ -16,7 +15,7 @@ from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS, Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld
-from plots.ch08_mass_aggregate.energy import recorded
+from plots.ch08_mass_aggregate.energy import legends, recorded
 from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, tell
 from scenes.clock import RATE
 from scenes.readings import written
@@ -32,21 +31,16 @@ def wheel_deformation() -> Picture:
     """Plot how far a driven wheel of rods deforms, and how far its spin lags behind theory."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
 
-    def wheel(driven: int, force: float, rate: float, seconds: float, *, spins: bool) -> Track:
-        def measure(wheel: Wheel) -> float:
-            return spin(wheel.hub, wheel.rim) if spins else deformation(wheel.rods)
+    def deformed(driven: int, force: float) -> Track:
+        return recorded(partial(Wheel, force, driven), lambda w: deformation(w.rods), RATE, 1.0)
 
-        return recorded(partial(Wheel, force, driven), measure, rate, seconds)
+    def spun(rate: int) -> Track:
+        return recorded(partial(Wheel, DRIVE), lambda w: spin(w.hub, w.rim), rate, SPINNING)
 
-    deformations = {
-        (driven, force): partial(wheel, driven, force, RATE, 1.0, spins=False)
-        for driven in (1, 2, COUNT)
-        for force in FORCES
-    }
-    spins = {
-        rate: partial(wheel, COUNT, DRIVE, rate, SPINNING, spins=True) for rate in (60, 240, 960)
-    }
-    both = written({**deformations, **spins})
+    ways = [(driven, force) for driven in (1, 2, COUNT) for force in FORCES]
+    scenes = {way: partial(deformed, *way) for way in ways}
+    scenes |= {rate: partial(spun, rate) for rate in (60, 240, 960)}
+    both = written(scenes)
     rows: list[Sequence[object]] = []
     gives, lags = [], []
     for driven, color in ((1, RED), (2, ORANGE), (COUNT, BLUE)):
@@ -86,7 +80,7 @@ def wheel_deformation() -> Picture:
     )
     left.set(xlabel="force on each driven particle, N", ylabel="deformation, % of a rod")
     right.set(xlabel="time, s", ylabel="spin, rad/s", ylim=(0.0, 1.05 * alpha * SPINNING))
-    _legends(left, right)
+    legends(left, right)
     tell(figure, [run.message for run in both.values() if run.message])
     columns = ("what", "driven", "frame rate, Hz", "force, N", "time, s", "deformation or rad/s")
     return Picture(figure, columns, rows)
@@ -123,10 +117,9 @@ def blob_bonds() -> Picture:
         for (speed, cables), color in ways.items():
             if (run := found.get((what, speed, cables))) is None:
                 continue
+            ended = f"at least {min(run.values):g}, finally {run.values[-1]:g}"
             if what == "spread":
                 ended = f"at most {max(run.values):.2f} m, finally {run.values[-1]:.2f} m"
-            else:
-                ended = f"at least {min(run.values):g}, finally {run.values[-1]:g}"
             throw = f"at {speed:g} m/s" if speed else "dropped"
             label = f"{throw}, {'with' if cables else 'without'} cables: {ended}"
             style = "--" if cables else "-"
@@ -141,7 +134,7 @@ def blob_bonds() -> Picture:
     panels[0].set(xlabel="time, s", ylabel="spread, m")
     panels[1].set(xlabel="time, s", ylabel="intact bonds, of 45")
     panels[0].set_ylim(top=1.25 * panels[0].get_ylim()[1])  # room for the legend
-    _legends(*panels)
+    legends(*panels)
     tell(figure, [f"{key}: {run.message}" for key, run in found.items() if run.message])
     return Picture(figure, ("what", "speed, m/s", "cables", "time, s", "spread, m or bonds"), rows)
 
@@ -175,7 +168,7 @@ def sleeping_balls() -> Picture:
     )
     panels[0].set(ylabel="number per frame of 1/60 s")
     panels[1].set(xlabel="time, s", ylabel="kinetic energy of the awake balls, J")
-    _legends(*panels)
+    legends(*panels)
     tell(figure, notes)
     columns_of = ("world", "time, s", "balls awake", "contacts resolved", "kinetic energy, J")
     return Picture(figure, columns_of, rows)
@@ -205,12 +198,3 @@ def _sleepers(kind: type[ParticleWorld], seconds: float) -> list[Track]:
         lambda: math.fsum(ball.kinetic_energy() for ball in balls if ball.inverse_mass),
     ]
     return tracks(move, measures, round(RATE * seconds))
-
-
-def _legends(*panels: Axes) -> None:
-    for axes in panels:
-        axes.grid(alpha=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=8)
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")

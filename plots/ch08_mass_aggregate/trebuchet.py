@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from typing import NamedTuple
 
 from matplotlib import pyplot
 
@@ -27,24 +28,16 @@ PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # drawn until my_design is written
 JUMP = 5.0  # degrees; a curve has a gap between releases whose angles differ by more
 
 
-@dataclass(frozen=True)
-class Release:
-    """A possible release of the projectile, and the throw that follows.
+class Release(NamedTuple):
+    """A possible release of the projectile, and the throw that follows."""
 
-    ``angle`` is the direction of flight in degrees, ``range`` is in m from the pivot, and ``share``
-    is the energy of the projectile as a fraction of the energy that the counterweight has lost.
-    """
-
-    angle: float
-    range: float
-    share: float
+    angle: float  # degrees, of the direction of flight
+    range: float  # m, from the pivot
+    share: float  # the energy of the projectile, divided by that which the counterweight has lost
 
 
 def trebuchet_range() -> Picture:
-    """Plot the range of the student's trebuchet against its release angle.
-
-    Each curve is for a different counterweight.
-    """
+    """Plot the range of the student's trebuchet against its release angle, by counterweight."""
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)
     )
@@ -58,7 +51,7 @@ def trebuchet_range() -> Picture:
     rows: list[Sequence[object]] = []
     best: dict[float, Release] = {}
     for (weight, seen), color in zip(found.items(), (GRAY, SKY, GREEN, BLUE, RED), strict=False):
-        rows += [(weight, r.angle, r.range, r.share) for r in seen]
+        rows += [(weight, *release) for release in seen]
         upwards = [release for release in seen if release.angle >= 0.0]
         ends = "never flies forward and up"
         if upwards:
@@ -69,14 +62,13 @@ def trebuchet_range() -> Picture:
             points += [(math.nan, math.nan)] * (before.angle - release.angle > JUMP)
             points.append((release.angle, release.range))
         size = 9 if len(points) < 5 else 4  # so that a single release is visible
-        angles, ranges = [angle for angle, _ in points], [reach for _, reach in points]
-        label = f"{weight:g} kg: {ends}"
-        left.plot(angles, ranges, ".-", color=color, ms=size, lw=1.3, label=label)
+        curve = [angle for angle, _ in points], [reach for _, reach in points]
+        left.plot(*curve, ".-", color=color, ms=size, lw=1.3, label=f"{weight:g} kg: {ends}")
     title = f"{name} ({own:g} kg) never releases the projectile"
     if thrown := throw_of(design):
         share = 100.0 * thrown.share
         title = f"{name} throws {thrown.range:.3g} m with {share:.2g} % of the energy"
-        rows.append((own, thrown.angle, thrown.range, thrown.share))
+        rows.append((own, *thrown))
         left.plot(thrown.angle, thrown.range, "*", color=BLACK, ms=15, label=name)
         right.plot(own, share, "*", color=BLACK, ms=15, label=name)
     if own in best:

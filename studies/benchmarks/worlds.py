@@ -60,8 +60,7 @@ def asleep(
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
-        # In every LOOK_EVERY-th frame, the world checks whether anything pushes a sleeping ball.
-        # Such a frame costs as much as several others, so each measured time includes one.
+        # Each measured time includes one of the frames that check whether anything pushes a ball.
         versus(*(timer(stepping(world), LOOK_EVERY) for world in worlds)),
         21,
         target,

@@ -85,9 +85,8 @@ class SpringBridge(Stepped):
         return f"The walker stands at x = {self.x:.1f} m, {self.ground():.2f} m high."
 
     def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            pace = self.PACE if key == "right" else -self.PACE
-            self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
+        pace = {"left": -self.PACE, "right": self.PACE}.get(key, 0.0)
+        self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
         """Walk to the right end of the bridge and back."""

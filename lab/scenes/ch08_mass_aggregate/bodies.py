@@ -48,18 +48,15 @@ class Platform(WorldScene):
     )
     mass = Slider(4.0, "weight", "kg", 0.0, 32.0, step=0.5, live=True)
     x = Slider(-1.0, "position of the weight", "m", -3.0, 4.0, step=0.25, live=True)
-    PACE = 0.5  # m
+    PACES = {"left": -0.5, "right": 0.5}  # m
 
     def build(self) -> None:
         self.platform = tilting_platform.TiltingPlatform()
         self.free = False
-        self.put: tuple[float, float] | None = None
         self.run(self.platform.step, self.platform.world)
 
     def step(self, duration: float) -> None:
-        if self.put != (self.mass, self.x):
-            self.platform.put_weight(self.mass, self.x)
-            self.put = (self.mass, self.x)
+        self.platform.put_weight(self.mass, self.x)
         super().step(duration)
 
     def draw(self, pen: Pen) -> None:
@@ -91,8 +88,8 @@ class Platform(WorldScene):
         return f"The platform is tilted by {tilt:.0f}°. The pivot is {pivot}."
 
     def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            self.drag("weight", self.x + (self.PACE if key == "right" else -self.PACE), 0.0)
+        if key in self.PACES:
+            self.drag("weight", self.x + self.PACES[key], 0.0)
         elif key == "f" and not self.free:
             self.platform.free_pivot()
             self.free = True
@@ -140,13 +137,9 @@ class Blob(WorldScene):
         super().step(duration)
         self.pushed -= duration
 
-    def middle(self) -> Vector3:
-        """Compute the mean position of the blob's particles."""
-        places = [particle.position for particle in self.blob.particles]
-        return sum(places[1:], places[0]) / len(places)
-
     def draw(self, pen: Pen) -> None:
-        middle = self.middle()
+        places = [particle.position for particle in self.blob.particles]
+        middle = sum(places[1:], places[0]) / len(places)
         if abs(middle.x - self.eye) > 3.0:  # follow the blob, which slides without friction
             self.eye = middle.x + math.copysign(3.0, self.eye - middle.x)
         away = Vector3(-self.eye)
@@ -163,7 +156,7 @@ class Blob(WorldScene):
                 (over if is_over else well).append((a + away, b + away))
         pen.segments(well, "blue", 1.5)
         pen.segments(over, "red", 1.5)
-        pen.dots([particle.position + away for particle in self.blob.particles], "black", 7.0)
+        pen.dots([place + away for place in places], "black", 7.0)
         pen.arrow(middle + away, self.blob.push * 0.15, "orange", "force")
         self.contacts.draw(pen, 2.0)
 

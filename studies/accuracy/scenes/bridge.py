@@ -1,13 +1,11 @@
 """Test how well our engine and pymunk keep the loaded rope bridge of chapter 8 at rest.
 
-Every simulation starts slightly below the rest position, so that all cables are taut. Exactly at
-the rest position, rounding errors would decide which cables are taut. The work of a simulation is
-the number of contacts that it resolves. In pymunk, it is the number of joints times the number of
-iterations.
+Every simulation starts slightly below the rest position, where rounding errors would decide which
+cables are taut. The work of a simulation is the number of contacts that it resolves. In pymunk, it
+is the number of joints times the number of iterations.
 
-Pymunk is two-dimensional, so both sides of its bridge lie in one plane, with no rods between them.
-The length of each cable is that of its projection onto this plane. Only the x and y coordinates of
-the positions are compared.
+Pymunk is two-dimensional, so both sides of its bridge lie in one plane, with no rods between them,
+and its cables are as long as their projections. Only the x and y coordinates are compared.
 """
 
 from __future__ import annotations
@@ -20,7 +18,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch07_constraints.contacts import ContactGenerator, ContactResolver
-from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
+from ch07_constraints.links import AnchoredCable, Cable, TwoSidedRod
 from ch08_mass_aggregate.bridge import ITERATIONS, links_of
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, ROWS, Row, make_rows
 from ch08_mass_aggregate.sleeping import SleepingWorld
@@ -31,9 +29,11 @@ from studies.accuracy.asleep import asleep, asleep_in_pymunk
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, by_pymunk
 from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames, places_of
 from studies.accuracy.scenes.hanging import HAIR, MASSES, cables, hanging, truth
+from studies.accuracy.scenes.planes import by_net
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.heap_resolver import HeapResolver
+from studies.models.net import limits_of
 
 FRAMES = 60  # errors do not grow after this second
 
@@ -47,23 +47,21 @@ def bridge() -> Scene:
     iterations per step, its default, or other numbers.
     """
     few, some = STEPS[:5], STEPS[:8]
-
-    def ours(links: Links, iterations: int | None) -> Callable[[int], Outcome]:
-        return partial(by_world, semi_implicit_euler, links, HeapResolver(iterations))
-
+    ours: dict[str, tuple[Links, int | None]] = {
+        "semi-implicit Euler, cables": (links_of, None),
+        f"cables, {ITERATIONS} iterations": (links_of, ITERATIONS),
+        "semi-implicit Euler, two-sided rods": (two_sided, None),
+        "two-sided rods, 400 iterations": (two_sided, 400),
+    }
+    book = partial(by_world, explicit_euler, links_of, ContactResolver())
+    nets = {"direct net": whole, "direct net, seen from the side": from_the_side}
     models = [
-        Model(
-            "explicit Euler, cables",
-            partial(by_world, explicit_euler, links_of, ContactResolver()),
-            few,
-            "the book",
+        Model("explicit Euler, cables", book, few, "the book"),
+        *(
+            Model(name, partial(by_world, semi_implicit_euler, links, HeapResolver(most)), few)
+            for name, (links, most) in ours.items()
         ),
-        Model("semi-implicit Euler, cables", ours(links_of, None), few),
-        Model(f"cables, {ITERATIONS} iterations", ours(links_of, ITERATIONS), few),
-        Model("semi-implicit Euler, two-sided rods", ours(two_sided, None), few),
-        Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
-        Model("direct net", partial(by_net, whole), few),
-        Model("direct net, seen from the side", partial(by_net, from_the_side), few),
+        *(Model(name, partial(by_net, net, DirectNet, FRAMES), few) for name, net in nets.items()),
         asleep(sleeping, FRAMES),
         asleep(found_by_equilibrium, FRAMES, "found by equilibrium, then asleep"),
         by_pymunk(EXAMPLES, partial(in_space, 10), FRAMES, some),
@@ -83,14 +81,9 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
     This makes no difference as long as all cables are taut.
     """
     found: list[ContactGenerator] = []
-    for link in links_of(rows):
-        if isinstance(link, AnchoredCable):
-            anchor = Particle(link.anchor, mass=math.inf)
-            found.append(TwoSidedRod(anchor, link.particle, link.max_length))
-        elif isinstance(link, Cable):
-            found.append(TwoSidedRod(link.a, link.b, link.max_length))
-        elif isinstance(link, Rod):
-            found.append(TwoSidedRod(link.a, link.b, link.length))
+    for a, b, length, _ in (limit for link in links_of(rows) for limit in limits_of(link)):
+        ends = (a, b) if isinstance(b, Particle) else (Particle(b, mass=math.inf), a)
+        found.append(TwoSidedRod(*ends, length))
     return found
 
 
@@ -137,17 +130,6 @@ def by_world(
         work += resolver.iterations_used
 
     return Outcome(in_frames(step, partial(places_of, setup.particles), FRAMES, steps), work)
-
-
-def by_net(make: Callable[[], Setup], steps: int) -> Outcome:
-    """Simulate the rope bridge with DirectNet, which computes all tensions at once.
-
-    At rest the tensions stay the same, and DirectNet can reuse its solution in later steps.
-    """
-    setup = make()
-    step = DirectNet(setup.contacts).step
-    places = in_frames(step, partial(places_of, setup.particles), FRAMES, steps)
-    return Outcome(places, FRAMES * steps * len(setup.contacts))
 
 
 def sleeping() -> tuple[SleepingWorld, list[Particle]]:

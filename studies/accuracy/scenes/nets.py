@@ -9,28 +9,19 @@ from functools import cache, partial
 from itertools import pairwise
 from typing import Any
 
-import numpy
-
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.world import ParticleWorld
-from scenes.clock import RATE
+from scenes.clock import RATE, deviation
 from studies.accuracy.in_plane import LONG, ORDERS
 from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, from_two_runs
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene
 from studies.accuracy.scenes.hanging import MASSES, cables, hanging
-from studies.accuracy.scenes.planes import (
-    G,
-    Plane,
-    by_links,
-    by_long_steps,
-    by_net,
-    in_pymunk,
-)
-from studies.accuracy.scenes.taut import Tie
+from studies.accuracy.scenes.planes import G, Plane, by_links, by_long_steps, by_net, in_pymunk
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.smooth_net import SmoothNet
+from studies.models.taut import Tie
 
 LONG_STEPS = (1, 2, 3, 4, 6)  # per twelve frames
 FINE = 8  # steps per frame of our own run, with which the truth is compared
@@ -53,30 +44,26 @@ def scene_of(
     is smooth.
     """
     plane = cache(lambda: make(frames))
-
-    @cache
-    def exact() -> list[Place]:
-        return [tuple(map(float, place)) for place in plane().exact()]
+    exact = cache(lambda: plane().exact())
 
     def differs() -> float:
-        own = by_net(plane(), SmoothNet, FINE).places
-        return float(abs(numpy.array(own) - numpy.array(exact())).max()) / scale
+        own = by_net(plane().setup, SmoothNet, frames, FINE).places
+        return max(map(deviation, own, exact())) / scale
 
-    def run(by: Callable[..., Outcome], *chosen: Any) -> Callable[[int], Outcome]:
-        return lambda steps: by(plane(), *chosen, steps)
-
-    def multistep(i: int) -> Callable[[int], Outcome]:
-        return lambda steps: linked()[i].run(steps)
+    def multistep(i: int, steps: int) -> Outcome:
+        return linked()[i].run(steps)
 
     linked = cache(lambda: by_links(plane()))
+    net = partial(by_net, lambda: plane().setup())
     models = [
-        Model("direct net", run(by_net, DirectNet), STEPS[:6]),
-        Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
+        Model("direct net", partial(net, DirectNet, frames), STEPS[:6]),
+        Model("smooth net, order 4", partial(net, SmoothNet, frames), STEPS[:4]),
     ]
     if taut:
-        models.append(Model("smooth net in long steps", run(by_long_steps), LONG_STEPS, per=LONG))
+        long = partial(by_long_steps, plane)
+        models.append(Model("smooth net in long steps", long, LONG_STEPS, per=LONG))
         models += [
-            Model(f"multistep, order {order}", multistep(i), MULTISTEPS, per=LONG)
+            Model(f"multistep, order {order}", partial(multistep, i), MULTISTEPS, per=LONG)
             for i, order in enumerate(ORDERS)
         ]
     models.append(Model(EXAMPLES, in_pymunk(plane, 10), STEPS, "pymunk"))

@@ -1,8 +1,7 @@
 """Nets of cables in a plane, and the models that simulate them in our engine and in pymunk.
 
-Our engine has two solvers for nets: DirectNet, which has order 2, and SmoothNet, which has order 4.
-In pymunk, slide joints act as the links. The work is the number of links that were solved for. A
-link counts once per step in DirectNet, four times in SmoothNet, and once per iteration in pymunk.
+The work is the number of links that were solved for. A link counts once per step in DirectNet, of
+order 2, four times in SmoothNet, of order 4, and once per iteration in pymunk.
 """
 
 from __future__ import annotations
@@ -23,17 +22,18 @@ from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_plane import LONG, ORDERS, flat, in_long_steps, in_plane
 from studies.accuracy.in_pymunk import Step, by_pymunk
-from studies.accuracy.scene import Model, Outcome, in_frames, places_of
-from studies.accuracy.scenes.taut import TautMotion, Tie
+from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 from studies.models.direct_net import DirectNet
 from studies.models.order_8 import Numbers
 from studies.models.plane_links import Link, accelerations_on_links
 from studies.models.smooth_net import SmoothNet
+from studies.models.taut import TautMotion, Tie
 
 if TYPE_CHECKING:
     import pymunk
 
 G = 9.81  # m/s^2
+Solver = type[DirectNet] | type[SmoothNet]
 
 
 @dataclass(frozen=True)
@@ -60,16 +60,13 @@ class Plane:
             forces[knot + 1, 1] -= share * weight
         return forces.ravel()
 
-    def exact(self) -> Any:
-        """Compute the exact positions of the net's knots at the end of each frame, using SciPy."""
-        times = [frame / RATE for frame in range(1, self.frames + 1)]
-        return TautMotion(self.masses, self.ties, self.load).run(self.places, times)
+    def motion(self) -> TautMotion:
+        """Return the exact motion of the net, which SciPy computes."""
+        return TautMotion(self.masses, self.ties, self.load, self.places)
 
-    def first_accelerations(self) -> list[list[float]]:
-        """Compute the accelerations of all knots at the start, in m/s^2."""
-        motion = TautMotion(self.masses, self.ties, self.load)
-        found = motion.accelerations(0.0, *motion.begun(self.places))[0]
-        return [[float(x), float(y)] for x, y in found.reshape(-1, 2)]
+    def exact(self) -> Sequence[Place]:
+        """Compute the exact positions of the net's knots at the end of each frame."""
+        return self.motion().run([frame / RATE for frame in range(1, self.frames + 1)])
 
     def setup(self, is_taut: bool = False) -> Setup:
         """Create the knots, the moving load, and the cables and struts between the knots.
@@ -119,13 +116,10 @@ class Walker:
         self.knots[knot + 1].add_force(Vector3(0.0, -share * self.weight))
 
 
-def made(
-    plane: Plane, kind: type[DirectNet] | type[SmoothNet]
-) -> tuple[Sequence[Particle], Callable[[float], None]]:
-    """Create the knots of a net, and a function that advances them and the load by one step."""
-    setup = plane.setup()
+def stepping(setup: Setup, kind: Solver) -> Step:
+    """Return a function that advances a net, and its moving load if it has one, by one step."""
     forces = setup.registry().update_forces if setup.forces else None
-    net = kind(setup.contacts, [walker.ball for _, walker in setup.forces])  # type: ignore[attr-defined]
+    net = kind(setup.contacts, [load.ball for _, load in setup.forces if isinstance(load, Walker)])
 
     def step(duration: float) -> None:
         if isinstance(net, SmoothNet):
@@ -135,26 +129,28 @@ def made(
                 forces(duration)
             net.step(duration)
 
-    return setup.particles, step
+    return step
 
 
-def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Simulate a net with a solver that computes all tensions at once, DirectNet or SmoothNet."""
-    knots, step = made(plane, kind)
-    work = (4 if kind is SmoothNet else 1) * plane.frames * steps * len(plane.ties)
-    return Outcome(in_frames(step, partial(places_of, knots), plane.frames, steps), work)
+def by_net(make: Callable[[], Setup], kind: Solver, frames: int, steps: int) -> Outcome:
+    """Simulate a net with a solver that computes all tensions at once."""
+    setup = make()
+    places = partial(places_of, setup.particles)
+    work = (4 if kind is SmoothNet else 1) * frames * steps * len(setup.contacts)
+    return Outcome(in_frames(stepping(setup, kind), places, frames, steps), work)
 
 
-def by_long_steps(plane: Plane, steps: int) -> Outcome:
+def by_long_steps(make: Callable[[], Plane], steps: int) -> Outcome:
     """Simulate a net in ``steps`` time steps per twelve frames, and interpolate the frames."""
-    knots, step = made(plane, SmoothNet)
-    every = LONG // steps
+    plane = make()
+    setup = plane.setup()
+    step, every = stepping(setup, SmoothNet), LONG // steps
 
-    def state() -> tuple[list[float], list[float]]:
-        points, moves = [k.position for k in knots], [k.velocity for k in knots]
-        return [c for p in points for c in (p.x, p.y)], [c for v in moves for c in (v.x, v.y)]
+    def state() -> tuple[Numbers, Numbers]:
+        vectors = [(knot.position, knot.velocity) for knot in setup.particles]
+        return [complex(p.x, p.y) for p, _ in vectors], [complex(v.x, v.y) for _, v in vectors]
 
-    places = in_long_steps(lambda: step(every / RATE), state, tuple, every, plane.frames)
+    places = in_long_steps(lambda: step(every / RATE), state, flat, every, plane.frames)
     return Outcome(places, 4 * plane.frames // every * len(plane.ties))
 
 
@@ -206,7 +202,7 @@ def in_pymunk(
     in each step. With ``is_taut``, pin joints act as the cables, which is correct only if no cable
     becomes slack.
     """
-    first = cache(lambda: plane().first_accelerations())
+    first = cache(lambda: plane().motion().first_accelerations())
 
     def make(duration: float) -> InSpace:
         setup = replace(plane().setup(is_taut), forces=())
@@ -215,13 +211,13 @@ def in_pymunk(
             knot.velocity = Vector3(half * x, half * y)
         return twin_of(setup, iterations=iterations, corrects=corrects)
 
-    def stepping(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
+    def walking(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
         """Return a step that first applies the moving load, where it is at the end of the step."""
-        walker = plane().walker
-        if not walker:
+        net = plane()
+        if not net.walker:
             return space.step
-        start, pace, weight = walker
-        x, knot = start, 0
+        x, pace, weight = net.walker
+        knot = 0
 
         def place_of(body: pymunk.Body, duration: float) -> float:
             return body.position.x + (body.velocity.x * duration if is_ahead else 0.0)
@@ -229,10 +225,8 @@ def in_pymunk(
         def step(duration: float) -> None:
             nonlocal x, knot
             x += pace * duration * is_ahead
-            ahead = place_of(bodies[knot + 1], duration)
-            while x >= ahead and knot < len(bodies) - 2:
+            while (ahead := place_of(bodies[knot + 1], duration)) <= x and knot < len(bodies) - 2:
                 knot += 1
-                ahead = place_of(bodies[knot + 1], duration)
             behind = place_of(bodies[knot], duration)
             share = min(max((x - behind) / (ahead - behind), 0.0), 1.0)
             bodies[knot].apply_force_at_local_point((0.0, (share - 1.0) * weight))
@@ -242,4 +236,4 @@ def in_pymunk(
 
         return step
 
-    return lambda steps: by_pymunk("", make, plane().frames, stepping=stepping).run(steps)
+    return lambda steps: by_pymunk("", make, plane().frames, stepping=walking).run(steps)

@@ -30,10 +30,18 @@ EVENTS = 2000
 class TautMotion:
     """The exact motion of a net, whose knots with ``masses`` in kg are connected by ``ties``.
 
-    The state is an array of all positions, followed by all velocities.
+    The net starts at rest, at the given ``places``. The state is an array of all positions,
+    followed by all velocities.
     """
 
-    def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
+    def __init__(
+        self,
+        masses: Sequence[float],
+        ties: Sequence[Tie],
+        load: Load,
+        places: Sequence[Sequence[float]],
+    ) -> None:
+        self.places = numpy.ravel(numpy.array(places, float))
         self.inverse = 1.0 / numpy.repeat(numpy.asarray(masses, float), 2)
         self.load = load
         self.lengths = numpy.array([length for _, _, length, _ in ties])
@@ -104,15 +112,19 @@ class TautMotion:
         taut = still[pulls > 1e-9 * max(1.0, pulls.max(initial=0.0))]
         return numpy.concatenate([places, speeds]), taut
 
-    def begun(self, places: Any) -> tuple[Any, Any]:
-        """Return the state of a net that starts at rest, and the indices of its taut ties."""
-        flat = numpy.ravel(numpy.array(places, float))
-        return self.choose(0.0, numpy.concatenate([flat, 0.0 * flat]))
+    def begun(self) -> tuple[Any, Any]:
+        """Return the state of the net at the start, and the indices of its taut ties."""
+        return self.choose(0.0, numpy.concatenate([self.places, 0.0 * self.places]))
 
-    def run(self, places: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from rest at time 0. Return a row of positions for each time."""
+    def first_accelerations(self) -> list[list[float]]:
+        """Compute the accelerations of all knots at the start, in m/s^2."""
+        found = self.accelerations(0.0, *self.begun())[0]
+        return [[float(x), float(y)] for x, y in found.reshape(-1, 2)]
+
+    def run(self, times: Sequence[float]) -> list[tuple[float, ...]]:
+        """Compute the motion from time 0. Return all coordinates for each time."""
         time, found = 0.0, []
-        state, taut = self.begun(places)
+        state, taut = self.begun()
         for _ in range(EVENTS):
             slack = numpy.setdiff1d(numpy.arange(len(self.lengths)), taut)
             gaps = self.gaps(state[: len(self.inverse)])[slack]
@@ -136,7 +148,7 @@ class TautMotion:
             )
             found += [*got.y.T] if len(got.t) else []
             if got.status != 1:
-                return numpy.array(found)[:, : len(self.inverse)]
+                return [tuple(map(float, row[: len(self.inverse)])) for row in found]
             time = float(got.t_events[0][0])
             state, taut = self.choose(time, got.y_events[0][0])
         raise ArithmeticError("the impacts do not come to an end")

@@ -57,11 +57,9 @@ def recorded(make: Make, measure: Measure, rate: float, seconds: float) -> Track
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Put a ball on a rope bridge, and record how far the worst cable overstretches.
+    """Put a ball on a rope bridge, and record the excess length of the worst cable in percent.
 
-    Returns:
-        The worst cable's excess length in percent, which is infinite once the ball has fallen
-        through, and the number of contacts resolved.
+    It is infinite once the ball has fallen through. Also return the number of contacts resolved.
     """
     bridge = Bridge(mass)
     bridge.world.resolver.iterations = iterations
@@ -163,11 +161,7 @@ def _energies(what: str, make: Make, more: dict[str, tuple[Make, int, str]]) -> 
 
 
 def variable_frames() -> Picture:
-    """Plot how a blob and a rope bridge react to uneven frames, including two frames of 0.5 s.
-
-    For comparison, each scene also runs in even frames. In further runs, ``FixedStep`` divides the
-    uneven frames into steps of equal length.
-    """
+    """Plot how a blob and a rope bridge react to even and uneven frames, and with ``FixedStep``."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []

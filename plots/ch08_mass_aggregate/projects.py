@@ -87,10 +87,7 @@ def wheel_deformation() -> Picture:
 
 
 def blob_bonds() -> Picture:
-    """Plot how far a blob of particles spreads on the ground, and how many of its bonds survive.
-
-    The blob is dropped or thrown down at up to 25 m/s, with and without cables.
-    """
+    """Plot how far a blob that is thrown down spreads, and how many of its bonds survive."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     ways = {(0.0, False): BLACK, (18.0, False): SKY, (18.0, True): BLUE}
     ways |= {(25.0, False): ORANGE, (25.0, True): RED}
@@ -140,11 +137,7 @@ def blob_bonds() -> Picture:
 
 
 def sleeping_balls() -> Picture:
-    """Plot how much work the engine saves by letting balls at rest sleep.
-
-    The last ball arrives late and wakes all the others. The work in a frame is measured as the
-    number of balls moved and the number of contacts resolved.
-    """
+    """Plot how many balls are moved, and contacts resolved, if balls at rest sleep or not."""
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     rows: list[Sequence[object]] = []
     costs, notes = [], []
@@ -175,10 +168,9 @@ def sleeping_balls() -> Picture:
 
 
 def _sleepers(kind: type[ParticleWorld], seconds: float) -> list[Track]:
-    """Let balls fall to the ground one by one, and record values that show the work of the engine.
+    """Record the number of awake balls, the contacts resolved, and the kinetic energy in J.
 
-    The last ball lands between two others, and pushes all balls apart. Return the number of awake
-    balls, the number of contacts resolved per step, and the kinetic energy in J.
+    The balls fall to the ground one by one. The last one lands between two others and wakes them.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * BALL_RADIUS + 0.6 * i) for i in range(BALLS)]

@@ -95,10 +95,9 @@ def trebuchet_range() -> Picture:
 def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A real sling releases the projectile as soon as its direction of flight has dropped to the
-    release angle. A step is therefore listed only if this direction is lower than in all earlier
-    steps. The list ends when the projectile flies horizontally. Ranges and energies are computed as
-    in Trebuchet.throw, but with plain numbers.
+    A sling lets go as soon as the direction of flight has dropped to the release angle. A step is
+    therefore listed only if this direction is lower than in all earlier steps. Ranges and energies
+    are computed as in Trebuchet.throw, but with plain numbers.
     """
     machine = Trebuchet(design)
     start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]
@@ -129,10 +128,7 @@ def releases(design: Design) -> list[Release]:
 
 
 def throw_of(design: Design) -> Release | None:
-    """Let a trebuchet of the student's engine throw, and return the result.
-
-    It is None if the projectile is never released, or if a part of the code is not written yet.
-    """
+    """Return the throw of the student's engine, or None if it fails or is not written yet."""
     found: list[Release] = []
 
     def run() -> None:

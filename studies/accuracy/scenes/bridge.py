@@ -43,8 +43,7 @@ Links = Callable[[list[Row]], list[ContactGenerator]]
 def bridge() -> Scene:
     """Create the scene of a rope bridge that is at rest for 1 s, with 5 kg on its third plank.
 
-    Errors are fractions of the length of a cable between two planks. The solver of pymunk makes 10
-    iterations per step, its default, or other numbers.
+    Errors are fractions of the length of a cable between two planks.
     """
     few, some = STEPS[:5], STEPS[:8]
     ours: dict[str, tuple[Links, int | None]] = {
@@ -76,10 +75,7 @@ def bridge() -> Scene:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Create two-sided rods, which can also push, in place of the bridge's cables and rods.
-
-    This makes no difference as long as all cables are taut.
-    """
+    """Create two-sided rods, which can also push, in place of the bridge's cables and rods."""
     found: list[ContactGenerator] = []
     for a, b, length, _ in (limit for link in links_of(rows) for limit in limits_of(link)):
         ends = (a, b) if isinstance(b, Particle) else (Particle(b, mass=math.inf), a)

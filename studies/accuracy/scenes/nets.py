@@ -37,11 +37,10 @@ def scene_of(
 ) -> Scene:
     """Create the scene of a net of cables, which ``make`` builds when it is first needed.
 
-    SciPy computes the exact solution. To check it, ``Scene.differs`` compares it with our own
-    simulation in short steps. ``solvers`` lists the numbers of iterations that pymunk makes in each
-    step, and whether its joints correct their whole error. If all cables stay taut, ``taut`` lists
-    the same for pin joints. Long steps and extrapolation make sense only then, because the motion
-    is smooth.
+    ``Scene.differs`` compares SciPy's solution with our own simulation in short steps. ``solvers``
+    lists the numbers of iterations that pymunk makes in each step, and whether its joints correct
+    their whole error. If all cables stay taut, ``taut`` lists the same for pin joints. Only then is
+    the motion smooth enough for long steps and extrapolation.
     """
     plane = cache(lambda: make(frames))
     exact = cache(lambda: plane().exact())
@@ -84,10 +83,7 @@ def scene_of(
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Let a net of cables come to rest, and return a copy that starts in that position.
-
-    ``wind`` is an acceleration along X in m/s^2. It acts only until the net has come to rest.
-    """
+    """Return a copy of a net that starts where it is at rest in a ``wind``, in m/s^2 along X."""
     setup = plane.setup()
     for knot in setup.particles:
         knot.acceleration.x = wind
@@ -105,10 +101,9 @@ def bridge(masses: Sequence[float], frames: int, walker: Any = None, wind: float
 
 
 def swinging() -> Scene:
-    """Create the scene of a rope bridge that swings for 2 s after a wind has stopped.
+    """Create the scene of a rope bridge that swings for 2 s after a steady wind has stopped.
 
-    It starts from the position in which a steady wind of 3 m/s^2 held it. All cables stay taut, and
-    there is no damping.
+    All cables stay taut, and there is no damping.
     """
     taut = ((5, False), (10, True), (15, True))
     make = partial(bridge, MASSES, wind=3.0)

@@ -69,10 +69,7 @@ class Plane:
         return self.motion().run([frame / RATE for frame in range(1, self.frames + 1)])
 
     def setup(self, is_taut: bool = False) -> Setup:
-        """Create the knots, the moving load, and the cables and struts between the knots.
-
-        If ``is_taut``, rods replace the cables.
-        """
+        """Create the knots, the load, and the ties: cables, or rods if ``is_taut``, and struts."""
         down = Vector3(0.0, -G)
         knots = [
             Particle(Vector3(x, y), acceleration=down, mass=mass)
@@ -92,8 +89,7 @@ class Plane:
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
     """Find the knot behind a load at ``x``, and the fraction of the weight that the next one bears.
 
-    ``xs`` are the x coordinates of the knots. The fraction grows linearly from 0 to 1 as the load
-    moves from one knot to the next.
+    ``xs`` are the x coordinates of the knots. The fraction is 0 at one knot, and 1 at the next.
     """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
@@ -155,11 +151,9 @@ def by_long_steps(make: Callable[[], Plane], steps: int) -> Outcome:
 
 
 def by_links(plane: Plane) -> list[Model]:
-    """Create the multistep models of a net, which work while all cables are taut.
-
-    If a load moves across the net, the last body is its clock, which moves by 1 m per s.
-    """
+    """Create the multistep models of a net, which work while all cables are taut."""
     count = len(plane.masses)
+    # If a load moves across the net, the last body is its clock, which moves by 1 m per s.
     still, moves = ([0j], [1.0]) if plane.walker else ([], [])
 
     def free(positions: Numbers) -> Numbers:

@@ -41,10 +41,7 @@ Links = Callable[[list[Row]], list[ContactGenerator]]
 
 
 def bridge() -> Scene:
-    """Create the scene of a rope bridge that is at rest for 1 s, with 5 kg on its third plank.
-
-    Errors are fractions of the length of a cable between two planks.
-    """
+    """Create the scene of a rope bridge that is at rest for 1 s, with 5 kg on its third plank."""
     few, some = STEPS[:5], STEPS[:8]
     ours: dict[str, tuple[Links, int | None]] = {
         "semi-implicit Euler, cables": (links_of, None),

@@ -193,8 +193,7 @@ def in_pymunk(
     """Return a simulation of a net in pymunk, with ``iterations`` iterations per step.
 
     ``is_ahead`` starts half a step ahead. With ``corrects``, the joints correct their whole error
-    in each step. With ``is_taut``, pin joints act as the cables, which is correct only if no cable
-    becomes slack.
+    in each step. With ``is_taut``, pin joints act as the cables, which must not become slack.
     """
     first = cache(lambda: plane().motion().first_accelerations())
 

@@ -9,6 +9,7 @@ from lab.drawing.pen import Pen
 from lab.scene import Question
 from lab.stepped import Stepped
 from scenes.spring_on_a_wall import DAMPING, MASS, START, STIFFNESS, SpringOnAWall
+from scenes.twin import twin_of
 
 
 def is_stable(integrator: str, kappa: float, drag: float) -> bool:
@@ -23,20 +24,16 @@ def is_stable(integrator: str, kappa: float, drag: float) -> bool:
         return drag < 2.0 and kappa < 4.0 - 2.0 * drag + drag * drag
     if integrator == "Runge-Kutta 4":
         root = cmath.sqrt(0.25 * drag * drag - kappa)
-        return all(grown_by_runge_kutta(-0.5 * drag + sign * root) <= 1.0 for sign in (1, -1))
+        for z in (-0.5 * drag + root, -0.5 * drag - root):  # a step multiplies by the series of e^z
+            series = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))
+            if round(abs(series), 13) > 1.0:  # without rounding errors
+                return False
+        return True
     return kappa + 2.0 * drag < 4.0
 
 
-def grown_by_runge_kutta(z: complex) -> float:
-    """Return the growth factor of one Runge-Kutta 4 step of length h for x' = z x / h.
-
-    The factor is rounded, so that a difference from 1 by rounding errors disappears.
-    """
-    return round(abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))), 13)
-
-
 class OneSpring(Stepped):
-    """A scene of a ball on a spring, confined to a line so that its exact motion is known."""
+    """A ball on a spring, confined to a line so that its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
@@ -66,13 +63,14 @@ class OneSpring(Stepped):
         self.since, self.x0, self.v0 = 0.0, START, 0.0
 
     def draw(self, pen: Pen) -> None:
+        place, speed = self.ball.position, self.ball.velocity.x
         pen.line([(0.0, -0.3), (0.0, 0.3)], "gray", 1.0, dashed=True)
         pen.segments([((self.WALL, -0.8), (self.WALL, 0.8))], "black", 4.0)
-        pen.spring((self.WALL, 0.0), self.ball.position)
-        pen.circle(self.ball.position, 0.15, "blue", grab="ball")
-        pen.arrow(self.ball.position, (0.1 * self.ball.velocity.x, 0.0), "green", "velocity")
-        force = -self.stiffness * self.ball.position.x / max(self.stiffness, 1e-9)
-        pen.arrow(self.ball.position, (force, 0.0), "orange", "force")
+        pen.spring((self.WALL, 0.0), place)
+        pen.circle(place, 0.15, "blue", grab="ball")
+        pen.arrow(place, (0.1 * speed, 0.0), "green", "velocity")
+        force = -self.stiffness * place.x / max(self.stiffness, 1e-9)
+        pen.arrow(place, (force, 0.0), "orange", "force")
 
     def chart(self) -> dict[str, float]:
         x = self.ball.position.x
@@ -116,7 +114,7 @@ class OneSpring(Stepped):
 
 
 class ExactSpring(OneSpring):
-    """A version of the ``OneSpring`` scene in which the ball follows the exact solution."""
+    """The ball follows the exact solution."""
 
     def step(self, duration: float) -> None:
         passed = self.simulated - self.since
@@ -128,21 +126,11 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """A version of the ``OneSpring`` scene in which pymunk simulates the ball and its spring."""
+    """Pymunk simulates the ball and its spring."""
 
     def build(self) -> None:
-        import pymunk  # not needed by the other scenes
-
         super().build()
-        self.space = pymunk.Space()
-        self.body = pymunk.Body(self.mass, 1.0)
-        groove = pymunk.GrooveJoint(self.space.static_body, self.body, (-5, 0), (5, 0), (0, 0))
-        # The spring begins so far away that the ball cannot pass its fixed end.
-        far, k, c = 10.0, self.stiffness, self.damping
-        ends = ((-far, 0.0), (0.0, 0.0))
-        spring = pymunk.DampedSpring(self.space.static_body, self.body, *ends, far, k, c)
-        self.space.add(self.body, groove, spring)
-        self.body.position, self.body.velocity = (self.x0, 0.0), (0.0, 0.0)
+        self.space, (self.body,) = twin_of(self.wall.setup())
 
     def step(self, duration: float) -> None:
         self.space.step(duration)

@@ -46,22 +46,24 @@ def force_against_length() -> Picture:
     k, rest = 10.0, 2.0
     other = Particle()
     limited = ElasticLimitSpring(other, k, rest, 3.0, 0.3)
-    shown: tuple[tuple[Axes, ForceGenerator, str, str, float, str], ...] = (
-        (left, limited, "ElasticLimitSpring, limit 3 m, share 0.3", GREEN, 5.0, "-"),
-        (left, Spring(other, k, rest), "Spring", BLUE, 2.0, "-"),
-        (left, Bungee(other, k, rest), "Bungee", ORANGE, 2.5, "--"),
-        (right, Buoyancy(1.0, 0.001, 0.0), "Buoyancy, max_depth 1 m", BLUE, 2.0, "-"),
-        (right, LighterThanAir(8.0, 2.0), "LighterThanAir, scale_height 2 m", ORANGE, 2.0, "-"),
+    shown: dict[str, tuple[Axes, ForceGenerator, str, float, str]] = {
+        "ElasticLimitSpring, limit 3 m, share 0.3": (left, limited, GREEN, 5.0, "-"),
+        "Spring": (left, Spring(other, k, rest), BLUE, 2.0, "-"),
+        "Bungee": (left, Bungee(other, k, rest), ORANGE, 2.5, "--"),
+        "Buoyancy, max_depth 1 m": (right, Buoyancy(1.0, 0.001, 0.0), BLUE, 2.0, "-"),
+        "LighterThanAir, scale_height 2 m": (right, LighterThanAir(8.0, 2.0), ORANGE, 2.0, "-"),
+    }
+    found = written(
+        {label: partial(_forces, row[1], row[0] is right) for label, row in shown.items()}
     )
-    found = written({row[2]: partial(_forces, row[1], is_height=row[0] is right) for row in shown})
     rows = []
-    for axes, generator, label, color, width, style in shown:
-        if pairs := found.get(label):
-            axes.plot(*zip(*pairs, strict=True), style, color=color, lw=width, label=label)
-            rows += [(type(generator).__name__, *pair) for pair in pairs]
-    ends = [0.05, rest, 4.0]
-    printed = [-k * abs(length - rest) for length in ends]
-    left.plot(ends, printed, "--", color=GRAY, lw=1, label="printed, with abs (E-3)")
+    for label, pairs in found.items():
+        axes, generator, color, width, style = shown[label]
+        axes.plot(*zip(*pairs, strict=True), style, color=color, lw=width, label=label)
+        rows += [(type(generator).__name__, *pair) for pair in pairs]
+    lengths = [0.05, rest, 4.0]
+    printed = [-k * abs(length - rest) for length in lengths]
+    left.plot(lengths, printed, "--", color=GRAY, lw=1, label="printed, with abs (E-3)")
     for axes in (left, right):
         axes.axhline(0.0, color=BLACK, lw=0.8)
         axes.grid(alpha=0.3)
@@ -69,16 +71,14 @@ def force_against_length() -> Picture:
             axes.legend(fontsize=8, loc="upper right")
         else:
             axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
-    left.set(xlabel=f"length, m (rest length {rest:g} m, {k:g} N/m)")
-    left.set(ylabel="force, N (positive: push)")
+    left.set_xlabel(f"length, m (rest length {rest:g} m, {k:g} N/m)")
+    left.set_ylabel("force, N (positive: push)")
     right.set(xlabel="height above the water or the ground, m", ylabel="upward force, N")
     at = {row[:2]: row[2] for row in rows}
-    if ("Spring", 1.0) in at:
-        left.set_title(
-            f"At 1 m a spring gives {at['Spring', 1.0]:+.4g} N, the printed formula {-k:+.4g} N",
-            fontsize=10,
-        )
     words = []
+    if ("Spring", 1.0) in at:
+        title = f"At 1 m a spring gives {at['Spring', 1.0]:+.4g} N, the printed formula {-k:+.4g} N"
+        left.set_title(title, fontsize=10)
     if ("Buoyancy", 0.0) in at:
         words.append(f"Half submerged: {at['Buoyancy', 0.0]:.4g} of {at['Buoyancy', -2.0]:.4g} N")
     if ("LighterThanAir", 2.0) in at:
@@ -114,9 +114,8 @@ def three_regimes() -> Picture:
     left.set_title("1 kg on a spring of 100 N/m, released from rest at x = 1 m", fontsize=10)
     right.set(xlabel="time, s", ylabel="x of the steps minus x of the formula, m")
     if words:
-        right.set_title(
-            f"Semi-implicit Euler at 60 Hz has errors of up to {', '.join(words)} m", fontsize=10
-        )
+        title = f"Semi-implicit Euler at 60 Hz has errors of up to {', '.join(words)} m"
+        right.set_title(title, fontsize=10)
         left.legend(fontsize=8)
     for axes in (left, right):
         axes.grid(alpha=0.3)
@@ -130,18 +129,13 @@ def energy_over_time() -> Picture:
     k = 100.0
     rows: list[Sequence[object]] = []
     words, notes = [], []
-    runs = written(
-        {
-            name: partial(swing, method, Pull(k), steps=600, limit=1e4)
-            for name, method in SpringOnAWall(k).methods().items()
-        }
-    )
+    methods, run = SpringOnAWall(k).methods(), partial(swing, generator=Pull(k), limit=1e4)
+    runs = written({name: partial(run, methods[name], steps=600) for name in methods})
     for name, (places, velocities) in runs.items():
-        times = places.times
         pairs = zip(places.values, velocities.values, strict=True)
         energies = [(k * x * x + v * v) / k for x, v in pairs]
-        left.semilogy(times, energies, color=COLORS[name], label=name)
-        rows += [(name, *row) for row in zip(times, energies, strict=True)]
+        left.semilogy(places.times, energies, color=COLORS[name], label=name)
+        rows += [(name, *row) for row in zip(places.times, energies, strict=True)]
         if places.message:
             notes.append(f"{name} stopped with {places.message}")
         off = [max(abs(energy - 1.0), 1e-17) for energy in energies[1:]]
@@ -149,13 +143,12 @@ def energy_over_time() -> Picture:
             label = f"{name}: at most {max(off):.1g}"
             # Leapfrog's error is almost the same with the opposite sign, so the line of velocity
             # Verlet is drawn wider, to be visible behind leapfrog's line.
-            wide, order = (4.0, 1.9) if name == "velocity Verlet" else (1.0, 2.0)
-            right.semilogy(times[1:], off, color=COLORS[name], lw=wide, label=label, zorder=order)
+            look = {"lw": 4.0, "zorder": 1.9} if name == "velocity Verlet" else {"lw": 1.0}
+            right.semilogy(places.times[1:], off, color=COLORS[name], label=label, **look)
         elif off and energies[-1] > 0.0:
             rate = energies[-1] ** (1.0 / len(off))
-            words.append(
-                f"{name}: energy x {rate:.4f} per step, which is x {rate**600:.3g} in 10 s"
-            )
+            grown = f"x {rate:.4f} per step, which is x {rate**600:.3g} in 10 s"
+            words.append(f"{name}: energy {grown}")
     left.set_title("\n".join(words), fontsize=9)
     left.set(xlabel="time, s", ylabel="energy / initial energy (100 N/m, 1 kg, 60 Hz)")
     right.set(xlabel="time, s", ylabel="relative error of the energy")
@@ -178,15 +171,15 @@ def error_against_work() -> Picture:
     words = []
     for axes, k in zip(panels, (1.0, 1e2, 1e4, 1e6), strict=True):
         ways = SpringOnAWall(k).methods() | {"your own step": my_step}
-        found = written({name: partial(_errors, name, method, k) for name, method in ways.items()})
+        found = written({name: partial(_errors, name, ways[name], k) for name in ways})
         for name, runs in found.items():
-            color = COLORS.get(name, BLACK)
             rows += [(k, name, *run) for run in runs]
             # An exploded run may have a finite error as long as watched is not written.
             fine = [(work, error) for _, work, error in runs if error < 1e6]
             lost = [EVALUATIONS.get(name, 1) * steps for steps, _, error in runs if not error < 1e6]
-            heights = [10.0 * 3.0 ** [*ways].index(name)] * len(lost)
-            axes.plot(lost, heights, "x", color=color, ms=4)
+            height = [10.0 * 3.0 ** [*ways].index(name)] * len(lost)
+            color = COLORS.get(name, BLACK)
+            axes.plot(lost, height, "x", color=color, ms=4)
             axes.plot(*zip(*fine, strict=True), "o-", ms=3, lw=1, color=color, label=name)
             fine = [pair for pair in fine if 1e-11 < pair[1] < 0.02]
             if k == 100.0 and len(fine) > 1:
@@ -199,11 +192,10 @@ def error_against_work() -> Picture:
             axes.plot(1, error, "*", color=BLACK, ms=9, label="closed form (no error, at 1e-17)")
         swings = math.sqrt(k) / 2.0 / math.pi
         axes.set(xscale="log", yscale="log", title=f"{k:,.0f} N/m: {swings:.3g} oscillations")
-        axes.set(xlabel="evaluations of the force, or solutions")
+        axes.set_xlabel("evaluations of the force, or solutions")
         axes.grid(alpha=0.3)
     panels[0].set_ylabel("largest error within 1 s, m (crosses: exploded)")
-    if panels[0].lines:
-        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=9)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=9)
     if words:
         title = f"Orders measured at 100 N/m: {', '.join(words)}"
         figure.suptitle("\n".join(textwrap.wrap(title, 120)), fontsize=11)
@@ -216,14 +208,14 @@ def true_places(k: float, c: float, times: Sequence[float]) -> list[float]:
     return [number(state[0]) if isinstance(state, tuple) else math.nan for state in states]
 
 
-def _forces(generator: ForceGenerator, *, is_height: bool) -> list[tuple[float, float]]:
+def _forces(generator: ForceGenerator, is_upward: bool) -> list[tuple[float, float]]:
     """Return pairs of a height or length in m and the generator's force along it in N."""
     found = []
-    for i in range(-40 if is_height else 1, 81):
-        x, y = (0.0, i / 20.0) if is_height else (i / 20.0, 0.0)
-        particle = Particle(Vector3(x, y))
+    for i in range(-40 if is_upward else 1, 81):
+        place = i / 20.0
+        particle = Particle(Vector3(0.0, place) if is_upward else Vector3(place))
         generator.update_force(particle, FRAME)
-        found.append((i / 20.0, numbers(particle.force_accumulator)[is_height]))
+        found.append((place, numbers(particle.force_accumulator)[is_upward]))
     return found
 
 
@@ -232,12 +224,11 @@ def _errors(name: str, method: Integrator, k: float) -> list[tuple[int, int, flo
     found = []
     for steps in (2**power // EVALUATIONS.get(name, 1) for power in range(3, 14)):
         pull = Pull(k)
-        limit = 10.0 * math.sqrt(k)
-        places, _ = swing(method, pull, steps=steps, limit=limit, duration=1.0 / steps)
+        run = partial(swing, method, pull, limit=10.0 * math.sqrt(k), duration=1.0 / steps)
+        places, _ = run(steps=steps)
         work = pull.count or len(places.values) - 1  # one solution of a solver counts as one
-        found.append(
-            (steps, work, math.inf if places.message else _largest_error(places.values, k))
-        )
+        error = math.inf if places.message else _largest_error(places.values, k)
+        found.append((steps, work, error))
     return found
 
 

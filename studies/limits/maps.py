@@ -10,16 +10,14 @@ import math
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
 
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from plots.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
-from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS, SOLVERS
 from scenes.stability import stepping, swing
-from studies.limits.search import ALL_SOLVERS, HUGE, STIFFNESS, first, growth_at, theory_at
+from studies.limits.search import ALL_SOLVERS, HUGE, KAPPA, first, growth_at, theory_at
 
 SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 # Pymunk's results lie on the curves of equal methods, so their marks must show on top of others.
@@ -47,15 +45,7 @@ LOSS_COLUMNS = (
 )
 
 
-class Loss(NamedTuple):
-    """The values in LOSS_COLUMNS."""
-
-    method: str
-    damping: float
-    beyond: float
-    predicted: float
-    from_rest: int
-    evenly: int
+Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
@@ -98,13 +88,13 @@ def divergence() -> list[Loss]:
 
     The prediction follows from the eigenvalues of a time step.
     """
-    rows = []
+    rows: list[Loss] = []
     for name, damping in LOST.items():
         for beyond in BEYOND:
             kappa = theory_at(name, damping) * (1.0 + beyond)
             predicted = math.log(HUGE) / math.log(growth_at(name, damping, kappa))
             counted = steps_to_loss(name, damping, kappa, predicted)
-            rows.append(Loss(name, damping, beyond, predicted, *counted))
+            rows.append((name, damping, beyond, predicted, *counted))
     return rows
 
 
@@ -155,35 +145,38 @@ def _draw_steps(left: Axes, right: Axes, losses: Sequence[Loss]) -> None:
     whole steps.
     """
     for name, damping in LOST.items():
-        own = [loss for loss in losses if loss.method == name]
+        own = [loss[2:] for loss in losses if loss[0] == name]
+        beyond, predicted, rest, evenly = zip(*own, strict=True)
         color, mark = SHADES[name], MARKS[name]
-        beyond = [loss.beyond for loss in own]
-        left.plot(beyond, [loss.predicted for loss in own], color=color, lw=1)
         label = f"{name}, {'d$^h$' if name in INTEGRATORS else 'c h / m'} = {damping:g}"
-        steps = [loss.from_rest for loss in own]
-        left.plot(beyond, steps, mark, color=color, mfc="none", label=label)
-        off = [100.0 * (loss.from_rest / loss.predicted - 1.0) for loss in own]
+        left.plot(beyond, predicted, color=color, lw=1)
+        left.plot(beyond, rest, mark, color=color, mfc="none", label=label)
+        off = [_percent(*pair) for pair in zip(rest, predicted, strict=True)]
         right.plot(beyond, off, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
-        off = [100.0 * (loss.evenly / loss.predicted - 1.0) for loss in own]
+        off = [_percent(*pair) for pair in zip(evenly, predicted, strict=True)]
         right.plot(beyond, off, "-", color=color, lw=1.5)
     left.set(xscale="log", yscale="log", xlabel="k / limit - 1")
     left.set_ylabel("steps until an oscillation is 1e6 times as large")
-    steps = [loss.from_rest for loss in losses if loss.beyond == 0.02]
+    near = [rest for _, _, beyond, _, rest, _ in losses if beyond == 0.02]
     left.set_title(
-        f"2 % outside the limit, an oscillation diverges in {min(steps)} to {max(steps)} steps\n"
+        f"2 % outside the limit, an oscillation diverges in {min(near)} to {max(near)} steps\n"
         "(lines: ln 1e6 / ln |eigenvalue|; marks: simulated from rest)",
         fontsize=10,
     )
-    clear = [loss for loss in losses if abs(loss.evenly - loss.predicted) > 1.0]
-    most = 100.0 * max((abs(loss.evenly / loss.predicted - 1.0) for loss in clear), default=0.0)
-    rest = 100.0 * max(abs(loss.from_rest / loss.predicted - 1.0) for loss in losses)
+    clear = [(found, wanted) for *_, wanted, _, found in losses if abs(found - wanted) > 1.0]
+    most = max((abs(_percent(*pair)) for pair in clear), default=0.0)
+    worst = max(abs(_percent(found, wanted)) for *_, wanted, found, _ in losses)
     right.axhline(0.0, color=BLACK, lw=0.8)
     right.set(xscale="log", xlabel="k / limit - 1", ylabel="steps simulated / predicted - 1, %")
     right.set_title(
         f"In steady growth (lines) the error is within a step, or at most {most:.1g} %;\n"
-        f"from rest (marks) the size of the growing eigenvector adds up to {rest:.2g} %",
+        f"from rest (marks) the size of the growing eigenvector adds up to {worst:.2g} %",
         fontsize=10,
     )
+
+
+def _percent(found: float, predicted: float) -> float:
+    return 100.0 * (found / predicted - 1.0)
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
@@ -194,17 +187,16 @@ def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)
-    kappa = STIFFNESS * FRAME**2
     # The fourth-order series of e^(i a) has the squared magnitude 1 - a^6 / 72 + a^8 / 576.
-    step = math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0)
-    each = 2.0 * math.pi / math.sqrt(kappa)
+    step = math.log1p(-(KAPPA**3) / 72.0 + KAPPA**4 / 576.0)
+    each = 2.0 * math.pi / math.sqrt(KAPPA)
     by_theory = [math.exp(count * each * step) for count in swings]
     axes.plot(swings, by_theory, "--", color=BLACK, lw=1, label="Runge-Kutta 4, theory")
     leaking = ("Runge-Kutta 4", "backward Euler")
     most = max(abs(own[-1] - 1.0) for name, own in drifts.items() if name not in leaking)
     axes.set(xlabel="oscillations", ylabel="energy / initial energy, mean over an oscillation")
     axes.set_title(
-        f"After {swings[-1]:,} oscillations at k h$^2$ / m = {kappa:.3g}, Runge-Kutta 4 keeps "
+        f"After {swings[-1]:,} oscillations at k h$^2$ / m = {KAPPA:.3g}, Runge-Kutta 4 keeps "
         f"{drifts['Runge-Kutta 4'][-1]:.3g}\nof its energy and backward Euler "
         f"{drifts['backward Euler'][-1]:.1g}. The others are within {100.0 * most:.1g} %",
         fontsize=10,

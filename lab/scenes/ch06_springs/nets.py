@@ -81,7 +81,8 @@ class SpringBridge(Stepped):
         plank then moves as if it hung from a single spring with stiffness 4 k and damping 4 c. With
         steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
-        return self.PLANK_MASS * float(self.rate) ** 2 - 2.0 * self.DAMPING * self.rate
+        rate: float = self.rate
+        return self.PLANK_MASS * rate * rate - 2.0 * self.DAMPING * rate
 
     def say(self) -> str:
         return f"The walker stands at x = {self.x:.1f} m, {self.ground():.2f} m high."

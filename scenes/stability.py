@@ -1,7 +1,7 @@
 """A spring that is too stiff for the time step, and ground that acts as such a spring.
 
-A spring pulls a particle of 1 kg along X. A time step of h s multiplies (x, v h) by a matrix, so an
-oscillation grows if an eigenvalue of the matrix exceeds 1 in magnitude.
+The spring pulls a particle of 1 kg along X. A time step of h s multiplies (x, v h) by a matrix, so
+an oscillation grows if an eigenvalue of the matrix exceeds 1 in magnitude.
 """
 
 from __future__ import annotations
@@ -25,14 +25,11 @@ Matrix = tuple[float, float, float, float]  # row by row
 
 
 class Pull:
-    """A spring that pulls toward 0, independent of the engine's own springs and their bugs.
-
-    ``count`` is the number of times that the force was evaluated.
-    """
+    """A spring that pulls toward 0, independent of the engine's own springs and their bugs."""
 
     def __init__(self, stiffness: float) -> None:
         self.stiffness = stiffness
-        self.count = 0
+        self.count = 0  # evaluations of the force
 
     def update_force(self, particle: Particle, duration: float) -> None:
         del duration
@@ -75,10 +72,7 @@ def swing(
     limit: float,
     duration: float = FRAME,
 ) -> tuple[Track, Track]:
-    """Release a body of 1 kg at x = 1 m, and record its positions and velocities along X.
-
-    The run ends early if its speed exceeds ``limit`` in m/s.
-    """
+    """Release a body at x = 1 m, and record x and v, until its speed exceeds ``limit`` in m/s."""
     body = Particle(Vector3(1.0), damping=damping)
     move = _moving(watching(integrator, limit), body, generator)
     measures = [lambda: _state(body)[0], lambda: _state(body)[1]]
@@ -138,11 +132,7 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def theory(name: str, kept: float) -> float:
-    """Return the theoretical limit of k h^2 / m for an integrator.
-
-    ``kept`` is D = d^h, the fraction of the velocity that is left after a step. Verlet and
-    Runge-Kutta apply the damping at the end of a step.
-    """
+    """Return the theoretical limit of k h^2 / m for an integrator and ``kept`` = D = d^h."""
     if name == "explicit Euler":
         return 1.0 / kept - 1.0
     if name in ("semi-implicit Euler", "leapfrog"):  # their matrices are similar
@@ -159,9 +149,9 @@ def _runge_kutta(kappa: float, kept: float) -> Matrix:
 
 
 def faked_growth(angle: float, share: float) -> float:
-    """Return the growth per time step of the oscillations of a FakeStiffSpring.
+    """Return the growth per step of a FakeStiffSpring, with the phase per step as ``angle``.
 
-    ``angle`` is the phase per step in radians. ``share`` is the fraction of critical damping.
+    ``share`` is the fraction of critical damping.
     """
     chi = angle / FRAME
     return growth(semi_implicit_euler, FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi))

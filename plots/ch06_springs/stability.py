@@ -38,11 +38,7 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """Map how much a spring's oscillations grow or shrink per time step, for each integrator.
-
-    The map covers a range of stiffnesses and dampings, and shows the stability limits predicted by
-    theory.
-    """
+    """Map how much a spring's oscillations grow per time step, with the limits from theory."""
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
     kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]
@@ -88,12 +84,7 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Compare the motion of a faked stiff spring with that of a real spring.
-
-    The faked spring predicts where a real spring would move the particle, and applies a constant
-    force that moves it there. Another panel shows at which time steps the oscillations of the faked
-    spring grow.
-    """
+    """Compare a faked stiff spring with a real one, and show at which steps its swings grow."""
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -104,17 +95,14 @@ def fake_spring() -> Picture:
         own = math.exp(-c / 2.0 * FRAME)
         words = [f"c = {c:g} N s/m. True: x {own:.4f} per frame, period {_period(exact):.3f} s"]
         fake = FakeStiffSpring(Vector3(), k, c)
-        runs = written(
-            {
-                name: partial(swing, INTEGRATORS[name], fake, steps=frames, limit=1e3)
-                for name in ("semi-implicit Euler", "explicit Euler")
-            }
-        )
-        for name, (run, _) in runs.items():
-            seen, color = run.values, COLORS[name]
-            axes.plot(run.times, seen, ".-", ms=3, lw=0.8, color=color, label=f"faked, {name}")
+        run = partial(swing, generator=fake, steps=frames, limit=1e3)
+        steps = {name: INTEGRATORS[name] for name in ("semi-implicit Euler", "explicit Euler")}
+        runs = written({name: partial(run, step) for name, step in steps.items()})
+        for name, (places, _) in runs.items():
+            seen, color = places.values, COLORS[name]
+            axes.plot(places.times, seen, ".-", ms=3, lw=0.8, color=color, label=f"faked, {name}")
             rows += [("swing", name, c, *row) for row in zip(times, exact, seen, strict=False)]
-            factor = growth(INTEGRATORS[name], fake)
+            factor = growth(steps[name], fake)
             words.append(f"{name}: x {factor:.4f} per frame, period {_period(seen):.3f} s")
         axes.set_title("\n".join(words), fontsize=9)
         axes.set(xlabel="time, s", ylabel="x, m (400 N/m, 1 kg, 60 Hz)", ylim=(-4.0, 4.0))
@@ -122,11 +110,10 @@ def fake_spring() -> Picture:
     angles = [0.1 + 0.02 * i for i in range(596)]
     words = []
     for share, color, label in ((0.0, RED, "no damping"), (0.05, BLUE, "1/20 of critical damping")):
-        grown = [faked_growth(angle, share) for angle in angles]
-        right.plot(angles, grown, color=color, lw=1.2, label=label)
-        seen = zip(angles, grown, strict=True)
-        rows += [("growth", "semi-implicit Euler", share, *pair, "") for pair in seen]
-        most, angle = max(zip(grown, angles, strict=True))
+        grown = {angle: faked_growth(angle, share) for angle in angles}
+        right.plot(*zip(*grown.items(), strict=True), color=color, lw=1.2, label=label)
+        rows += [("growth", "semi-implicit Euler", share, *pair, "") for pair in grown.items()]
+        most, angle = max((factor, angle) for angle, factor in grown.items())
         words.append(f"{label}: at most x {most:.3f}, at $\\chi$ h = {angle:.2f}")
     right.axhline(1.0, color=BLACK, lw=0.8)
     for i in (1, 3):
@@ -166,23 +153,15 @@ def cloth_frame_rates() -> Picture:
         whole = [rate for rate, fall in found.items() if not fall.message]
         label = f"{name}, c = {damping:g} N s/m"
         words = f"{label}: " + (f"stable from {whole[0]} Hz" if whole else "always explodes")
-        axes.semilogx(
-            *zip(*lasts.items(), strict=True),
-            "o-" if damping else "s--",
-            color=COLORS[name],
-            ms=4,
-            mfc="white",
-            label=words,
-        )
+        pairs, look = zip(*lasts.items(), strict=True), {"ms": 4, "mfc": "white", "label": words}
+        axes.semilogx(*pairs, "o-" if damping else "s--", color=COLORS[name], **look)
         rows += [(name, damping, *pair) for pair in lasts.items()]
-        second = rates[name][1]
-        if stop := found[second].message:
-            note = note or f"{label}, {second} Hz: {stop}"
+        if found[rates[name][1]].message:
+            note = note or f"{label}, {rates[name][1]} Hz: {found[rates[name][1]].message}"
     axes.set(xlabel="frame rate, Hz", ylabel="time until the cloth explodes, s", ylim=(0.0, 2.8))
     axes.axhline(CLOTH_SECONDS, color=GRAY, lw=1, ls=":")
-    axes.set_xticks(book, minor=False)
-    axes.set_xticks([], minor=True)
-    axes.xaxis.set_major_formatter("{x:g}")
+    axes.set_xticks(book, [f"{rate:g}" for rate in book])
+    axes.minorticks_off()
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, ncols=2, loc="upper center")
     axes.set_title(f"Frame rates at which a cloth of 180 springs lasts for {CLOTH_SECONDS} s")
@@ -203,17 +182,12 @@ def _fall(name: str, damping: float, rate: int) -> Track:
 
 
 def penalty_bounces() -> Picture:
-    """Plot the bounces of a body on ground that pushes back with a penalty force.
-
-    The ground is soft in one run and stiff in another. Stiff ground may throw the body higher than
-    it fell.
-    """
+    """Plot the bounces on ground with a penalty force, which may be so stiff that they grow."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]
 
     def highest_rise(stiffness: float) -> tuple[float, float]:
-        """Return the largest ratio of rise and fall, and the height of that fall."""
         return max((max(bounces(stiffness, fall, 90)) / fall, fall) for fall in falls)
 
     _, fall = highest_rise(10_800.0)
@@ -237,11 +211,9 @@ def penalty_bounces() -> Picture:
     right.set(xlabel="k h$^2$ / m", ylabel="largest rise / fall, in 21 falls from 0.5 to 1 m")
     thrown = [kappa for kappa, high in zip(kappas, highest, strict=True) if high > 1.05]
     if thrown:
-        right.set_title(
-            f"From {thrown[0]:.2g} on, some bodies rise over 5 % higher than they fell from,\n"
-            f"and one rises {max(highest):.1f} times as high",
-            fontsize=10,
-        )
+        words = "on, some bodies rise over 5 % higher than they fell from,\nand one rises"
+        title = f"From {thrown[0]:.2g} {words} {max(highest):.1f} times as high"
+        right.set_title(title, fontsize=10)
     for axes in (left, right):
         axes.grid(alpha=0.3)
     return Picture(figure, ("part", "k h^2 / m", "time, s", "height, m, or ratio"), rows)

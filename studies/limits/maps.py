@@ -1,7 +1,6 @@
 """Draw the stability limits of integrators, and how soon simulations diverge beyond them.
 
-In these pictures, curves are predictions from the eigenvalues of one time step. Marks come from
-simulations.
+Curves are predictions from the eigenvalues of one time step. Marks come from simulations.
 """
 
 from __future__ import annotations
@@ -84,10 +83,7 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Predict and measure how many steps an unstable oscillation takes to grow by a factor of 1e6.
-
-    The prediction follows from the eigenvalues of a time step.
-    """
+    """Predict and measure in how many steps unstable oscillations grow by a factor of 1e6."""
     rows: list[Loss] = []
     for name, damping in LOST.items():
         for beyond in BEYOND:
@@ -99,20 +95,15 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the time steps in which a simulated oscillation grows by a factor of 1e6.
+    """Count the steps in which the size of an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
 
-    The size of the oscillation is the length of (x, v / sqrt(k / m)), where x is the position and v
-    is the velocity. The simulation runs somewhat longer than the ``predicted`` number of steps.
-
-    Returns:
-        The number of steps from the release, and the number of steps after the oscillation has
-        grown by a factor of 1e3. By then, the initial state no longer matters.
+    They are counted from the release, and after the oscillation has grown by a factor of 1e3, when
+    the initial state no longer matters. The ``predicted`` number limits the simulation.
     """
     integrator, pull, d = stepping(name, damping, kappa, ALL_SOLVERS)
     chi = math.sqrt(pull.stiffness)
-    run = swing(integrator, pull, d, steps=round(1.6 * predicted) + 50, limit=1e20)
-    pairs = zip(run[0].values, run[1].values, strict=True)
-    sizes = [math.hypot(x, v / chi) for x, v in pairs]
+    places, speeds = swing(integrator, pull, d, steps=round(1.6 * predicted) + 50, limit=1e20)
+    sizes = [math.hypot(x, v / chi) for x, v in zip(places.values, speeds.values, strict=True)]
 
     def when(size: float) -> int:
         return next(i for i, each in enumerate(sizes) if each >= size)
@@ -180,10 +171,7 @@ def _percent(found: float, predicted: float) -> float:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Plot how the energy of a spring changes over many oscillations with each method.
-
-    A dashed line shows the energy that Runge-Kutta 4 should have in theory.
-    """
+    """Plot how the energy of a spring changes over many oscillations with each method."""
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)

@@ -45,8 +45,7 @@ Growth = Callable[[float], float]
 class Bound(NamedTuple):
     """The measured and the theoretical limit of a method, or infinity if there is none.
 
-    ``steps`` is the number of time steps in which the motion grows by a factor of HUGE at 1.02
-    times the limit, or NaN if there is no such number.
+    ``steps`` is the number of time steps to grow by a factor of HUGE at 1.02 times the limit.
     """
 
     method: str
@@ -59,11 +58,7 @@ class Bound(NamedTuple):
 def pymunk_step(
     name: str, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Take one time step of a pymunk body, and return its position and velocity.
-
-    By its ``name``, it is on one of pymunk's springs, under the force of a spring that is applied
-    by hand, or slowed only by the damping of the space.
-    """
+    """Take a time step with one of pymunk's springs, a force by hand, or the space's damping."""
     damping = math.exp(-c / mass) if name == "pymunk's space.damping" else 1.0
     body = Particle(Vector3(x), Vector3(v), mass=mass, damping=damping)
     springs = [AnchoredSpring(Vector3(), k, 0.0, c)] if name == "pymunk's spring" else []
@@ -115,11 +110,10 @@ def spring_limits() -> list[Bound]:
 
 
 def thrown(kappa: float) -> int:
-    """Count the time steps until a PenaltyGround throws a resting body into the air.
+    """Count the time steps until a PenaltyGround throws a resting body up, or return 0 after 2000.
 
     The body starts slightly deeper than in equilibrium, by 1 / HUGE of the equilibrium depth. It
-    leaves the ground when this difference has grown by a factor of HUGE. Return 0 if the body is
-    still on the ground after 2000 steps.
+    leaves the ground when this difference has grown by a factor of HUGE.
     """
     stiffness = kappa / FRAME**2
     depth = 10.0 / stiffness
@@ -161,14 +155,10 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the velocity after one time step with drag alone, divided by the velocity before.
-
-    ``z`` is k1 h / m, where k1 is the drag coefficient. Our integrators use the class Drag of
-    chapter 5. The other methods simulate a damped spring of stiffness 0.
-    """
+    """Return the factor by which a step with k1 h / m = ``z`` multiplies the velocity."""
     if name in INTEGRATORS:
         return step_matrix(INTEGRATORS[name], Drag(z / FRAME, 0.0))[3]
-    return step_matrix(*stepping(name, z, 0.0, ALL_SOLVERS))[3]
+    return step_matrix(*stepping(name, z, 0.0, ALL_SOLVERS))[3]  # a spring of stiffness 0
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
@@ -180,10 +170,7 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Find by bisection the smallest value at which ``growth`` exceeds 1.
-
-    Return 0 if it already exceeds 1 at LEAST, and infinity if it does not exceed 1 up to MOST.
-    """
+    """Find where ``growth`` first exceeds 1. Return 0 for below LEAST, and inf for above MOST."""
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
         if high == MOST:
@@ -193,25 +180,21 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
-    """Measure how the energy of a spring drifts over many oscillations with each method.
+    """Measure the relative energy of a spring after each number of oscillations in ``swings``.
 
-    For each of the ascending numbers of oscillations in ``swings``, return the energy as a fraction
-    of the initial energy. Explicit Euler is omitted, because it explodes at this stiffness.
+    The numbers ascend. Explicit Euler is omitted, because it explodes at this stiffness.
     """
     wall, name = SpringOnAWall(STIFFNESS), "pymunk's spring"
     ways = wall.methods() | {name: wall.solved_by(ALL_SOLVERS[name])}
     del ways["explicit Euler"]
-    return {
-        name: energies_after(step_matrix(way, Pull(STIFFNESS)), swings)
-        for name, way in ways.items()
-    }
+    pull = Pull(STIFFNESS)
+    return {name: energies_after(step_matrix(way, pull), swings) for name, way in ways.items()}
 
 
 def energies_after(matrix: Matrix, swings: Sequence[int]) -> list[float]:
     """Compute the energies for ``energy_drifts`` from the matrix of a step.
 
-    They are averaged over an oscillation, because with a symplectic integrator only this average is
-    constant.
+    They are means over an oscillation, which a symplectic integrator keeps constant.
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

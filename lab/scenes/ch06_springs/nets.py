@@ -1,4 +1,4 @@
-"""Interactive scenes for chapter 6 with many springs: a bridge and a cloth that may explode."""
+"""Interactive scenes for chapter 6 with many springs, which may explode: a bridge and a cloth."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ class SpringBridge(Stepped):
     def draw(self, pen: Pen) -> None:
         places = [plank.position for plank in self.particles]
         tops = [(float(i), self.HEIGHT) for i in range(self.PLANKS)]
-        for top, place in zip(tops, places, strict=True):
-            pen.spring(top, place)
+        for ends in zip(tops, places, strict=True):
+            pen.spring(*ends)
         pen.dots(tops, "black", 5.0)
         pen.line(places, "wood", 5.0)
         ground = self.ground()
@@ -88,9 +88,8 @@ class SpringBridge(Stepped):
         return f"The walker stands at x = {self.x:.1f} m, {self.ground():.2f} m high."
 
     def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            pace = self.PACE if key == "right" else -self.PACE
-            self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
+        pace = {"left": -self.PACE, "right": self.PACE}.get(key, 0.0)
+        self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
         """Walk to the right end of the bridge and back."""

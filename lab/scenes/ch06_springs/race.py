@@ -11,15 +11,7 @@ from lab.stepped import RATES
 from scenes.parameters import Choice, Slider
 from scenes.spring_on_a_wall import SpringOnAWall
 
-COLORS = {
-    "explicit Euler": "red",
-    "semi-implicit Euler": "blue",
-    "leapfrog": "violet",
-    "velocity Verlet": "sky",
-    "Runge-Kutta 4": "green",
-    "backward Euler": "orange",
-    "trapezoidal rule": "pink",
-}
+COLORS = ("red", "blue", "violet", "sky", "green", "orange", "pink")  # one for each integrator
 FAR = 3.0  # m; a ball farther out is not drawn
 
 
@@ -71,14 +63,14 @@ class IntegratorRace(Scene):
         pen.text((-1.9, 2.1), "velocity / ω against position", "gray", 13.0)
         x, y = self.exact(self.simulated)
         pen.circle((x, y), 0.1, "gray", fill=False)
-        for i, (name, ball) in enumerate(self.balls.items()):
-            place = self.phase(ball)
-            if math.hypot(*place) < FAR:
-                pen.line(self.trails[name], COLORS[name], 1.0)
-                pen.circle(place, 0.06, COLORS[name])
-            percent = 100.0 * (place[0] ** 2 + place[1] ** 2)
+        for i, ((name, ball), color) in enumerate(zip(self.balls.items(), COLORS, strict=True)):
+            x, y = self.phase(ball)
+            if math.hypot(x, y) < FAR:
+                pen.line(self.trails[name], color, 1.0)
+                pen.circle((x, y), 0.06, color)
+            percent = 100.0 * (x * x + y * y)
             words = f"{name}: {percent:.0f} %" if percent < 1e4 else f"{name}: exploded"
-            pen.text((3.4, 1.8 - 0.35 * i), words, COLORS[name], 13.0)
+            pen.text((3.4, 1.8 - 0.35 * i), words, color, 13.0)
         pen.text((3.4, 2.15), "energy", "black", 13.0)
 
     def chart(self) -> dict[str, float]:

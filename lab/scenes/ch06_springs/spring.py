@@ -13,10 +13,9 @@ from scenes.twin import twin_of
 
 
 def is_stable(integrator: str, kappa: float, drag: float) -> bool:
-    """Return True if an integrator is stable for a damped spring.
+    """Return True if an integrator is stable for a spring with ``kappa`` = k h^2 / m.
 
-    ``kappa`` is k h^2 / m and ``drag`` is c h / m, for a stiffness k, a damping c, a mass m and a
-    time step h. These are the limits in the docstrings of the integrators.
+    The damping is given by ``drag`` = c h / m.
     """
     if integrator == "explicit Euler":
         return kappa < drag and 2.0 * drag < 4.0 + kappa
@@ -24,11 +23,10 @@ def is_stable(integrator: str, kappa: float, drag: float) -> bool:
         return drag < 2.0 and kappa < 4.0 - 2.0 * drag + drag * drag
     if integrator == "Runge-Kutta 4":
         root = cmath.sqrt(0.25 * drag * drag - kappa)
-        for z in (-0.5 * drag + root, -0.5 * drag - root):  # a step multiplies by the series of e^z
-            series = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))
-            if round(abs(series), 13) > 1.0:  # without rounding errors
-                return False
-        return True
+        ends = (-0.5 * drag + root, -0.5 * drag - root)
+        # A step multiplies by the series of e^z, whose rounding errors do not count.
+        grown = [1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))) for z in ends]
+        return round(max(map(abs, grown)), 13) <= 1.0
     return kappa + 2.0 * drag < 4.0
 
 
@@ -92,9 +90,8 @@ class OneSpring(Stepped):
 
     def facts(self) -> str:
         kappa, drag = self.per_step()
-        judged = "stable" if self.is_stable() else "unstable"
-        period = self.wall.period
-        return f"k h²/m = {kappa:.4g} and c h/m = {drag:.3g}: {judged}; period {period:.3g} s"
+        words = f"{'stable' if self.is_stable() else 'unstable'}; period {self.wall.period:.3g} s"
+        return f"k h²/m = {kappa:.4g} and c h/m = {drag:.3g}: {words}"
 
     def say(self) -> str:
         x, v = self.ball.position.x, self.ball.velocity.x
@@ -117,8 +114,7 @@ class ExactSpring(OneSpring):
     """The ball follows the exact solution."""
 
     def step(self, duration: float) -> None:
-        passed = self.simulated - self.since
-        state = self.wall.state(passed, self.x0, self.v0)
+        state = self.wall.state(self.simulated - self.since, self.x0, self.v0)
         self.ball.position.x, self.ball.velocity.x = state
 
     def is_stable(self) -> bool:
@@ -137,11 +133,7 @@ class PymunkSpring(OneSpring):
         self.ball.position.x, self.ball.velocity.x = self.body.position.x, self.body.velocity.x
 
     def is_stable(self) -> bool:
-        """Predict whether pymunk's spring is stable.
-
-        Pymunk's step is that of semi-implicit Euler, and its damper multiplies the velocity by
-        D = exp(-c h / m). The limit of k h^2 / m is therefore 2 (1 + D) / D.
-        """
+        """Compare k h^2 / m with its limit if a step keeps exp(-c h / m) of the velocity."""
         kappa, drag = self.per_step()
         return kappa < 2.0 * (1.0 + math.exp(drag))
 

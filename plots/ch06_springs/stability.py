@@ -19,19 +19,10 @@ from ch06_springs.going_further.cloth import make_cloth
 from ch06_springs.springs import FakeStiffSpring
 from plots.ch06_springs.springs import true_places
 from plots.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map
+from scenes import stability
 from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS, SOLVERS
 from scenes.readings import numbers, written
-from scenes.stability import (
-    bounces,
-    faked_growth,
-    growth,
-    growth_of,
-    limit_of,
-    swing,
-    theory,
-    watching,
-)
 from scenes.track import Track, track
 
 CLOTH_SECONDS = 2
@@ -46,7 +37,7 @@ def stability_map() -> Picture:
     dampings = dict.fromkeys(INTEGRATORS, by_particle) | dict.fromkeys(SOLVERS, by_spring)
 
     def growths(name: str) -> list[list[float]]:
-        return [[growth_of(name, d, kappa) for kappa in kappas] for d in dampings[name]]
+        return [[stability.growth_of(name, d, kappa) for kappa in kappas] for d in dampings[name]]
 
     grown = written({name: partial(growths, name) for name in dampings})
     rows: list[Sequence[object]] = []
@@ -63,10 +54,10 @@ def stability_map() -> Picture:
             axes.set_title(f"{name}: at most x {max(map(max, grown[name])):.4f}", fontsize=11)
             continue
         line = [0.05 + 0.949 * i / 99.0 for i in range(100)]
-        axes.plot([theory(name, kept) for kept in line], line, color=BLACK)
+        axes.plot([stability.theory(name, kept) for kept in line], line, color=BLACK)
         for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
-            if (true := theory(name, kept)) > 0.0:
-                limit = limit_of(partial(growth_of, name, kept))
+            if (true := stability.theory(name, kept)) > 0.0:
+                limit = stability.limit_of(partial(stability.growth_of, name, kept))
                 deviations.append(abs(limit / true - 1.0))
                 rows.append((f"{name}, limit", kept, limit, 1.0, true))
                 axes.plot(limit, kept, "o", color="white", mec=BLACK)
@@ -95,14 +86,14 @@ def fake_spring() -> Picture:
         own = math.exp(-c / 2.0 * FRAME)
         words = [f"c = {c:g} N s/m. True: x {own:.4f} per frame, period {_period(exact):.3f} s"]
         fake = FakeStiffSpring(Vector3(), k, c)
-        run = partial(swing, generator=fake, steps=frames, limit=1e3)
+        run = partial(stability.swing, generator=fake, steps=frames, limit=1e3)
         steps = {name: INTEGRATORS[name] for name in ("semi-implicit Euler", "explicit Euler")}
         runs = written({name: partial(run, step) for name, step in steps.items()})
         for name, (places, _) in runs.items():
             seen, color = places.values, COLORS[name]
             axes.plot(places.times, seen, ".-", ms=3, lw=0.8, color=color, label=f"faked, {name}")
             rows += [("swing", name, c, *row) for row in zip(times, exact, seen, strict=False)]
-            factor = growth(steps[name], fake)
+            factor = stability.growth(steps[name], fake)
             words.append(f"{name}: x {factor:.4f} per frame, period {_period(seen):.3f} s")
         axes.set_title("\n".join(words), fontsize=9)
         axes.set(xlabel="time, s", ylabel="x, m (400 N/m, 1 kg, 60 Hz)", ylim=(-4.0, 4.0))
@@ -110,7 +101,7 @@ def fake_spring() -> Picture:
     angles = [0.1 + 0.02 * i for i in range(596)]
     words = []
     for share, color, label in ((0.0, RED, "no damping"), (0.05, BLUE, "1/20 of critical damping")):
-        grown = {angle: faked_growth(angle, share) for angle in angles}
+        grown = {angle: stability.faked_growth(angle, share) for angle in angles}
         right.plot(*zip(*grown.items(), strict=True), color=color, lw=1.2, label=label)
         rows += [("growth", "semi-implicit Euler", share, *pair, "") for pair in grown.items()]
         most, angle = max((factor, angle) for angle, factor in grown.items())
@@ -172,7 +163,7 @@ def cloth_frame_rates() -> Picture:
 def _fall(name: str, damping: float, rate: int) -> Track:
     """Record how high a corner of a falling cloth is, until a knot exceeds 1000 m/s."""
     knots, registry = make_cloth(damping)
-    step = watching(INTEGRATORS[name], 1000.0)
+    step = stability.watching(INTEGRATORS[name], 1000.0)
     return track(
         lambda duration: step(knots, registry.update_forces, duration),
         lambda: numbers(knots[-1].position)[1],
@@ -188,11 +179,11 @@ def penalty_bounces() -> Picture:
     falls = [0.5 + i / 40.0 for i in range(21)]
 
     def highest_rise(stiffness: float) -> tuple[float, float]:
-        return max((max(bounces(stiffness, fall, 90)) / fall, fall) for fall in falls)
+        return max((max(stability.bounces(stiffness, fall, 90)) / fall, fall) for fall in falls)
 
     _, fall = highest_rise(10_800.0)
     for stiffness, color in ((200.0, BLUE), (10_800.0, RED)):
-        heights = bounces(stiffness, fall, 180)
+        heights = stability.bounces(stiffness, fall, 180)
         times = [i * FRAME for i in range(len(heights))]
         kappa = stiffness * FRAME**2
         label = f"{stiffness:,.0f} N/m, k h$^2$ / m = {kappa:.3g}: up to {max(heights):.2f} m"

@@ -16,21 +16,11 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import Drag
 from ch05_forces.particle import Particle
 from ch06_springs.springs import AnchoredSpring
+from scenes import stability
 from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS, SOLVERS, Solver
 from scenes.setup import alone
 from scenes.spring_on_a_wall import SpringOnAWall
-from scenes.stability import (
-    Matrix,
-    Pull,
-    bounces,
-    faked_growth,
-    growth_of,
-    limit_of,
-    step_matrix,
-    stepping,
-    theory,
-)
 from scenes.twin import twin_of
 
 KEPT = (1.0, 0.9, 0.5)  # fraction of the velocity that a step keeps, by the particle's damping
@@ -73,7 +63,7 @@ ON_SPRING = ("pymunk's spring", "pymunk, by hand")
 ALL_SOLVERS: dict[str, Solver] = SOLVERS | {
     name: partial(pymunk_step, name) for name in (*ON_SPRING, "pymunk's space.damping")
 }
-growth_at = partial(growth_of, solvers=ALL_SOLVERS)
+growth_at = partial(stability.growth_of, solvers=ALL_SOLVERS)
 
 
 def theory_at(name: str, damping: float) -> float:
@@ -86,8 +76,8 @@ def theory_at(name: str, damping: float) -> float:
     if name in SOLVERS:
         return math.inf
     if name == "pymunk's spring":
-        return theory("semi-implicit Euler", math.exp(-damping))
-    return damping if name == "pymunk, by hand" else theory(name, damping)
+        return stability.theory("semi-implicit Euler", math.exp(-damping))
+    return damping if name == "pymunk, by hand" else stability.theory(name, damping)
 
 
 def spring_limits() -> list[Bound]:
@@ -102,7 +92,9 @@ def spring_limits() -> list[Bound]:
     # A step of (x, v h) has the trace cos(a) + sin(a) / a and the determinant sin(a) / a, with
     # a = chi h. The lower eigenvalue passes -1 at a zero of 1 + cos(a) + 2 sin(a) / a. The first
     # is pi.
-    faked = bound("faked stiff spring", "undamped", lambda k: faked_growth(k**0.5, 0.0), math.pi**2)
+    faked = bound(
+        "faked stiff spring", "undamped", lambda k: stability.faked_growth(k**0.5, 0.0), math.pi**2
+    )
     # The ground's limit is that of semi-implicit Euler.
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     steps = float(thrown(OUTSIDE * found))
@@ -117,7 +109,7 @@ def thrown(kappa: float) -> int:
     """
     stiffness = kappa / FRAME**2
     depth = 10.0 / stiffness
-    heights = bounces(stiffness, -depth * (1.0 + 1.0 / HUGE), 2000)
+    heights = stability.bounces(stiffness, -depth * (1.0 + 1.0 / HUGE), 2000)
     return next((i for i, height in enumerate(heights) if height > 0.0), 0)
 
 
@@ -157,8 +149,9 @@ def drag_limits() -> list[Bound]:
 def drag_factor(name: str, z: float) -> float:
     """Return the factor by which a step with k1 h / m = ``z`` multiplies the velocity."""
     if name in INTEGRATORS:
-        return step_matrix(INTEGRATORS[name], Drag(z / FRAME, 0.0))[3]
-    return step_matrix(*stepping(name, z, 0.0, ALL_SOLVERS))[3]  # a spring of stiffness 0
+        return stability.step_matrix(INTEGRATORS[name], Drag(z / FRAME, 0.0))[3]
+    slack = stability.stepping(name, z, 0.0, ALL_SOLVERS)  # a spring of stiffness 0
+    return stability.step_matrix(*slack)[3]
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
@@ -176,7 +169,7 @@ def first(growth: Growth) -> float:
         if high == MOST:
             return math.inf
         low, high = high, min(1.1 * high, MOST)
-    return limit_of(growth, low, high) if low else 0.0
+    return stability.limit_of(growth, low, high) if low else 0.0
 
 
 def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
@@ -187,11 +180,13 @@ def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
     wall, name = SpringOnAWall(STIFFNESS), "pymunk's spring"
     ways = wall.methods() | {name: wall.solved_by(ALL_SOLVERS[name])}
     del ways["explicit Euler"]
-    pull = Pull(STIFFNESS)
-    return {name: energies_after(step_matrix(way, pull), swings) for name, way in ways.items()}
+    pull = stability.Pull(STIFFNESS)
+    return {
+        name: energies_after(stability.step_matrix(way, pull), swings) for name, way in ways.items()
+    }
 
 
-def energies_after(matrix: Matrix, swings: Sequence[int]) -> list[float]:
+def energies_after(matrix: stability.Matrix, swings: Sequence[int]) -> list[float]:
     """Compute the energies for ``energy_drifts`` from the matrix of a step.
 
     They are means over an oscillation, which a symplectic integrator keeps constant.

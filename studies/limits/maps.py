@@ -24,15 +24,8 @@ MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
 DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings at which limits are measured
 # For each method, a damping at which its limit is above 0. The damping is d^h, or c h / m.
-LOST = {
-    "explicit Euler": 0.5,
-    "semi-implicit Euler": 1.0,
-    "leapfrog": 1.0,
-    "velocity Verlet": 1.0,
-    "Runge-Kutta 4": 1.0,
-    "pymunk's spring": 0.0,
-    "pymunk, by hand": 0.5,
-}
+LOST = dict.fromkeys(INTEGRATORS, 1.0) | {"explicit Euler": 0.5}
+LOST |= {"pymunk's spring": 0.0, "pymunk, by hand": 0.5}
 BEYOND = (0.001, 0.003, 0.01, 0.02, 0.03, 0.1, 0.3, 1.0)  # k / limit - 1
 LOSS_COLUMNS = (
     "method",

@@ -4,16 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from plots.ch06_springs import springs, stability
+from plots.ch06_springs.springs import (
+    energy_over_time,
+    error_against_work,
+    force_against_length,
+    three_regimes,
+)
+from plots.ch06_springs.stability import (
+    cloth_frame_rates,
+    fake_spring,
+    penalty_bounces,
+    stability_map,
+)
 from plots.drawing import Picture
 
 PLOTS: tuple[Callable[[], Picture], ...] = (
-    springs.force_against_length,
-    springs.three_regimes,
-    stability.stability_map,
-    stability.fake_spring,
-    springs.energy_over_time,
-    springs.error_against_work,
-    stability.cloth_frame_rates,
-    stability.penalty_bounces,
+    force_against_length,
+    three_regimes,
+    stability_map,
+    fake_spring,
+    energy_over_time,
+    error_against_work,
+    cloth_frame_rates,
+    penalty_bounces,
 )

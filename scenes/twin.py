@@ -12,9 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 from ch05_forces.particle import Particle
 from ch06_springs.springs import AnchoredSpring, Spring
-from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
-from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
-from scenes.links import Strut
 from scenes.setup import Setup
 
 if TYPE_CHECKING:
@@ -54,7 +51,7 @@ def twin_of(
             bodies[id(particle)].velocity = start.x, start.y
     for particle, generator in setup.forces:
         space.add(_spring(space, bodies, particle, generator))
-    for contacts in _parts(setup.contacts):
+    for contacts in setup.contacts:
         _add_contacts(space, bodies, contacts)
     if corrects:
         for joint in space.constraints:
@@ -99,15 +96,6 @@ def _spring(
     return pymunk.DampedSpring(body, other, (0.0, 0.0), at, *values)
 
 
-def _parts(generators: Iterable[object]) -> Iterable[object]:
-    """Yield all contact generators, and the parts of those that combine several."""
-    for generator in generators:
-        if isinstance(generator, Detectors):
-            yield from _parts(generator.detectors)
-        else:
-            yield generator
-
-
 def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator: object) -> None:
     """Add the joint or the shapes that do the same as a contact generator.
 
@@ -116,7 +104,15 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
     """
     import pymunk
 
+    # A handout for chapter 6 does not have these.
+    from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+    from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+    from scenes.links import Strut
+
     match generator:
+        case Detectors(detectors=parts):
+            for part in parts:
+                _add_contacts(space, bodies, part)
         case Rod(a=a, b=b):
             space.add(pymunk.PinJoint(bodies[id(a)], bodies[id(b)]))
         case AnchoredRod(particle=particle, anchor=anchor):

@@ -16,7 +16,7 @@ from autograder.scores import results_of
 from autograder.student.check import report_on
 from autograder.student.failure import failure_of
 from autograder.student.memory import Memory
-from autograder.student.screen import ProgressBar, Report, first_open
+from autograder.student.screen import ProgressBar, first_open
 from web.python.browser.folder import CHAPTERS, Folder
 from web.python.browser.page import post
 from web.python.browser.past import Processes

@@ -21,7 +21,7 @@ CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 
 
 class Workers(Protocol):
-    """What has the session with the worker process of the current check, or None outside a check."""
+    """What knows the session with a check's worker process. Outside a check, there is none."""
 
     session: Session | None
 

@@ -1,13 +1,11 @@
 """Models that simulate a scene in pymunk: as its examples do, and at its best.
 
-A step of pymunk first moves all bodies, and then changes their velocities. If you use it as most of
-its examples do, the error therefore falls only in proportion to the step. These changes, which need
-nothing but pymunk's public functions, make it fall with the square of the step, and the last one
-makes it fall still faster:
+A step of pymunk first moves all bodies, and then changes their velocities. As most of its examples
+use it, the error therefore falls only in proportion to the step. These changes, which need nothing
+but pymunk's public functions, make it fall with the square of the step, and the last one faster:
 
 - **Half a step ahead**, for gravity, springs and joints. The body starts with the velocity that it
-  has half a step later. All velocities then belong to the middle of a step, and the positions are
-  those of leapfrog.
+  has half a step later. All velocities then belong to the middle of a step, as in leapfrog.
 - **Velocity before the step, from half a step behind**, for a force of our own. A program that adds
   h times the acceleration to the velocity before a step uses the new position, and the step then
   moves the body with the new velocity. The force from ``apply_force`` would act only after the body
@@ -64,9 +62,8 @@ def by_pymunk(
     def run(count: int) -> Outcome:
         space, bodies = make(1.0 / (RATE * count))
         places = in_frames(stepping(space, bodies), reading(space, bodies), frames, count)
-        return Outcome(
-            places, frames * count * (len(space.constraints) * space.iterations or units)
-        )
+        work = len(space.constraints) * space.iterations or units
+        return Outcome(places, frames * count * work)
 
     return Model(name, run, steps, "pymunk")
 
@@ -92,19 +89,15 @@ def from_two_runs(model: Model) -> Model:
 def lone(
     position: Pair, velocity: Pair, acceleration: Acceleration, frames: int
 ) -> tuple[Model, Model, Model]:
-    """Create the models of a single body in pymunk, which moves under a force of our own.
+    """Create the models of a single body in pymunk under a force of our own.
 
     The first one applies the force before each step, the second one in ``velocity_func``, and the
     third one adds the acceleration to the velocity before each step, from half a step behind.
-    ``acceleration`` returns the acceleration in m/s^2 for a position in m and a velocity in m/s.
     """
     first = acceleration(complex(*position), complex(*velocity))
 
-    def begun(_: float) -> InSpace:
-        return space_with(position, velocity)
-
     def called_back(_: float) -> InSpace:
-        space, (body,) = begun(0.0)
+        space, (body,) = space_with(position, velocity)
         update = body.update_velocity
 
         def change(body: pymunk.Body, _gravity: Any, _damping: float, duration: float) -> None:
@@ -144,7 +137,12 @@ def lone(
         return step
 
     return (
-        by_pymunk("pymunk, force by hand", begun, frames, stepping=pushing),
+        by_pymunk(
+            "pymunk, force by hand",
+            lambda _: space_with(position, velocity),
+            frames,
+            stepping=pushing,
+        ),
         by_pymunk(EXAMPLES, called_back, frames),
         by_pymunk(BEST, behind, frames, stepping=changing),
     )

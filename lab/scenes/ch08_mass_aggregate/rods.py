@@ -13,13 +13,12 @@ from lab.world_scene import WorldScene
 from scenes.links import ends_of
 from scenes.parameters import Choice, Slider
 from scenes.readings import is_written
+from scenes.setup import Setup
+from scenes.twin import twin_of
 
 
 class Wheel(WorldScene):
-    """A scene of a wheel made of rods and driven at its rim (mini-project 8.3).
-
-    Its spin is compared with that of a rigid wheel.
-    """
+    """A wheel of rods that is driven at its rim (mini-project 8.3), beside a rigid wheel."""
 
     chapter = 8
     title = "A wheel of rods"
@@ -83,34 +82,18 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """Simulate a player who drives the rim of the wheel harder, and then brakes it.
-
-        Recordings and tests use this script in place of a human player.
-        """
+        """Drive the rim of the wheel harder, and then brake it."""
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 
 class PymunkWheel(Wheel):
-    """A version of the ``Wheel`` scene in which pymunk simulates the wheel.
-
-    Pin joints act as the rods.
-    """
+    """A version of the ``Wheel`` scene in which pymunk simulates the wheel, with pin joints."""
 
     def build(self) -> None:
-        import pymunk  # not needed without this peer
-
         super().build()
-        self.space = pymunk.Space()
-        self.bodies = []
-        for particle in self.wheel.rim:
-            body = pymunk.Body(particle.mass, math.inf)
-            body.position = (particle.position.x, particle.position.y)
-            self.bodies.append(body)
-            self.space.add(body)
-        hub, count = self.space.static_body, wheel.COUNT
-        for i, body in enumerate(self.bodies):
-            for other in (hub, self.bodies[(i + 1) % count]):
-                self.space.add(pymunk.PinJoint(other, body))
+        hub, rim, rods = self.wheel.hub, self.wheel.rim, self.wheel.rods
+        joints = [rod for pair in zip(rods, rods[len(rim) :], strict=False) for rod in pair]
+        self.space, (*self.bodies, _) = twin_of(Setup([*rim, hub], contacts=joints))
         self.make_step = self.step_space
 
     def step_space(self, duration: float) -> None:
@@ -127,7 +110,7 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A scene of a cube made of rods, which falls on one of its corners (mini-project 8.2).
+    """A cube of rods that falls on one of its corners (mini-project 8.2).
 
     The reader can remove rods until the cube collapses.
     """

@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
-from scenes.ropes import catenary_sag, polygon_sag
+from scenes.hanging_rope import catenary_sag, polygon_sag
 
 G = 9.81
 GRAVITY = Vector3(0.0, -G, 0.0)

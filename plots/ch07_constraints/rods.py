@@ -27,10 +27,7 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot the length error of a rope made of rods over time, for each simulation method.
-
-    The rope is released at 30 degrees from the vertical.
-    """
+    """Plot the length error of a swinging rope of rods over time, for each simulation method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     rope, frames = Chain([1.0] * LINKS, LINK, math.radians(30.0)), 120
     methods: dict[str, tuple[Link | None, int | None, int, str]] = {
@@ -73,10 +70,7 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """Plot the largest length error of a rod in a hanging chain against the number of rods.
-
-    Each curve is for a different number of iterations or substeps.
-    """
+    """Plot the largest length error of a rod in a hanging chain against the number of rods."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
     panels[0].set(yscale="log", ylim=(5e-11, 10.0))  # a wrong engine may have no finite error
     # Cases that take longer than all other cases together are left out.
@@ -113,7 +107,7 @@ def rods_hold() -> Picture:
         axes.axhline(LINK, color=GRAY, lw=1, ls=":")
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
-        axes.set(xlabel="number of rods in the chain, 0.1 m each (dotted)")
+        axes.set_xlabel("number of rods in the chain, 0.1 m each (dotted)")
         axes.grid(alpha=0.3)
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize=8)
@@ -146,14 +140,10 @@ def pendulum_energy() -> Picture:
         f"order of the legend:\n{', '.join(words)}",
         fontsize=11,
     )
-    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J")
-    axes.set_ylim(bottom=0.0)
+    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J", ylim=(0.0, None))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
-    notes = [
-        f"{name}, {rate} Hz: {run.message}" for (name, rate), run in found.items() if run.message
-    ]
-    tell(figure, notes)
+    tell(figure, [f"{key}: {run.message}" for key, run in found.items() if run.message])
     return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)
 
 

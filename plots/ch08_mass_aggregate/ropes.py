@@ -1,8 +1,4 @@
-"""Plots for chapter 8: how accurate simulated ropes and bridge cables are, and at what cost.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine.
-"""
+"""Plots for chapter 8: how accurate simulated ropes and bridge cables are, and at what cost."""
 
 from __future__ import annotations
 
@@ -17,8 +13,7 @@ from scenes.hanging_rope import (
     LENGTH,
     SPAN,
     Hanging,
-    catenary_radius,
-    catenary_sag,
+    catenary,
     hang_by_direct_chain,
     hang_by_rods,
     polygon_sag,
@@ -73,7 +68,6 @@ def mass_ratios() -> Picture:
     axes.axhline(THROUGH, color=GRAY, lw=1, ls=":", label="the ball has fallen through")
     axes.axhspan(BOUND, 1e6, color=GRAY, alpha=0.12, lw=0)
     axes.axhline(BOUND, color=GRAY, lw=1, ls="--", label=f"limit: {BOUND:g} %")
-    axes.set_ylim(8e-4, 2e5)
     axes.set_xticks(ratios, [f"{ratio}:1" for ratio in ratios])
     axes.set_xticks([], minor=True)
     axes.set_title(
@@ -82,7 +76,7 @@ def mass_ratios() -> Picture:
         fontsize=11,
     )
     axes.set(xlabel="mass of the ball : mass of the end of a plank")
-    axes.set_ylabel("excess length of the worst cable from 3 to 4 s, % (60 Hz)")
+    axes.set(ylabel="excess length of the worst cable from 3 to 4 s, % (60 Hz)", ylim=(8e-4, 2e5))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8.5, loc="upper left")
     tell(figure, [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message])
@@ -91,11 +85,7 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Plot how accurately each method simulates the sag of a rope between two nails.
-
-    The error in the sag is plotted against the work, which is the same on every computer: the
-    number of contacts resolved or, for DirectChain, of rod forces computed.
-    """
+    """Plot the error in the sag of a rope between two nails against the work of each method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     rods = {substeps: f"rods, {substeps} substep{'s' * (substeps > 1)}" for substeps in (1, 4, 16)}
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
@@ -106,19 +96,18 @@ def hanging_rope() -> Picture:
         for links in (10, MANY)
         for substeps, name in rods.items()
     }
-    for links, rate in ((10, 60), (MANY, 60), (MANY, 240)):
-        scenes[links, f"DirectChain, {rate} Hz"] = partial(
-            hang_by_direct_chain, links, rate, SECONDS
-        )
+    scenes |= {
+        (links, f"DirectChain, {rate} Hz"): partial(hang_by_direct_chain, links, rate, SECONDS)
+        for links, rate in ((10, 60), (MANY, 60), (MANY, 240))
+    }
     for links in (10, MANY):
         scenes[links, from_v] = partial(hang_by_direct_chain, links, 240, 8.0, True)
     tries = written({key: partial(_tried, scene) for key, scene in scenes.items()})
     found = {key: hanging for key, (hanging, _) in tries.items() if hanging}
     errors = {key: hanging.sag - polygon_sag(key[0]) for key, hanging in found.items()}
-    a = catenary_radius()
-    xs = [SPAN * i / 100 for i in range(101)]
-    ys = [a * (math.cosh((x - 0.5 * SPAN) / a) - math.cosh(0.5 * SPAN / a)) for x in xs]
-    left.plot(xs, ys, color=GRAY, lw=5, alpha=0.5, label=f"catenary: sag {catenary_sag():.5f} m")
+    exact, xs = catenary(), [SPAN * i / 100 for i in range(101)]
+    label = f"catenary: sag {-exact(0.5 * SPAN):.5f} m"
+    left.plot(xs, [*map(exact, xs)], color=GRAY, lw=5, alpha=0.5, label=label)
     for color, name in zip((RED, ORANGE, PINK, BLACK), (*rods.values(), direct), strict=True):
         if rope := found.get((MANY, name)):
             label = f"{name}: sag {rope.sag:.5g} m, {abs(rope.stretch):.2g} m too long"
@@ -133,7 +122,8 @@ def hanging_rope() -> Picture:
         ]
         if not keys:
             continue
-        work, off = [found[key].work for key in keys], [max(abs(errors[k]), 1e-10) for k in keys]
+        work = [found[key].work for key in keys]
+        off = [max(abs(errors[key]), 1e-10) for key in keys]
         style = "o-" if kind == "rods" else "D"
         label = f"{kind}, {links} links: {min(off):.1g} to {max(off):.1g} m"
         right.loglog(work, off, style, color=color, label=label)
@@ -158,11 +148,10 @@ def hanging_rope() -> Picture:
         f"rods with 16 substeps are {longer} m too long",
         fontsize=10,
     )
-    left.set(xlabel="position along the span, m", ylabel="height relative to the nails, m")
-    right.set(xlabel="work: contacts resolved, or rods solved")
-    right.set_ylabel("error of the sag, m (1e-10 or less at the edge)")
-    left.set(xlim=(-0.6, 2.6), ylim=(-4.0, 1.5))
-    right.set(xlim=(1.5e2, 1e6), ylim=(1e-11, 1e3))
+    left.set(xlabel="position along the span, m", xlim=(-0.6, 2.6))
+    left.set(ylabel="height relative to the nails, m", ylim=(-4.0, 1.5))
+    right.set(xlabel="work: contacts resolved, or rods solved", xlim=(1.5e2, 1e6))
+    right.set(ylabel="error of the sag, m (1e-10 or less at the edge)", ylim=(1e-11, 1e3))
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)

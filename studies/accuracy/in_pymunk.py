@@ -1,19 +1,9 @@
 """Models that simulate a scene in pymunk: as its examples do, and at its best.
 
 A step of pymunk first moves all bodies, and then changes their velocities. As most of its examples
-use it, the error therefore falls only in proportion to the step. These changes, which need nothing
-but pymunk's public functions, make it fall with the square of the step, and the last one faster:
-
-- **Half a step ahead**, for gravity, springs and joints. The body starts with the velocity that it
-  has half a step later. All velocities then belong to the middle of a step, as in leapfrog.
-- **Velocity before the step, from half a step behind**, for a force of our own. A program that adds
-  h times the acceleration to the velocity before a step uses the new position, and the step then
-  moves the body with the new velocity. The force from ``apply_force`` would act only after the body
-  has moved. A function in ``velocity_func``, from half a step ahead, also uses the new position,
-  but calls from C to Python take longer.
-- **No bias.** By default, a joint corrects only a part of its error in each step. If ``error_bias``
-  is 0, it corrects the whole error.
-- **Two runs.** The errors of a run with n steps and of one with 2n steps cancel in (4 x2 - x1) / 3.
+use it, the error therefore falls only in proportion to the step. The changes that README.md
+describes, which need nothing but pymunk's public functions, make it fall with the square of the
+step: a start half a step ahead, our own forces before the step, and joints without bias.
 
 A ``DampedSpring`` damps after it has changed the velocity, and the damping of a space comes before
 gravity. A spring that is stiffer by half a step's damping, or a gravity that is weaker by it, makes
@@ -54,9 +44,9 @@ def by_pymunk(
 ) -> Model:
     """Create a model that simulates a scene in pymunk.
 
-    ``make`` creates the space and its bodies for steps of the given duration in s. ``stepping``
-    returns the function that makes a step, which for example applies forces. A step counts as one
-    unit of work for each iteration of each joint. Without joints, it counts as ``units``.
+    ``make`` creates the space and its bodies for steps of the given duration in s, and ``stepping``
+    returns what makes a step. A step counts as one unit of work for each iteration of each joint
+    or, without joints, as ``units``.
     """
 
     def run(count: int) -> Outcome:
@@ -71,8 +61,8 @@ def by_pymunk(
 def from_two_runs(model: Model) -> Model:
     """Return a model that combines two runs of ``model``, with n and with 2n steps per frame.
 
-    If the error falls with the square of the step, this cancels most of it. What is left has order
-    4, or 3 if forces depend on the velocity. Source: Richardson's extrapolation.
+    If the error falls with the square of the step, this cancels most of it (Richardson). What is
+    left has order 4, or 3 if forces depend on the velocity.
     """
 
     def run(count: int) -> Outcome:
@@ -136,20 +126,18 @@ def lone(
 
         return step
 
+    def begun(_: float) -> InSpace:
+        return space_with(position, velocity)
+
     return (
-        by_pymunk(
-            "pymunk, force by hand",
-            lambda _: space_with(position, velocity),
-            frames,
-            stepping=pushing,
-        ),
+        by_pymunk("pymunk, force by hand", begun, frames, stepping=pushing),
         by_pymunk(EXAMPLES, called_back, frames),
         by_pymunk(BEST, behind, frames, stepping=changing),
     )
 
 
 def at_best(iterations: int) -> str:
-    """Return the name of the model with pymunk at its best, in a scene with joints."""
+    """Return the name of pymunk at its best in a scene with joints."""
     return f"{BEST}, {iterations} iteration{'s' * (iterations > 1)}"
 
 

@@ -57,7 +57,6 @@ class Wheel(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def spin(self) -> float:
-        """Compute the angular velocity of the wheel in rad/s."""
         return wheel.spin(self.wheel.hub, self.wheel.rim)
 
     def chart(self) -> dict[str, float]:
@@ -97,7 +96,6 @@ class PymunkWheel(Wheel):
         self.make_step = self.step_space
 
     def step_space(self, duration: float) -> None:
-        """Advance the wheel by one time step of ``duration`` s with pymunk."""
         for body in self.bodies[: self.driven]:
             x, y = body.position
             share = self.force / math.hypot(x, y)
@@ -110,10 +108,7 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A cube of rods that falls on one of its corners (mini-project 8.2).
-
-    The reader can remove rods until the cube collapses.
-    """
+    """A cube of rods that falls on one of its corners (mini-project 8.2)."""
 
     chapter = 8
     title = "A cube of rods"
@@ -141,12 +136,11 @@ class Cube(WorldScene):
         self.run(self.cube.step, self.cube.world)
 
     def distances(self) -> list[float]:
-        """Compute the distances between all pairs of the cube's corners."""
         places = [particle.position for particle in self.cube.particles]
         return [(b - a).magnitude() for a, b in combinations(places, 2)]
 
     def changed(self) -> float:
-        """Find the largest change in the distance between two corners of the cube, in percent."""
+        """Find the largest change in the distance between two corners, in percent."""
         pairs = zip(self.distances(), self.first, strict=True)
         return 100.0 * max(abs(now / then - 1.0) for now, then in pairs)
 

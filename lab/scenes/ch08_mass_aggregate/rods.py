@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from ch02_vectors.vector import Vector3
+from ch07_constraints.links import Rod
 from ch08_mass_aggregate import cube, wheel
 from lab.drawing.pen import Pen
 from lab.scene import Question
@@ -90,8 +91,9 @@ class PymunkWheel(Wheel):
 
     def build(self) -> None:
         super().build()
-        hub, rim, rods = self.wheel.hub, self.wheel.rim, self.wheel.rods
-        joints = [rod for pair in zip(rods, rods[len(rim) :], strict=False) for rod in pair]
+        hub, rim = self.wheel.hub, self.wheel.rim
+        ends = [(a, b) for a, after in pairwise([*rim, rim[0]]) for b in (hub, after)]
+        joints = [Rod(b, a, (b.position - a.position).magnitude()) for a, b in ends]
         self.space, (*self.bodies, _) = twin_of(Setup([*rim, hub], contacts=joints))
         self.make_step = self.step_space
 

@@ -15,8 +15,9 @@ from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from scenes.clock import FRAME
-from scenes.constraints import GRAVITY, RADIUS, by_resolver, resolving
+from scenes.constraints import GRAVITY, RADIUS
 from scenes.readings import numbers
+from scenes.resolving import by_resolver, resolving
 from scenes.track import Track, track
 
 

@@ -22,7 +22,6 @@ from plots.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, te
 from scenes.clock import FRAME
 from scenes.constraints import (
     GRAVITY,
-    Resolve,
     ball,
     ball_by_time_division,
     no_bounce_below,
@@ -30,6 +29,7 @@ from scenes.constraints import (
 )
 from scenes.integrators import INTEGRATORS
 from scenes.readings import number, written
+from scenes.resolving import Resolve
 from scenes.track import Track
 
 HEIGHT = 2.0

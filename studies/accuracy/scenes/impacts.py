@@ -26,8 +26,9 @@ from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticleP
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import time_division_step
 from scenes.clock import RATE
-from scenes.constraints import resolving
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, by_pymunk
+from scenes.resolving import resolving
+from scenes.twin import InSpace
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, by_pymunk
 from studies.accuracy.scene import MANY, Model, Outcome, Place, Scene, in_frames
 
 G = 10.0  # m/s^2

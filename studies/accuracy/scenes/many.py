@@ -23,8 +23,9 @@ from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from scenes.clock import RATE
+from scenes.twin import InSpace
 from studies.accuracy.asleep import asleep, asleep_in_pymunk
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, InSpace, Step, at_best, by_pymunk, in_turn
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, Step, at_best, by_pymunk, in_turn
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
 

@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
-from itertools import pairwise
 
-from ch02_vectors.vector import Vector3
-from ch05_forces.particle import Particle
-from ch06_springs.integrators import explicit_euler, semi_implicit_euler
+from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.detectors import Detectors
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
 from scenes.clock import FRAME
+from scenes.dropped_balls import DroppedBalls
+from scenes.integrators import INTEGRATORS
 from scenes.parameters import Choice, Slider
+from scenes.resolving import no_forces
+from scenes.spheres import RADIUS, overlap, stack
+from scenes.twin import twin_of
 
 G = 9.81  # m/s^2
-STEPS = {"semi-implicit Euler": semi_implicit_euler, "explicit Euler": explicit_euler}
+METHODS = ["semi-implicit Euler", "explicit Euler", "time division"]
 RATES = [30, 60, 120, 240, 480]
-
-
-def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is already part of each particle's acceleration."""
 
 
 class OneContact(ContactResolver):
@@ -65,15 +62,16 @@ class Bounce(Scene):
         "finds the time of the impact.",
         10.0,
     )
-    method = Choice("semi-implicit Euler", "method", [*STEPS, "time division"])
+    method = Choice(METHODS[0], "method", METHODS)
     rate = Choice(60, "steps per second", RATES, "Hz")
     restitution = Slider(1.0, "restitution", "", 0.0, 1.0, step=0.05)
     HEIGHT, RADIUS = 2.0, 0.15  # m
     LONGEST = 1800  # frames for which the exact heights are calculated
 
     def build(self) -> None:
-        self.ball = Particle(Vector3(0.0, self.HEIGHT), acceleration=Vector3(0.0, -G))
-        self.ground = GroundPlane([self.ball], restitution=self.restitution)
+        self.balls = DroppedBalls([self.HEIGHT], self.restitution, gravity=G)
+        self.setup = self.balls.setup()
+        (self.ball,), (self.ground,) = self.setup.particles, self.setup.contacts
         self.view_of_contacts = ContactView(OneContact())
         rest = heights_in_frames(self.HEIGHT, 0.0, self.restitution, FRAME, self.LONGEST, G)
         self.heights = [self.HEIGHT, *rest]
@@ -94,7 +92,7 @@ class Bounce(Scene):
             except TooManyImpacts:
                 self.ended = "The bounces become ever shorter: the ball has come to rest."
             return
-        STEPS[self.method]([self.ball], no_forces, duration)
+        INTEGRATORS[self.method]([self.ball], no_forces, duration)
         self.view_of_contacts.forget()
         if contacts := self.ground.contacts():
             self.view_of_contacts.resolve_contacts(contacts, duration)
@@ -132,38 +130,23 @@ class Bounce(Scene):
 
     def facts(self) -> str:
         if self.restitution == 1.0:
-            return f"each flight takes {2.0 * math.sqrt(2.0 * self.HEIGHT / G):.3f} s"
-        c = self.restitution
-        end = math.sqrt(2.0 * self.HEIGHT / G) * (1.0 + c) / (1.0 - c)
-        return f"in theory the bounces end after {end:.3f} s"
+            return f"each flight takes {2.0 * self.balls.fall_time():.3f} s"
+        return f"in theory the bounces end after {self.balls.end():.3f} s"
 
     def say(self) -> str:
         return self.ended or f"The ball is {self.ball.position.y:.2f} m high."
 
 
 class PymunkBounce(Bounce):
-    """A version of the ``Bounce`` scene in which pymunk simulates the ball.
-
-    A pymunk segment acts as the ground.
-    """
+    """A version of the ``Bounce`` scene in which pymunk simulates the ball."""
 
     def build(self) -> None:
-        import pymunk  # not needed without this peer
-
         super().build()
-        self.space = pymunk.Space()
-        self.space.gravity = (0.0, -G)
-        self.body = pymunk.Body(1.0, math.inf)
-        self.body.position = (0.0, self.HEIGHT + self.RADIUS)
-        circle = pymunk.Circle(self.body, self.RADIUS)
-        floor = pymunk.Segment(self.space.static_body, (-9.0, -1.0), (9.0, -1.0), 1.0)
-        circle.elasticity, floor.elasticity = self.restitution, 1.0
-        self.space.add(self.body, circle, floor)
+        self.space, (self.body,) = twin_of(self.setup)
 
     def step(self, duration: float) -> None:
         self.space.step(duration)
-        self.ball.position.y = self.body.position.y - self.RADIUS
-        self.ball.velocity.y = self.body.velocity.y
+        self.ball.position.y, self.ball.velocity.y = self.body.position.y, self.body.velocity.y
 
 
 Bounce.peers = {"pymunk": PymunkBounce}
@@ -191,16 +174,11 @@ class Stack(Scene):
     count = Choice(10, "spheres", [2, 3, 5, 8, 10])
     per_contact = Choice(2, "iterations per contact", [1, 2, 4, 8, 16], live=True)
     substeps = Choice(1, "substeps per frame", [1, 2, 4, 8], live=True)
-    RADIUS = 0.5  # m
 
     def build(self) -> None:
-        size = 2.0 * self.RADIUS
-        self.spheres = [
-            Particle(Vector3(0.0, (i + 0.5) * size), acceleration=Vector3(0.0, -G))
-            for i in range(self.count)
-        ]
-        ground = GroundPlane(self.spheres, radius=self.RADIUS)
-        self.detector = Detectors(ground, ParticlePairs(self.spheres, self.RADIUS))
+        self.setup = stack(self.count, gravity=G)
+        self.spheres = self.setup.particles
+        self.detector = Detectors(*self.setup.contacts)
         self.view_of_contacts = ContactView(ContactResolver())
 
     def step(self, duration: float) -> None:
@@ -216,18 +194,13 @@ class Stack(Scene):
         pen.ground()
         for i, sphere in enumerate(self.spheres):
             top = i == self.count - 1
-            pen.circle(sphere.position, self.RADIUS, "sky" if i % 2 else "blue", grab="top" * top)
+            pen.circle(sphere.position, RADIUS, "sky" if i % 2 else "blue", grab="top" * top)
             pen.arrow(sphere.position, sphere.velocity * 0.3, "green", "velocity")
         self.view_of_contacts.draw(pen, 1.0)
 
     def overlap(self) -> float:
-        """Find the largest overlap of two spheres, or of a sphere and the ground.
-
-        The result is in % of a sphere's diameter.
-        """
-        heights = [-self.RADIUS, *(sphere.position.y for sphere in self.spheres)]
-        gaps = [(high - low) / (2.0 * self.RADIUS) for low, high in pairwise(heights)]
-        return 100.0 * max(0.0, 1.0 - min(gaps))
+        """Find the largest overlap of spheres and the ground, in % of a diameter."""
+        return 100.0 * max(0.0, overlap(sphere.position.y for sphere in self.spheres))
 
     def chart(self) -> dict[str, float]:
         used = float(self.view_of_contacts.iterations_used)
@@ -241,30 +214,16 @@ class Stack(Scene):
 
     def drag(self, name: str, x: float, y: float) -> None:
         top = self.spheres[-1]
-        top.position.x, top.position.y = x, max(self.RADIUS, y)
+        top.position.x, top.position.y = x, max(RADIUS, y)
         top.velocity.clear()
 
 
 class PymunkStack(Stack):
-    """A version of the ``Stack`` scene in which pymunk simulates the spheres.
-
-    Pymunk circles act as the spheres, and a segment acts as the ground.
-    """
+    """A version of the ``Stack`` scene in which pymunk simulates the spheres."""
 
     def build(self) -> None:
-        import pymunk  # not needed without this peer
-
         super().build()
-        self.space = pymunk.Space()
-        self.space.gravity = (0.0, -G)
-        floor = pymunk.Segment(self.space.static_body, (-9.0, -1.0), (9.0, -1.0), 1.0)
-        self.space.add(floor)
-        self.bodies = []
-        for sphere in self.spheres:
-            body = pymunk.Body(1.0, math.inf)
-            body.position = (sphere.position.x, sphere.position.y)
-            self.space.add(body, pymunk.Circle(body, self.RADIUS))
-            self.bodies.append(body)
+        self.space, self.bodies = twin_of(self.setup)
 
     def step(self, duration: float) -> None:
         self.space.iterations = 10 * self.per_contact
@@ -274,7 +233,7 @@ class PymunkStack(Stack):
             sphere.position.x, sphere.position.y = body.position.x, body.position.y
 
     def drag(self, name: str, x: float, y: float) -> None:
-        self.bodies[-1].position, self.bodies[-1].velocity = (x, max(self.RADIUS, y)), (0.0, 0.0)
+        self.bodies[-1].position, self.bodies[-1].velocity = (x, max(RADIUS, y)), (0.0, 0.0)
 
 
 Stack.peers = {"pymunk": PymunkStack}

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import statistics
 import textwrap
-from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
 from typing import Any

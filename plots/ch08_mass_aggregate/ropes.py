@@ -12,10 +12,6 @@ from functools import partial
 
 from matplotlib import pyplot
 from matplotlib.axes import Axes
-
-from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
-from scenes.mass_aggregate import load_on_bridge
-from scenes.readings import stopped, written
 from scenes.ropes import (
     LENGTH,
     SPAN,
@@ -26,6 +22,10 @@ from scenes.ropes import (
     hang_by_rods,
     polygon_sag,
 )
+
+from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
+from scenes.mass_aggregate import load_on_bridge
+from scenes.readings import stopped, written
 from scenes.track import Track
 
 BOUND = 2.0  # %, allowed excess length of a cable

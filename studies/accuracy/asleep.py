@@ -9,7 +9,8 @@ from collections.abc import Callable
 
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.sleeping import SleepingWorld
-from studies.accuracy.in_pymunk import InSpace, in_turn
+from scenes.twin import InSpace
+from studies.accuracy.in_pymunk import in_turn
 from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from studies.accuracy.scene import Scene
 from studies.accuracy.scenes.bridge import BRIDGES
+from studies.accuracy.scenes.chains import CHAINS
 from studies.accuracy.scenes.flights import FLIGHTS
 from studies.accuracy.scenes.impacts import IMPACTS
-from studies.accuracy.scenes.links import LINKED
 from studies.accuracy.scenes.many import MANY_BODIES
 from studies.accuracy.scenes.nets import NETS
 from studies.accuracy.scenes.springs import SPRINGS
@@ -24,7 +24,7 @@ def scenes_with(part: str) -> list[Scene]:
     Raises:
         ValueError: No scene matches. The message lists all names.
     """
-    groups = (FLIGHTS, SPRINGS, IMPACTS, LINKED, BRIDGES, NETS, MANY_BODIES)
+    groups = (FLIGHTS, SPRINGS, IMPACTS, CHAINS, BRIDGES, NETS, MANY_BODIES)
     every = [make() for group in groups for make in group]
     if found := [scene for scene in every if part in scene.name]:
         return found

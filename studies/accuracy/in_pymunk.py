@@ -28,7 +28,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
 from scenes.clock import RATE
+from scenes.setup import alone
+from scenes.twin import InSpace, twin_of
 from studies.accuracy.scene import MANY, Model, Outcome, Place, in_frames
 
 if TYPE_CHECKING:
@@ -40,7 +44,6 @@ BATCH = 4  # bodies from which it is faster to read all positions in one call
 Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
 Pair = tuple[float, float]
 Step = Callable[[float], object]
-InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
 def by_pymunk(
@@ -95,20 +98,10 @@ def lone(
     third one adds the acceleration to the velocity before each step, from half a step behind.
     ``acceleration`` returns the acceleration in m/s^2 for a position in m and a velocity in m/s.
     """
+    first = acceleration(complex(*position), complex(*velocity))
 
     def begun(_: float) -> InSpace:
         return space_with(position, velocity)
-
-    def pushing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
-        (body,) = bodies
-
-        def step(duration: float) -> None:
-            place = body.position
-            pull = acceleration(complex(*place), complex(*body.velocity))
-            body.apply_force_at_world_point((pull.real, pull.imag), place)
-            space.step(duration)
-
-        return step
 
     def called_back(_: float) -> InSpace:
         space, (body,) = begun(0.0)
@@ -121,11 +114,20 @@ def lone(
         body.velocity_func = change
         return space, [body]
 
-    first = acceleration(complex(*position), complex(*velocity))
-
     def behind(duration: float) -> InSpace:
         start = complex(*velocity) - 0.5 * duration * first
         return space_with(position, (start.real, start.imag))
+
+    def pushing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
+        (body,) = bodies
+
+        def step(duration: float) -> None:
+            place = body.position
+            pull = acceleration(complex(*place), complex(*body.velocity))
+            body.apply_force_at_world_point((pull.real, pull.imag), place)
+            space.step(duration)
+
+        return step
 
     def changing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
         (body,) = bodies
@@ -154,15 +156,8 @@ def at_best(iterations: int) -> str:
 
 
 def space_with(position: Pair, velocity: Pair) -> InSpace:
-    """Create a pymunk space without gravity, add a single body to it, and return both."""
-    import pymunk  # here, because a chapter's plots do not need it
-
-    space = pymunk.Space()
-    space.iterations = 1  # there is at most one spring
-    body = pymunk.Body(1.0, 1.0)
-    body.position, body.velocity = position, velocity
-    space.add(body)
-    return space, [body]
+    """Create a pymunk space without gravity, with a single body of 1 kg."""
+    return twin_of(alone(Particle(Vector3(*position), Vector3(*velocity))), iterations=1)
 
 
 def in_turn(bodies: Sequence[pymunk.Body]) -> Place:

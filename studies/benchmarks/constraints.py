@@ -11,23 +11,25 @@ import random
 import timeit
 from itertools import pairwise
 
-import pymunk
-
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import ParticlePairs
 from ch07_constraints.going_further.direct_chain import DirectChain
-from ch07_constraints.links import AnchoredRod, Cable, Rod
+from ch07_constraints.links import Cable
+from scenes.chain import Chain
 from scenes.clock import FRAME
-from scenes.constraints import GRAVITY, LINK, chain_particles, no_forces
+from scenes.resolving import no_forces
+from scenes.spheres import GRAVITY
 from scenes.timing import Measurement, Target, Timer, timer, versus
+from scenes.twin import twin_of
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
 
 LINKS = 30
-ANGLE = 30.0  # degrees, at which the chain is released
+LINK = 0.1  # m
+CHAIN = Chain([1.0] * LINKS, LINK, math.radians(30.0), GRAVITY)
 SECONDS = 1
 RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
@@ -111,8 +113,8 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
     ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
     """
-    particles = chain_particles(LINKS, ANGLE)
-    chain = DirectChain(particles[1:], Vector3())
+    particles = CHAIN.particles()
+    chain = DirectChain(particles, Vector3())
     for _ in range(SECONDS * rate):
         chain.step(1.0 / rate)
     tip = particles[-1].position
@@ -124,12 +126,11 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
     ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
     """
-    particles = chain_particles(LINKS, ANGLE)[1:]
-    first = AnchoredRod(particles[0], Vector3(), LINK)
-    net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
+    setup = CHAIN.setup()
+    net = DirectNet(setup.contacts)
     for _ in range(SECONDS * rate):
         net.step(1.0 / rate)
-    tip = particles[-1].position
+    tip = setup.particles[-1].position
     return tip.x, tip.y
 
 
@@ -139,18 +140,10 @@ def by_pymunk(rate: int) -> tuple[float, float]:
     Pymunk's solver makes 10 iterations per step, its default. ``rate`` is the number of time steps
     per second. Return x and y of the chain's tip at the end.
     """
-    space = pymunk.Space()
-    space.gravity = (0.0, -GRAVITY)
-    before = space.static_body
-    for particle in chain_particles(LINKS, ANGLE)[1:]:
-        body = pymunk.Body(1.0, math.inf)
-        body.position = (particle.position.x, particle.position.y)
-        joint = pymunk.PinJoint(before, body)
-        space.add(body, joint)
-        before = body
+    space, bodies = twin_of(CHAIN.setup())
     for _ in range(SECONDS * rate):
         space.step(1.0 / rate)
-    return before.position.x, before.position.y
+    return bodies[-1].position.x, bodies[-1].position.y
 
 
 def matching_rate() -> int:

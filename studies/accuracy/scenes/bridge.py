@@ -32,8 +32,9 @@ from ch08_mass_aggregate.bridge_plan import (
 )
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
+from scenes.twin import InSpace
 from studies.accuracy.asleep import asleep, asleep_in_pymunk
-from studies.accuracy.in_pymunk import EXAMPLES, InSpace, at_best, by_pymunk
+from studies.accuracy.in_pymunk import EXAMPLES, at_best, by_pymunk
 from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames, places_of
 from studies.accuracy.scenes.hanging import HAIR, MASSES, cables, hanging, truth
 from studies.models.direct_net import DirectNet

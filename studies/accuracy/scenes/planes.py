@@ -24,8 +24,9 @@ from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, Cable
 from scenes.clock import RATE
+from scenes.twin import InSpace
 from studies.accuracy.in_plane import LONG, ORDERS, flat, in_long_steps, in_plane
-from studies.accuracy.in_pymunk import InSpace, Step, by_pymunk
+from studies.accuracy.in_pymunk import Step, by_pymunk
 from studies.accuracy.scene import Model, Outcome, in_frames, places_of
 from studies.accuracy.scenes.taut import TautMotion, Tie
 from studies.models.direct_net import DirectNet

@@ -15,11 +15,10 @@ from scenes.setup import Setup
 
 @dataclass(frozen=True)
 class DroppedBalls:
-    """The scene with one ball or several, all with the same radius in m, which may be 0 for one.
+    """The scene with the initial heights of the balls' centers in m, from the lowest ball up.
 
-    - ``heights``: the initial heights of the balls' centers in m, from the lowest ball up.
-    - ``restitution``: between a ball and the ground. ``between`` is that between two balls.
-    - ``gravity``: in m/s^2, downward.
+    ``restitution`` is that between a ball and the ground, and ``between`` that of two balls. All
+    balls have the same radius in m, which may be 0 for a single ball. Gravity is in m/s^2.
     """
 
     heights: Sequence[float]
@@ -36,19 +35,18 @@ class DroppedBalls:
             Particle(Vector3(0.0, y), acceleration=down, mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
         ]
-        contacts: list[ContactGenerator] = [
-            GroundPlane(balls, radius=self.radius, restitution=self.restitution)
-        ]
+        ground = GroundPlane(balls, 0.0, self.radius, self.restitution)
+        contacts: list[ContactGenerator] = [ground]
         if len(balls) > 1:
             contacts.append(ParticlePairs(balls, self.radius, self.between))
         return Setup(balls, contacts=contacts)
 
     def fall_time(self) -> float:
-        """Compute how long the lowest ball falls before it first hits the ground, in s."""
+        """Return how long the lowest ball falls before it first hits the ground, in s."""
         return math.sqrt(2.0 * (self.heights[0] - self.radius) / self.gravity)
 
     def end(self) -> float:
-        """Compute when a single ball comes to rest, in s, if its restitution is less than 1.
+        """Return when a single ball comes to rest, in s, if its restitution is less than 1.
 
         Each flight takes as long as the one before times the restitution.
         """
@@ -60,44 +58,40 @@ class DroppedBalls:
         Source: parabolas from one impact to the next. The engine is not used, so that its bugs
         cannot affect the result.
         """
-        heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
+        y, v, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
         for time in times:
-            while (impact := self._next(heights, speeds))[0] <= time - now:
+            while (impact := self._next_impact(y, v))[0] <= time - now:
                 after, i = impact
-                heights, speeds = self._fallen(heights, speeds, after)
-                self._collide(speeds, i)
+                y, v = self._fallen(y, v, after)
+                self._collide(v, i)
                 now += after
-            heights, speeds = self._fallen(heights, speeds, time - now)
+            y, v = self._fallen(y, v, time - now)
             now = time
-            found.append(tuple(heights))
+            found.append(tuple(y))
         return found
 
-    def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Find the time until the next impact in s, and the upper ball, or 0 for the ground."""
-        first, v, g = heights[0] - self.radius, speeds[0], self.gravity
-        impacts = [((v + math.sqrt(max(v * v + 2.0 * g * first, 0.0))) / g, 0)]
-        for i in range(1, len(heights)):
-            gap = heights[i] - heights[i - 1] - 2.0 * self.radius
-            closing = speeds[i - 1] - speeds[i]
+    def _next_impact(self, y: list[float], v: list[float]) -> tuple[float, int]:
+        """Return the time until the next impact in s, and the upper ball, or 0 for the ground."""
+        fall = max(v[0] * v[0] + 2.0 * self.gravity * (y[0] - self.radius), 0.0)
+        impacts = [((v[0] + math.sqrt(fall)) / self.gravity, 0)]
+        for i in range(1, len(y)):
+            gap, closing = y[i] - y[i - 1] - 2.0 * self.radius, v[i - 1] - v[i]
             if closing > 0.0:
                 impacts.append((max(gap, 0.0) / closing, i))
         return min(impacts)
 
     def _fallen(
-        self, heights: list[float], speeds: list[float], time: float
+        self, y: list[float], v: list[float], time: float
     ) -> tuple[list[float], list[float]]:
-        half, pairs = 0.5 * self.gravity, zip(heights, speeds, strict=True)
-        return (
-            [y + v * time - half * time * time for y, v in pairs],
-            [v - self.gravity * time for v in speeds],
-        )
+        fall, pairs = 0.5 * self.gravity * time * time, zip(y, v, strict=True)
+        return [a + b * time - fall for a, b in pairs], [b - self.gravity * time for b in v]
 
-    def _collide(self, speeds: list[float], i: int) -> None:
+    def _collide(self, v: list[float], i: int) -> None:
         if i == 0:
-            speeds[0] *= -self.restitution
+            v[0] *= -self.restitution
             return
         m, n = self.masses[i - 1], self.masses[i]
-        change = (1.0 + self.between) * (speeds[i - 1] - speeds[i]) / (m + n)
-        speeds[i - 1] -= n * change
-        speeds[i] += m * change
+        change = (1.0 + self.between) * (v[i - 1] - v[i]) / (m + n)
+        v[i - 1] -= n * change
+        v[i] += m * change

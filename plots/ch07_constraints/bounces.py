@@ -161,21 +161,22 @@ def resting_jitter() -> Picture:
         }
     )
     for axes, c in zip(panels, (0.5, 0.9), strict=True):
-        most = {rule: [math.nan] for rule in rules}
-        for (own, name, rule, gravity), run in found.items():
-            if own != c:
-                continue
+        runs = {key[1:]: run for key, run in found.items() if key[0] == c}
+        for (name, rule, gravity), run in runs.items():
             mm = [1e3 * height for height in run.values]
             style, every = ("-", 1) if gravity == "built-in" else ("o", 5)
             label = f"{name}, {rule}, {gravity} gravity: {max(mm[1:], default=math.nan):.3g} mm"
             looks = {"color": colors[name, rule], "ms": 3, "lw": 1, "label": label}
             axes.plot(run.times[::every], mm[::every], style, **looks)
-            # A faulty engine may compute huge heights.
-            most[rule].append(max([y for y in mm[1:] if abs(y) < 1e6], default=math.nan))
-        highest = {rule: max(values[1:], default=math.nan) for rule, values in most.items()}
-        top = max([1.0, *(value for values in most.values() for value in values[1:])])
+        most = {
+            rule: max(
+                (_highest(run) for key, run in runs.items() if key[1] == rule), default=math.nan
+            )
+            for rule in rules
+        }
+        top = max([1.0, *most.values()])
         axes.set_ylim(-0.05 * top, 1.9 * top)
-        words = [f"with {rule} {value:.3g} mm" for rule, value in highest.items()]
+        words = [f"with {rule} {value:.3g} mm" for rule, value in most.items()]
         axes.set_title(
             f"A ball at rest at 1 $\\mu$m, restitution {c:g}: largest height\n{', '.join(words)}",
             fontsize=10,
@@ -184,12 +185,13 @@ def resting_jitter() -> Picture:
     fall, c = 0.04, 0.9
     falls = written(
         {
-            "time division": partial(ball, "time division", fall, c, 60),
-            "explicit Euler, resting rule": partial(ball, "explicit Euler", fall, c, 60),
-            "semi-implicit Euler, resting rule": partial(ball, "semi-implicit Euler", fall, c, 60),
-            "semi-implicit Euler, no bounce below 1 m/s": partial(
-                ball, "semi-implicit Euler", fall, c, 60, no_bounce_below
-            ),
+            method + rule: partial(ball, method, fall, c, 60, resolve)
+            for method, rule, resolve in (
+                ("time division", "", None),
+                ("explicit Euler", ", resting rule", None),
+                ("semi-implicit Euler", ", resting rule", None),
+                ("semi-implicit Euler", ", no bounce below 1 m/s", no_bounce_below),
+            )
         }
     )
     rises = {name: f"{1e3 * _rise(run):.3g}" for name, run in falls.items()}
@@ -271,6 +273,11 @@ def restitution_of_materials() -> Picture:
     return Picture(figure, columns, rows)
 
 
+def _highest(run: Track) -> float:
+    """Find the greatest height of a ball in mm, ignoring heights that are too large to plot."""
+    return 1e3 * max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
+
+
 def _rise(run: Track) -> float:
     """Find how high a ball rises after it first bounces, or 0 if it never rises."""
     for i, (a, b) in enumerate(pairwise(run.values)):
@@ -280,7 +287,7 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Read the student's measured drops, or else the sample, and return the file's name and them."""
+    """Return the name of the file with the student's drops, or with the sample, and its drops."""
     for name in ("drops.csv", "drops_sample.csv"):
         try:
             drops = read_drops(find_drops(name))

@@ -126,7 +126,7 @@ def sinking(count: int, iterations: int | None) -> list[Track]:
     def heights() -> list[float]:
         return [numbers(sphere.position)[1] for sphere in spheres]
 
-    return tracks(move, [lambda: max(-RADIUS, *heights()), lambda: overlap(heights())], 120)
+    return tracks(move, [lambda: max(heights()), lambda: overlap(heights())], 120)
 
 
 def falling_pile() -> tuple[list[Particle], list[Contact]]:

@@ -9,6 +9,7 @@ draws the picture in the lesson.
 from __future__ import annotations
 
 import argparse
+import shutil
 import sys
 from pathlib import Path
 
@@ -44,8 +45,9 @@ def main(arguments: list[str]) -> int:
         parser.error(f"--out must be a folder, got the file {options.out}")
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
+    from plots.ch07_constraints.solvers import contact_solvers
     from studies.accuracy import measure
-    from studies.contacts import chart, kept, scenes
+    from studies.contacts import kept, scenes
 
     pyplot.switch_backend("agg")
     console = plain_console()
@@ -61,23 +63,23 @@ def main(arguments: list[str]) -> int:
         task = progress.add_task("timing", total=rounds * len(measured.points))
         for _ in range(rounds):
             measure.time_once(measured, every, lambda: progress.advance(task))
-    points = kept.rounded(measured.points)
+    options.out.mkdir(parents=True, exist_ok=True)
+    png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
+    kept.keep(measured.points, numbers)
+    picture = contact_solvers(numbers)
+    picture.figure.savefig(png, dpi=110)
     table = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
-    for heading in chart.COLUMNS:
+    for heading in picture.columns:
         longest = max(map(len, heading.split()))
         table.add_column(heading, no_wrap=heading == "scene", min_width=longest)
-    for row in chart.table(points):
-        table.add_row(*row)
+    for row in picture.rows:
+        table.add_row(*map(str, row))
     console.print("Time in ms per frame that a solver needs to stay within an error for 1 s:")
     console.print(table)
     console.print("-: the longest run is not accurate enough, or the solver does not apply.")
-    options.out.mkdir(parents=True, exist_ok=True)
-    png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
-    chart.draw(points).savefig(png, dpi=110)
-    kept.keep(points, numbers)
     console.print(f"picture: {shown(png)}\nall points: {shown(numbers)}", soft_wrap=True)
     if not options.quick:
-        kept.keep(points)
+        shutil.copy(numbers, kept.FILE)
         console.print(
             f"Written to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture.",
             soft_wrap=True,

@@ -34,17 +34,13 @@ class OneContact(ContactResolver):
 
 
 def rises(scene: Bounce) -> int:
-    """Compare the height of the last bounces with the height of the drop.
-
-    The result is 0 if they are equal to within 2 %, 1 if the bounces are higher, or 2 if they are
-    lower.
-    """
+    """Return 1 if the last bounces are over 2 % higher than the drop, 2 if lower, and else 0."""
     share = max(scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
 class Bounce(Scene):
-    """A scene of a ball that bounces on the ground and keeps some or all of its speed."""
+    """A ball that bounces on the ground and keeps some or all of its speed."""
 
     chapter = 7
     title = "A ball that bounces"
@@ -83,7 +79,6 @@ class Bounce(Scene):
         self.path = [*self.path[-240:], self.ball.position.y]
 
     def step(self, duration: float) -> None:
-        """Advance the ball by one step of ``duration`` s with the method that the reader chose."""
         if self.ended:
             return
         if self.method == "time division":
@@ -99,15 +94,10 @@ class Bounce(Scene):
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
-        last = len(self.path) - 1
-        trail = [
-            (0.25 + 2.3 * (i - last) / 240.0 + 2.2, self.RADIUS + y)
-            for i, y in enumerate(self.path)
-        ]
-        pen.line(trail, "blue", 1.0)
-        pen.segments(
-            [((-2.6, self.HEIGHT + self.RADIUS), (2.6, self.HEIGHT + self.RADIUS))], "gray"
-        )
+        last, top = len(self.path) - 1, self.HEIGHT + self.RADIUS
+        xs = [0.25 + 2.3 * (i - last) / 240.0 + 2.2 for i in range(last + 1)]
+        pen.line([(x, self.RADIUS + y) for x, y in zip(xs, self.path, strict=True)], "blue", 1.0)
+        pen.segments([((-2.6, top), (2.6, top))], "gray")
         exact = self.exact(self.simulated)
         if exact is not None:
             pen.circle((0.0, exact[0] + self.RADIUS), self.RADIUS, "gray", fill=False)
@@ -138,7 +128,7 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """A version of the ``Bounce`` scene in which pymunk simulates the ball."""
+    """The same ball, simulated by pymunk."""
 
     def build(self) -> None:
         super().build()
@@ -153,10 +143,7 @@ Bounce.peers = {"pymunk": PymunkBounce}
 
 
 class Stack(Scene):
-    """A scene of a stack of spheres, which shows how well the contact resolver supports them.
-
-    The reader can drag the top sphere.
-    """
+    """A stack of spheres that the resolver has to carry, and whose top sphere can be dragged."""
 
     chapter = 7
     title = "A stack of spheres"
@@ -199,7 +186,7 @@ class Stack(Scene):
         self.view_of_contacts.draw(pen, 1.0)
 
     def overlap(self) -> float:
-        """Find the largest overlap of spheres and the ground, in % of a diameter."""
+        """Return the largest overlap of spheres and the ground, in % of a diameter."""
         return 100.0 * max(0.0, overlap(sphere.position.y for sphere in self.spheres))
 
     def chart(self) -> dict[str, float]:
@@ -219,7 +206,7 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """A version of the ``Stack`` scene in which pymunk simulates the spheres."""
+    """The same spheres, simulated by pymunk."""
 
     def build(self) -> None:
         super().build()

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from operator import add
-from typing import TYPE_CHECKING
+from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
@@ -24,19 +24,8 @@ from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.asleep import asleep, asleep_in_pymunk
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, Step, at_best, by_pymunk, in_turn
-from studies.accuracy.scene import (
-    STEPS,
-    Model,
-    Outcome,
-    Place,
-    Scene,
-    in_frames,
-    places_of,
-)
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
-
-if TYPE_CHECKING:
-    import pymunk
 
 FRAMES = 60  # of the spheres at rest
 BODIES, LONG = 1000, 300  # bodies that fall, and frames
@@ -50,60 +39,56 @@ def falling() -> Scene:
     The exact positions are parabolas. If the velocities start half a step ahead, each step computes
     them exactly. The scene therefore compares only how long a step and the reading take.
     """
-    starts = [float(i % 40) for i in range(BODIES)]
-    speeds = [0.1 * (i % 7) for i in range(BODIES)]
-    all_steps = LONG * BODIES
+    thrown = [(float(i % 40), 0.1 * (i % 7)) for i in range(BODIES)]  # m, and m/s to the right
 
-    def setup(ahead: float = 0.0) -> Setup:
-        velocity = UP - G * (0.5 * ahead)
+    def setup() -> Setup:
         down = Vector3(0.0, -G)
-        return Setup(
-            [
-                Particle(Vector3(x), Vector3(v, velocity), down)
-                for x, v in zip(starts, speeds, strict=True)
-            ]
-        )
+        return Setup([Particle(Vector3(x), Vector3(v, UP), down) for x, v in thrown])
 
     def place_at(time: float) -> Place:
         height = UP * time - 0.5 * G * time * time
-        return tuple(
-            [part for x, v in zip(starts, speeds, strict=True) for part in (x + v * time, height)]
-        )
+        return tuple([part for x, v in thrown for part in (x + v * time, height)])
+
+    def outcome(step: Callable[[float], object], place: Callable[[], Place], steps: int) -> Outcome:
+        return Outcome(in_frames(step, place, LONG, steps), LONG * steps * BODIES)
+
+    def by_formula(_: int) -> Outcome:
+        return Outcome([place_at(n / RATE) for n in range(1, LONG + 1)], LONG * BODIES)
 
     def by_particles(steps: int) -> Outcome:
-        bodies = setup(1.0 / (RATE * steps)).particles
+        bodies = setup().particles
+        for body in bodies:
+            body.velocity.y = UP - G * (0.5 / (RATE * steps))
 
         def step(duration: float) -> None:
             for body in bodies:
                 body.integrate(duration)
 
-        places = in_frames(step, partial(places_of, bodies), LONG, steps)
-        return Outcome(places, all_steps * steps)
+        return outcome(step, partial(places_of, bodies), steps)
 
     def by_lists(steps: int) -> Outcome:
         """Add lists of numbers, which is about the least that plain Python can do."""
         duration = 1.0 / (RATE * steps)
         change = [-G * duration * duration] * BODIES
-        xs, across = starts, [v * duration for v in speeds]
+        xs, across = [x for x, _ in thrown], [v * duration for _, v in thrown]
         ys, up = [0.0] * BODIES, [UP * duration + 0.5 * change[0]] * BODIES
-        found: list[Place] = []
-        for _ in range(LONG):
-            for _ in range(steps):
-                xs = [*map(add, xs, across)]
-                ys = [*map(add, ys, up)]
-                up = [*map(add, up, change)]
-            place = xs * 2
-            place[::2], place[1::2] = xs, ys
-            found.append(place)
-        return Outcome(found, all_steps * steps)
+
+        def step(_: float) -> None:
+            nonlocal xs, ys, up
+            xs = [*map(add, xs, across)]
+            ys = [*map(add, ys, up)]
+            up = [*map(add, up, change)]
+
+        def place() -> Place:
+            found = xs * 2
+            found[::2], found[1::2] = xs, ys
+            return found
+
+        return outcome(step, place, steps)
 
     def read_in_turn(steps: int) -> Outcome:
         space, bodies = twin_of(setup())
-        places = in_frames(space.step, partial(in_turn, bodies), LONG, steps)
-        return Outcome(places, all_steps * steps)
-
-    def by_formula(_: int) -> Outcome:
-        return Outcome([place_at(frame / RATE) for frame in range(1, LONG + 1)], all_steps)
+        return outcome(space.step, partial(in_turn, bodies), steps)
 
     steps = STEPS[:4]
     models = [
@@ -136,17 +121,21 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         world.fall_asleep(world.contacts())
         return world, setup.particles[fixed:]
 
-    def in_space(iterations: int, slop: float | None, larger: float, _: float) -> InSpace:
-        """Create the spheres in pymunk, with radii that are larger by ``larger`` m."""
+    def in_space(iterations: int = 10, slop: float | None = None) -> InSpace:
         space, bodies = twin_of(make(), iterations=iterations)
         if slop is not None:
             space.collision_slop = slop
-        for body in bodies:
-            for shape in body.shapes:
-                shape.unsafe_set_radius(spheres.RADIUS + larger)
         return space, bodies[fixed:]
 
-    def first_step(space: pymunk.Space, _: list[pymunk.Body]) -> Step:
+    def touching(iterations: int) -> InSpace:
+        """Create slightly larger spheres in pymunk, so that all of them touch at the start."""
+        space, bodies = in_space(iterations, 1e-8)
+        for shape in space.shapes:
+            if shape.body is not space.static_body:  # a sphere, not the ground
+                shape.unsafe_set_radius(spheres.RADIUS + 1e-9)
+        return space, bodies
+
+    def first_step(space: Any, _: Any) -> Step:
         """Return a step that makes few iterations, except for the first time.
 
         Pymunk's solver starts from the impulses of the last step, which stay the same here.
@@ -163,40 +152,36 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         Model(IMPULSES, partial(ours, IMPULSES), STEPS[:8]),
         Model(SMALL, partial(ours, SMALL), STEPS[:8]),
         asleep(sleeping, FRAMES),
-        by_pymunk(EXAMPLES, partial(in_space, 10, None, 0.0), FRAMES, units=units),
+        by_pymunk(EXAMPLES, lambda _: in_space(), FRAMES, units=units),
         *(
-            by_pymunk(at_best(number), partial(in_space, number, 0.0, 0.0), FRAMES, units=units)
-            for number in (3, 10, 30, 100)
+            by_pymunk(at_best(count), lambda _, n=count: in_space(n, 0.0), FRAMES, units=units)
+            for count in (3, 10, 30, 100)
         ),
         *(
             by_pymunk(
-                f"{BEST}, {number:,} iterations in the first step",
-                partial(in_space, number, 1e-8, 1e-9),  # so that all spheres touch at the start
+                f"{BEST}, {count:,} iterations in the first step",
+                lambda _, n=count: touching(n),
                 FRAMES,
                 (1,),
                 first_step,
                 units,
             )
-            for number in first
+            for count in first
         ),
-        asleep_in_pymunk(partial(in_space, 1, None, 0.0, 0.0), FRAMES),
+        asleep_in_pymunk(partial(in_space, 1), FRAMES),
     ]
     return Scene(name, FRAMES, spheres.DIAMETER, lambda _: moving, models, COUNTED)
 
 
 def stack(ratio: float) -> Scene:
-    """Create the scene of ten spheres that rest on one another.
-
-    The top sphere has a mass of ``ratio`` kg, and the others have 1 kg.
-    """
-    first = (1000,) if ratio == 1.0 else (100_000, 300_000)
-    name = f"stack of ten spheres, mass ratio {ratio:g}"
+    """Create the scene of ten spheres of 1 kg, except for the top one with ``ratio`` kg."""
 
     def make() -> Setup:
         setup = spheres.stack(10, ratio)
         return replace(setup, contacts=setup.contacts[::-1])  # the ground is resolved last
 
-    return resting(name, make, first)
+    first = (1000,) if ratio == 1.0 else (100_000, 300_000)
+    return resting(f"stack of ten spheres, mass ratio {ratio:g}", make, first)
 
 
 def pile() -> Scene:
@@ -211,9 +196,4 @@ def pile() -> Scene:
     return resting("pile of 45 spheres", make, (1000,), fixed=10)
 
 
-MANY_BODIES: list[Callable[[], Scene]] = [
-    falling,
-    partial(stack, 1.0),
-    partial(stack, 1000.0),
-    pile,
-]
+MANY_BODIES = [falling, partial(stack, 1.0), partial(stack, 1000.0), pile]

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.contacts import ContactGenerator
-from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.detectors import Detector, GroundPlane, ParticlePairs
 from scenes.setup import Setup
 
 
@@ -29,17 +28,20 @@ class DroppedBalls:
     gravity: float = 10.0
 
     def setup(self) -> Setup:
-        """Create the balls, and the detectors of the ground and of pairs of balls."""
+        """Create the balls and what detects their contacts."""
         down = Vector3(0.0, -self.gravity)
         balls = [
             Particle(Vector3(0.0, y), acceleration=down, mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
         ]
+        return Setup(balls, contacts=self.detectors(balls))
+
+    def detectors(self, balls: Sequence[Particle]) -> list[Detector]:
+        """Create the detector of the ground and, if there are several balls, that of pairs."""
         ground = GroundPlane(balls, 0.0, self.radius, self.restitution)
-        contacts: list[ContactGenerator] = [ground]
-        if len(balls) > 1:
-            contacts.append(ParticlePairs(balls, self.radius, self.between))
-        return Setup(balls, contacts=contacts)
+        if len(balls) == 1:
+            return [ground]
+        return [ground, ParticlePairs(balls, self.radius, self.between)]
 
     def fall_time(self) -> float:
         """Return how long the lowest ball falls before it first hits the ground, in s."""

@@ -127,8 +127,8 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
             ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
             space.add(pymunk.SlideJoint(*ends, low, high))
         case GroundPlane(particles=particles, height=height, radius=radius):
-            ends = (-WIDE, height - THICK), (WIDE, height - THICK)
-            floor = pymunk.Segment(space.static_body, *ends, THICK)
+            low = height - THICK
+            floor = pymunk.Segment(space.static_body, (-WIDE, low), (WIDE, low), THICK)
             floor.elasticity = 1.0
             space.add(floor)
             _add_spheres(space, bodies, particles, radius, generator.restitution)

@@ -47,8 +47,9 @@ def ball(
     ``method`` is "time division", or an integrator, after which ``resolve`` or a ContactResolver
     resolves the contacts. If ``gravity`` is "generated", it comes from a force generator.
     """
-    setup = DroppedBalls([height], restitution).setup()
-    (particle,), (ground,) = setup.particles, setup.contacts
+    balls = DroppedBalls([height], restitution)
+    setup = balls.setup()
+    (particle,), (ground,) = setup.particles, balls.detectors(setup.particles)
     apply_forces, ends = no_forces, []
     if gravity == "generated":
         generator = Gravity(particle.acceleration.copy())
@@ -168,15 +169,10 @@ def resting_jitter() -> Picture:
             label = f"{name}, {rule}, {gravity} gravity: {max(mm[1:], default=math.nan):.3g} mm"
             looks = {"color": colors[name, rule], "ms": 3, "lw": 1, "label": label}
             axes.plot(run.times[::every], mm[::every], style, **looks)
-        most = {
-            rule: max(
-                (_highest(run) for key, run in runs.items() if key[1] == rule), default=math.nan
-            )
-            for rule in rules
-        }
-        top = max([1.0, *most.values()])
+        most = {rule: [_highest(r) for key, r in runs.items() if key[1] == rule] for rule in rules}
+        top = max(sum(most.values(), [1.0]))
         axes.set_ylim(-0.05 * top, 1.9 * top)
-        words = [f"with {rule} {value:.3g} mm" for rule, value in most.items()]
+        words = [f"with {rule} {max(mm, default=math.nan):.3g} mm" for rule, mm in most.items()]
         axes.set_title(
             f"A ball at rest at 1 $\\mu$m, restitution {c:g}: largest height\n{', '.join(words)}",
             fontsize=10,
@@ -223,51 +219,53 @@ def restitution_of_materials() -> Picture:
     """
     path, drops = _drops()
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
-    means = []  # rows for the plot; the last entry is the mean without the square root
-    for material, count, mean, error in table_of_drops(drops):
-        ratios = [b / a for name, a, b in drops if name == material and a]
-        printed = statistics.fmean(ratios) if ratios else math.nan
-        means.append((material, count, number(mean), number(error), printed))  # NaN for one drop
     figure, (axes, beside) = pyplot.subplots(
         1, 2, figsize=(12, 5.0), layout="constrained", width_ratios=(3, 2)
     )
-    for i, (material, _, mean, error, printed) in enumerate(means):
+    rows: list[tuple[Any, ...]] = []
+    for i, (material, count, mean, error) in enumerate(table_of_drops(drops)):
+        ratios = [b / a for name, a, b in drops if name == material and a]
+        printed = statistics.fmean(ratios) if ratios else math.nan
+        rows.append((material, count, number(mean), number(error), printed))
         dots = [value for name, value in singles if name == material]
         spread = [i + 0.05 * (j - 0.5 * (len(dots) - 1)) for j in range(len(dots))]
-        axes.plot(spread, dots, "o", color=SKY, ms=4, label="single drops")
-        bars = None if math.isnan(error) else error
+        axes.plot(spread, dots, "o", color=SKY, ms=4, label="" if i else "single drops")
+    names, means, errors, quotients = ([row[k] for row in rows] for k in (0, 2, 3, 4))
+    if rows:
+        at = range(len(rows))
         looks: dict[str, Any] = {"fmt": "D", "color": BLUE, "ms": 5, "capsize": 4}
-        axes.errorbar(i - 0.2, mean, bars, label="mean, with its standard error", **looks)
-        axes.plot(i + 0.25, printed, "x", color=RED, ms=8, mew=2, label="without the square root")
-    names = [textwrap.fill(str(material), 14) for material, *_ in means]
-    axes.set_xticks(range(len(means)), names, fontsize=8)
-    axes.set(ylim=(0.0, 1.15), xlim=(-0.6, max(len(means), 1) - 0.4), ylabel="restitution")
-    axes.grid(alpha=0.3, axis="y")
-    beside.axis("off")
-    if means:
-        handles, labels = axes.get_legend_handles_labels()
-        once = dict(zip(labels, handles, strict=True))
-        axes.legend(once.values(), once.keys(), fontsize=8, ncols=3, loc="upper center")
-        shown = beside.table(
-            [[row[0], str(row[1]), *(f"{value:.3f}" for value in row[2:])] for row in means],
+        looks["label"] = "mean, with its standard error"  # which is NaN for a single drop
+        axes.errorbar([i - 0.2 for i in at], means, errors, **looks)
+        looks = {"color": RED, "ms": 8, "mew": 2, "label": "without the square root"}
+        axes.plot([i + 0.25 for i in at], quotients, "x", **looks)
+        axes.set_xticks(at, [textwrap.fill(str(name), 14) for name in names], fontsize=8)
+        axes.legend(fontsize=8, ncols=3, loc="upper center")
+        table = beside.table(
+            [[*map(str, row[:2]), *(f"{value:.3f}" for value in row[2:])] for row in rows],
             colLabels=["material", "drops", "mean", "error", "no root"],
             loc="center",
             colWidths=[0.5, 0.12, 0.14, 0.14, 0.16],
         )
-        shown.auto_set_font_size(False)
-        shown.set_fontsize(8)
-        shown.scale(1.0, 1.6)
+        table.auto_set_font_size(False)
+        table.set_fontsize(8)
+        table.scale(1.0, 1.6)
     else:
         beside.text(0.5, 0.5, "the table has no rows", ha="center")
+    axes.set(ylim=(0.0, 1.15), xlim=(-0.6, max(len(rows), 1) - 0.4), ylabel="restitution")
+    axes.grid(alpha=0.3, axis="y")
+    beside.axis("off")
     # A ball dropped from 1 m should bounce to the square of its restitution, in m.
-    off = 100.0 * max((abs(mean * mean - b) for *_, mean, _, b in means), default=math.nan)
-    printed_off = 100.0 * max((abs(b * b - b) for *_, b in means), default=math.nan)
+    off, printed_off = (
+        100.0
+        * max((abs(c * c - b) for c, b in zip(found, quotients, strict=True)), default=math.nan)
+        for found in (means, quotients)
+    )
     figure.suptitle(
         f"{len(drops)} drops in {path}. The mean restitutions predict the bounces to within "
         f"{off:.2g} % of the fall,\nwithout the square root to within {printed_off:.2g} %",
         fontsize=11,
     )
-    rows: list[tuple[object, ...]] = [("mean", *row) for row in means]
+    rows = [("mean", *row) for row in rows]
     rows += [("drop", material, 1, value, "", "") for material, value in singles]
     columns = ("row", "material", "drops", "restitution", "standard error", "without the root")
     return Picture(figure, columns, rows)

@@ -24,6 +24,9 @@ from scenes.resolving import by_resolver, resolving
 from scenes.spheres import DIAMETER, RADIUS, at, overlap, pyramid, stack, touching
 from scenes.track import Track, tracks
 
+Error = Callable[[Contact], float]
+Act = Callable[[Contact], object]
+
 
 def resolver_convergence() -> Picture:
     """Plot the errors left in a pile of spheres against the number of contacts resolved.
@@ -71,15 +74,9 @@ def stack_height() -> Picture:
     The stacks are simulated with different limits on the number of iterations per contact.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
-    limits = (1, 2, 5, 10, 20, 50)
-    found = written(
-        {
-            (count, limit): partial(sinking, count, limit)
-            for count in (3, 10)
-            for limit in (None, *limits)
-        }
-    )
-    titles: dict[str, list[str]] = {"sink by": [], "overlap by up to": []}
+    limits, titles = (1, 2, 5, 10, 20, 50), ([], [])
+    runs = {(n, limit): partial(sinking, n, limit) for n in (3, 10) for limit in (None, *limits)}
+    found = written(runs)
     for count, color in ((3, BLUE), (10, RED)):
         sunk, overlaps = [], []
         for limit, how, style in ((None, "default", "-"), (50, "50 per contact", "--")):
@@ -89,12 +86,12 @@ def stack_height() -> Picture:
                 left.plot(height.times, height.values, style, color=color, label=label)
                 sunk.append(f"{height.values[0] - height.values[-1]:.3g} m ({how})")
                 overlaps.append(f"{100.0 * max(depth.values):.2g} % ({how})")
-        for what, words in zip(titles, (sunk, overlaps), strict=True):
-            titles[what].append(f"{count} spheres {what} {', '.join(words)}")
+        titles[0].append(f"{count} spheres sink by {', '.join(sunk)}")
+        titles[1].append(f"{count} spheres overlap by up to {', '.join(overlaps)}")
         done = [limit for limit in limits if (count, limit) in found]
         most = [max(100.0 * max(found[count, limit][1].values), 1e-6) for limit in done]
         right.loglog(done, most, "o-", color=color, label=f"{count} spheres")
-    for axes, lines in zip((left, right), titles.values(), strict=True):
+    for axes, lines in zip((left, right), titles, strict=True):
         axes.set_title("\n".join(lines), fontsize=10)
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
@@ -152,34 +149,35 @@ def residuals(iterations: int, in_order: bool) -> tuple[float, float]:
     """
     spheres, contacts = falling_pile()
     if iterations and in_order:
-        _sweep(contacts, iterations, _closes, lambda contact: contact.resolve_velocity(FRAME))
-        _sweep(contacts, iterations, _is_deep, _resolve_depth)
+        _sweep(contacts, iterations, _closing, VELOCITY_TOLERANCE, _stop)
+        _sweep(contacts, iterations, _depth, DEPTH_TOLERANCE, _separate)
     elif iterations:
         ContactResolver(iterations).resolve_contacts(contacts, FRAME)
-    closing = max((-contact.separating_velocity() for contact in contacts), default=math.nan)
     places = [numbers(sphere.position) for sphere in spheres]
     # Use positions only, because the contacts' own depths may be outdated (E-8).
     depths = [RADIUS - place[1] for place in places]
     depths += [DIAMETER - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
-    return max(closing, 0.0), max(0.0, *depths)
+    return max(0.0, *map(_closing, contacts)), max(0.0, *depths)
 
 
-def _sweep(
-    contacts: list[Contact],
-    limit: int,
-    wants: Callable[[Contact], bool],
-    resolve: Callable[[Contact], object],
-) -> None:
-    """Resolve contacts in list order, in repeated passes, until none ``wants`` it or the limit."""
+def _sweep(contacts: list[Contact], limit: int, error: Error, least: float, resolve: Act) -> None:
+    """Resolve contacts whose error exceeds ``least``, in repeated passes, ``limit`` times."""
     used = idle = 0
     for contact in cycle(contacts):
         if used == limit or idle == len(contacts):
             return
-        if wants(contact):
+        idle += 1
+        if error(contact) > least:
             resolve(contact)
             used, idle = used + 1, 0
-        else:
-            idle += 1
+
+
+def _closing(contact: Contact) -> float:
+    return -contact.separating_velocity()
+
+
+def _stop(contact: Contact) -> None:
+    contact.resolve_velocity(FRAME)
 
 
 def _depth(contact: Contact) -> float:
@@ -190,14 +188,6 @@ def _depth(contact: Contact) -> float:
     return DIAMETER - (place - contact.other.position).dot(contact.normal)
 
 
-def _closes(contact: Contact) -> bool:
-    return contact.separating_velocity() < -VELOCITY_TOLERANCE
-
-
-def _is_deep(contact: Contact) -> bool:
-    return _depth(contact) > DEPTH_TOLERANCE
-
-
-def _resolve_depth(contact: Contact) -> None:
+def _separate(contact: Contact) -> None:
     contact.penetration = _depth(contact)
     contact.resolve_penetration()

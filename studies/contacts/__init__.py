@@ -1,9 +1,9 @@
 """Compare how fast the contact solvers of chapter 7 are on stacks of spheres and on ropes.
 
-A heavy body that rests on a light one, or hangs from it, is hard to simulate. Each scene is
-therefore run with several mass ratios. The command prints how much time per frame each solver needs
-to keep the error small. A complete run also stores its measurements, from which `make figures`
-draws the picture in the lesson.
+A heavy body that rests on a light one, or hangs from it, is hard to simulate, so each scene is run
+with several mass ratios. The command prints how much time per frame each solver needs to keep the
+error small. A complete run also stores its measurements, from which `make figures` draws the
+picture in the lesson.
 """
 
 from __future__ import annotations
@@ -27,19 +27,12 @@ QUICK, FULL = (1, 0.02), (3, 1.0)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all contact solvers, print a table, draw the picture, and save the measurements.
-
-    With the option ``--quick``, the measurements that are stored in the project are not replaced.
-    """
+    """Measure all contact solvers, print a table, draw the picture, and save the measurements."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
-    parser.add_argument(
-        "--quick",
-        action="store_true",
-        help="take a minute at most: fewer steps, one round, not stored",
-    )
-    parser.add_argument(
-        "--out", type=Path, default=ROOT / "build" / "contacts", help="the folder for the results"
-    )
+    quick = "take a minute at most: fewer steps, one round, not stored"
+    parser.add_argument("--quick", action="store_true", help=quick)
+    out = ROOT / "build" / "contacts"
+    parser.add_argument("--out", type=Path, default=out, help="the folder for the results")
     options = parser.parse_args(arguments)
     if options.out.exists() and not options.out.is_dir():
         parser.error(f"--out must be a folder, got the file {options.out}")
@@ -77,11 +70,9 @@ def main(arguments: list[str]) -> int:
     console.print("Time in ms per frame that a solver needs to stay within an error for 1 s:")
     console.print(table)
     console.print("-: the longest run is not accurate enough, or the solver does not apply.")
-    console.print(f"picture: {shown(png)}\nall points: {shown(numbers)}", soft_wrap=True)
+    told = f"picture: {shown(png)}\nall points: {shown(numbers)}"
     if not options.quick:
         shutil.copy(numbers, kept.FILE)
-        console.print(
-            f"Written to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture.",
-            soft_wrap=True,
-        )
+        told += f"\nWritten to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture."
+    console.print(told, soft_wrap=True)
     return 0

@@ -15,13 +15,11 @@ from studies.contacts.scenes import FRAMES
 FILE = Path(__file__).with_name("figures.json")
 TOLERANCES = (1e-1, 1e-2, 1e-3)
 
-Within = tuple[str, float, dict[str, float]]  # scene, tolerance, and ms per frame by solver
 
+def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]:
+    """Find how long each solver takes to keep the error of a scene within a tolerance.
 
-def within(points: Sequence[Point]) -> list[Within]:
-    """Find how long each solver takes to keep the error of each scene within each tolerance.
-
-    A solver of which no run is accurate enough is left out.
+    Each row has a scene, a tolerance, and the times in ms per frame of all solvers that meet it.
     """
     found = []
     for scene in dict.fromkeys(point.scene for point in points):
@@ -42,15 +40,9 @@ def keep(points: Sequence[Point], file: Path) -> None:
         (p.scene, p.model, p.by, p.steps, _rounded(p.error), _rounded(1e3 * p.time / FRAMES))
         for p in points
     ]
-    parts = [
-        f'"measured": {json.dumps(date.today().isoformat())}',
-        f'"python": {json.dumps(platform.python_version())}',
-        *(
-            f'"{name}": [\n  ' + ",\n  ".join(map(json.dumps, lines)) + "\n ]"
-            for name, lines in (("points", rows), ("within", within(points)))
-        ),
-    ]
-    file.write_text("{\n " + ",\n ".join(parts) + "\n}\n", encoding="utf-8")
+    start = {"measured": date.today().isoformat(), "python": platform.python_version()}
+    text = json.dumps(start | {"points": rows, "within": within(points)})
+    file.write_text(text.replace(": [[", ": [\n  [").replace("], [", "],\n  [") + "\n", "utf-8")
 
 
 def _rounded(value: float, digits: int = 3) -> float:

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import Detectors
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
@@ -67,7 +66,8 @@ class Bounce(Scene):
     def build(self) -> None:
         self.balls = DroppedBalls([self.HEIGHT], self.restitution, gravity=G)
         self.setup = self.balls.setup()
-        (self.ball,), (self.ground,) = self.setup.particles, self.setup.contacts
+        (self.ball,) = self.setup.particles
+        (self.ground,) = self.balls.detectors([self.ball])
         self.view_of_contacts = ContactView(OneContact())
         rest = heights_in_frames(self.HEIGHT, 0.0, self.restitution, FRAME, self.LONGEST, G)
         self.heights = [self.HEIGHT, *rest]
@@ -165,7 +165,6 @@ class Stack(Scene):
     def build(self) -> None:
         self.setup = stack(self.count, gravity=G)
         self.spheres = self.setup.particles
-        self.detector = Detectors(*self.setup.contacts)
         self.view_of_contacts = ContactView(ContactResolver())
 
     def step(self, duration: float) -> None:
@@ -173,7 +172,8 @@ class Stack(Scene):
         for _ in range(self.substeps):
             semi_implicit_euler(self.spheres, no_forces, part)
             self.view_of_contacts.forget()
-            if contacts := self.detector.contacts():
+            contacts = [one for generator in self.setup.contacts for one in generator.contacts()]
+            if contacts:
                 self.view_of_contacts.iterations = self.per_contact * len(contacts)
                 self.view_of_contacts.resolve_contacts(contacts, part)
 

@@ -7,10 +7,8 @@ per impact and once per frame. A formula counts each height that it computes.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 
-from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, Impact
@@ -21,50 +19,44 @@ from scenes.dropped_balls import DroppedBalls
 from scenes.resolving import resolving
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, by_pymunk
-from studies.accuracy.scene import MANY, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.scene import MANY, Model, Outcome, Scene, in_frames, places_of
 
 RADIUS = 0.1  # m
 
 
+class Counted(Detectors):
+    """Detectors that count the searches for the next impact."""
+
+    searches = 0
+
+    def next_impact(self, duration: float) -> Impact | None:
+        self.searches += 1
+        return super().next_impact(duration)
+
+
 def by_time_division(balls: DroppedBalls, frames: int, steps: int) -> Outcome:
     """Simulate bouncing balls with time division, which advances from one impact to the next."""
-    setup, work = balls.setup(), 0
-    detectors = Detectors(*setup.contacts)
-
-    class Counted:
-        contacts = detectors.contacts
-
-        def next_impact(self, duration: float) -> Impact | None:
-            nonlocal work
-            work += 1
-            return detectors.next_impact(duration)
-
-    places = in_frames(
-        lambda duration: time_division_step(setup.particles, Counted(), duration),
-        lambda: _heights(setup.particles),
-        frames,
-        steps,
-    )
-    return Outcome(places, work)
+    particles = balls.setup().particles
+    detectors = Counted(*balls.detectors(particles))
+    step = partial(time_division_step, particles, detectors)
+    places = in_frames(step, partial(places_of, particles), frames, steps)
+    return Outcome(places, detectors.searches)
 
 
 def by_its_impacts(balls: DroppedBalls, frames: int, _: int) -> Outcome:
     """Compute the height of a ball in every frame from the times of its impacts, without steps."""
     start = balls.heights[0] - RADIUS
     heights = heights_in_frames(start, 0.0, balls.restitution, 1.0 / RATE, frames, balls.gravity)
-    return Outcome([(RADIUS + height,) for height in heights], frames)
+    return Outcome([(0.0, RADIUS + height) for height in heights], frames)
 
 
-def by_resolver(integrator: Integrator, balls: DroppedBalls, frames: int, steps: int) -> Outcome:
+def by_resolver(balls: DroppedBalls, frames: int, integrator: Integrator, steps: int) -> Outcome:
     """Simulate bouncing balls with an integrator, and resolve their contacts after each step."""
-    setup, resolver = balls.setup(), ContactResolver()
-    step = resolving(integrator, setup.particles, setup.contacts, resolver.resolve_contacts)
-    places = in_frames(step, lambda: _heights(setup.particles), frames, steps)
+    setup = balls.setup()
+    resolve = ContactResolver().resolve_contacts
+    step = resolving(integrator, setup.particles, setup.contacts, resolve)
+    places = in_frames(step, partial(places_of, setup.particles), frames, steps)
     return Outcome(places, frames * steps)
-
-
-def _heights(particles: list[Particle]) -> Place:
-    return tuple([particle.position.y for particle in particles])
 
 
 def in_space(balls: DroppedBalls, ahead: float) -> InSpace:
@@ -78,45 +70,23 @@ def in_space(balls: DroppedBalls, ahead: float) -> InSpace:
     return space, bodies
 
 
-def heights_of(model: Model) -> Model:
-    """Return the same model, whose result is only the heights of the balls."""
-
-    def run(steps: int) -> Outcome:
-        outcome = model.run(steps)
-        return Outcome([place[1::2] for place in outcome.places], outcome.work)
-
-    return replace(model, run=run)
-
-
 def scene_of(name: str, balls: DroppedBalls, frames: int, scale: float) -> Scene:
     """Create the scene of balls that bounce, with errors as fractions of ``scale`` m."""
-    exact = balls.heights_at([frame / RATE for frame in range(1, frames + 1)])
-    formulas = {"time division": by_time_division}
-    if len(balls.heights) == 1:
-        formulas["its impacts alone"] = by_its_impacts
+    heights = balls.heights_at([frame / RATE for frame in range(1, frames + 1)])
+    exact = [tuple(part for y in ys for part in (0.0, y)) for ys in heights]
+    by_steps = partial(by_resolver, balls, frames)
     models = [
-        *(
-            Model(name, partial(by, balls, frames), (1,), is_formula=True)
-            for name, by in formulas.items()
-        ),
-        *(
-            Model(f"{name}, then contacts", partial(by_resolver, step, balls, frames), MANY, by)
-            for name, step, by in (
-                ("explicit Euler", explicit_euler, "the book"),
-                ("semi-implicit Euler", semi_implicit_euler, "ours"),
-            )
-        ),
-        heights_of(by_pymunk(EXAMPLES, lambda _: in_space(balls, 0.0), frames)),
-        heights_of(by_pymunk(BEST, partial(in_space, balls), frames)),
+        Model("time division", partial(by_time_division, balls, frames), (1,), is_formula=True),
+        Model("its impacts alone", partial(by_its_impacts, balls, frames), (1,), is_formula=True),
+        Model("explicit Euler, then contacts", partial(by_steps, explicit_euler), MANY, "the book"),
+        Model("semi-implicit Euler, then contacts", partial(by_steps, semi_implicit_euler), MANY),
+        by_pymunk(EXAMPLES, lambda _: in_space(balls, 0.0), frames),
+        by_pymunk(BEST, partial(in_space, balls), frames),
     ]
-    return Scene(
-        name,
-        frames,
-        scale,
-        lambda time: exact[round(time * RATE) - 1],
-        models,
-        "searches for contacts",
-    )
+    if len(balls.heights) > 1:
+        del models[1]  # the formula for the impacts is that of a single ball
+    counted = "searches for contacts"
+    return Scene(name, frames, scale, lambda time: exact[round(time * RATE) - 1], models, counted)
 
 
 def bouncing_ball(restitution: float) -> Scene:

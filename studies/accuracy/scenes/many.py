@@ -119,15 +119,15 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         setup = make()
         world = SleepingWorld(setup.particles, setup.contacts, sleep_frames=1)
         world.fall_asleep(world.contacts())
-        return world, setup.particles[fixed:]
+        return world, [*setup.particles[fixed:]]
 
-    def in_space(iterations: int = 10, slop: float | None = None) -> InSpace:
+    def in_space(iterations: int, slop: float | None, _: float = 0.0) -> InSpace:
         space, bodies = twin_of(make(), iterations=iterations)
         if slop is not None:
             space.collision_slop = slop
         return space, bodies[fixed:]
 
-    def touching(iterations: int) -> InSpace:
+    def touching(iterations: int, _: float) -> InSpace:
         """Create slightly larger spheres in pymunk, so that all of them touch at the start."""
         space, bodies = in_space(iterations, 1e-8)
         for shape in space.shapes:
@@ -152,15 +152,15 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         Model(IMPULSES, partial(ours, IMPULSES), STEPS[:8]),
         Model(SMALL, partial(ours, SMALL), STEPS[:8]),
         asleep(sleeping, FRAMES),
-        by_pymunk(EXAMPLES, lambda _: in_space(), FRAMES, units=units),
+        by_pymunk(EXAMPLES, partial(in_space, 10, None), FRAMES, units=units),
         *(
-            by_pymunk(at_best(count), lambda _, n=count: in_space(n, 0.0), FRAMES, units=units)
+            by_pymunk(at_best(count), partial(in_space, count, 0.0), FRAMES, units=units)
             for count in (3, 10, 30, 100)
         ),
         *(
             by_pymunk(
                 f"{BEST}, {count:,} iterations in the first step",
-                lambda _, n=count: touching(n),
+                partial(touching, count),
                 FRAMES,
                 (1,),
                 first_step,
@@ -168,7 +168,7 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
             )
             for count in first
         ),
-        asleep_in_pymunk(partial(in_space, 1), FRAMES),
+        asleep_in_pymunk(partial(in_space, 1, None), FRAMES),
     ]
     return Scene(name, FRAMES, spheres.DIAMETER, lambda _: moving, models, COUNTED)
 
@@ -196,4 +196,9 @@ def pile() -> Scene:
     return resting("pile of 45 spheres", make, (1000,), fixed=10)
 
 
-MANY_BODIES = [falling, partial(stack, 1.0), partial(stack, 1000.0), pile]
+MANY_BODIES: list[Callable[[], Scene]] = [
+    falling,
+    partial(stack, 1.0),
+    partial(stack, 1000.0),
+    pile,
+]

@@ -66,7 +66,7 @@ class Chain:
         places = [(0.0, 0.0, 0.0), *(numbers(particle.position) for particle in particles)]
         return [math.dist(a, b) - self.length for a, b in pairwise(places)]
 
-    def place(self, angles: Sequence[float]) -> tuple[float, ...]:
+    def place(self, angles: Sequence[Any]) -> tuple[float, ...]:
         """Compute x and y of all particles, one after the other, from the angles of the rods."""
         parts, x, y = [], 0.0, 0.0
         for angle in angles:

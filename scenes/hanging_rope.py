@@ -1,6 +1,6 @@
 """A rope that hangs between two nails at height 0, as particles of 1 kg between equal links.
 
-At rest, its shape is known exactly. With infinitely many links, it would be a catenary.
+Its shape at rest is known exactly. With infinitely many links, it would be a catenary.
 """
 
 from __future__ import annotations
@@ -30,8 +30,7 @@ Place = tuple[float, float]
 class Hanging:
     """The final shape of a hanging rope, with its sag and its excess length in m.
 
-    ``work`` is the number of contacts that were resolved in the simulation. For a DirectChain, it
-    is the number of rod forces that were computed.
+    ``work`` is the number of contacts resolved or, for a DirectChain, of rod forces computed.
     """
 
     places: list[Place]
@@ -40,22 +39,17 @@ class Hanging:
     work: int
 
 
-def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the parameter a, in m, of the catenary y = a cosh(x / a) that a rope forms."""
-    return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
-
-
-def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the exact sag in m of a rope with infinitely many links."""
-    a = catenary_radius(span, length)
-    return a * (math.cosh(0.5 * span / a) - 1.0)
+def catenary(span: float = SPAN, length: float = LENGTH) -> Callable[[float], float]:
+    """Return the height in m of a rope with infinitely many links, by the distance from a nail."""
+    a = _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
+    return lambda x: a * (math.cosh((x - 0.5 * span) / a) - math.cosh(0.5 * span / a))
 
 
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
     """Compute the exact positions of a rope's particles at rest.
 
-    The horizontal pull is the same in every link. The vertical pull changes by the weight of one
-    particle from link to link, so the slopes are evenly spaced.
+    All links have the same horizontal pull. From link to link, the vertical pull changes by the
+    weight of a particle, so the slopes are evenly spaced.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link
@@ -77,20 +71,12 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
     return -min(y for _, y in polygon(links, span, length))
 
 
-def straight_v(links: int) -> list[Place]:
-    """Compute the positions of a rope's particles when its middle is pulled straight down."""
-    depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
-    shares = [i / links for i in range(links + 1)]
-    return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
-
-
 def hang_by_rods(
     links: int, substeps: int, seconds: float, resolver: ContactResolver | None = None
 ) -> Hanging:
-    """Simulate a rope of TwoSidedRods that starts in its exact shape, so it should not sag further.
+    """Simulate a rope of TwoSidedRods from its exact shape, in ``substeps`` steps per frame.
 
-    There are ``substeps`` steps per frame. If ``resolver`` is None, the world's own ContactResolver
-    resolves the contacts.
+    If ``resolver`` is None, the world's own ContactResolver resolves the contacts.
     """
     particles = _particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -104,11 +90,8 @@ def hang_by_rods(
 
 
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
-    """Simulate a rope with a DirectChain, which keeps the length of every link.
-
-    It starts in its exact shape or, if ``from_v`` is true, in the shape of a V.
-    """
-    particles = _particles(straight_v(links) if from_v else polygon(links))
+    """Simulate a rope as a DirectChain, from its exact shape or from the shape of a V."""
+    particles = _particles(_straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)
     steps = round(seconds * rate)
     for _ in range(steps):
@@ -116,8 +99,15 @@ def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = F
     return _measured(particles, steps * links)
 
 
+def _straight_v(links: int) -> list[Place]:
+    """Compute the positions of a rope's particles when its middle is pulled straight down."""
+    depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
+    shares = [i / links for i in range(links + 1)]
+    return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
+
+
 def _particles(places: list[Place]) -> list[Particle]:
-    """Create the particles of a rope. The first and the last are nails, which cannot move."""
+    """Create the particles of a rope. The first and the last one cannot move."""
     particles = [Particle(Vector3(*place), None, GRAVITY, damping=DAMPING) for place in places]
     particles[0].mass = particles[-1].mass = math.inf
     return particles

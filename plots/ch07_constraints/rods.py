@@ -17,21 +17,19 @@ from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Pict
 from scenes.chain import Chain, Link
 from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS
-from scenes.readings import Numbers, numbers, written
+from scenes.readings import numbers, written
 from scenes.resolving import by_resolver, resolving
-from scenes.track import Track, track
+from scenes.setup import Setup
+from scenes.track import Move, Track, tracks
 
 LINKS, LINK = 25, 0.1  # rods of a rope, and their length in m
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot the length error of a rope made of rods over time, for each simulation method.
-
-    The rope is released at 30 degrees from the vertical.
-    """
+    """Plot the length error of a swinging rope of rods over time, for each simulation method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
-    frames = 120
+    rope, frames = Chain([1.0] * LINKS, LINK, math.radians(30.0)), 120
     methods: dict[str, tuple[Link | None, int | None, int, str]] = {
         "Rod": (Rod, None, 1, RED),
         "Rod, 10 times the iterations": (Rod, 20, 1, ORANGE),
@@ -42,7 +40,7 @@ def rope_by_method() -> Picture:
     }
     found = written(
         {
-            name: partial(stretch, LINKS, link, frames, iterations, substeps, 30.0)
+            name: partial(stretch, rope, link, frames, iterations, substeps)
             for name, (link, iterations, substeps, _) in methods.items()
         }
     )
@@ -72,10 +70,7 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """Plot the largest length error of a rod in a hanging chain against the number of rods.
-
-    Each curve is for a different number of iterations or substeps.
-    """
+    """Plot the largest length error of a rod in a hanging chain against the number of rods."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
     panels[0].set(yscale="log", ylim=(5e-11, 10.0))  # a wrong engine may have no finite error
     # Cases that take longer than all other cases together are left out.
@@ -88,7 +83,9 @@ def rods_hold() -> Picture:
     }
     found = written(
         {
-            (kind, way, count): partial(stretch, count, KINDS[kind], 120, iterations, substeps)
+            (kind, way, count): partial(
+                stretch, Chain([1.0] * count, LINK), KINDS[kind], 120, iterations, substeps
+            )
             for kind in KINDS
             for way, (iterations, substeps, most, _) in ways.items()
             for count in (1, 3, 10, 30)
@@ -110,7 +107,7 @@ def rods_hold() -> Picture:
         axes.axhline(LINK, color=GRAY, lw=1, ls=":")
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
-        axes.set(xlabel="number of rods in the chain, 0.1 m each (dotted)")
+        axes.set_xlabel("number of rods in the chain, 0.1 m each (dotted)")
         axes.grid(alpha=0.3)
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize=8)
@@ -143,79 +140,58 @@ def pendulum_energy() -> Picture:
         f"order of the legend:\n{', '.join(words)}",
         fontsize=11,
     )
-    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J")
-    axes.set_ylim(bottom=0.0)
+    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J", ylim=(0.0, None))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
-    notes = [
-        f"{name}, {rate} Hz: {run.message}" for (name, rate), run in found.items() if run.message
-    ]
-    tell(figure, notes)
+    tell(figure, [f"{key}: {run.message}" for key, run in found.items() if run.message])
     return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)
 
 
 def stretch(
-    count: int,
-    link: Link | None,
-    frames: int,
-    iterations: int | None = None,
-    substeps: int = 1,
-    degrees: float = 0.0,
+    chain: Chain, link: Link | None, frames: int, iterations: int | None = None, substeps: int = 1
 ) -> tuple[Track, Track]:
-    """Release a chain of ``count`` rods, and record how far their lengths are off over time.
+    """Release a chain of rods, or a DirectChain if ``link`` is None, and record how it stretches.
 
-    ``link`` is the class of the rods, or None for a DirectChain. The resolver makes ``iterations``
-    iterations per contact, or 2 by default.
-
-    Returns:
-        Two values over time. The first one is the excess length of the whole chain. The second one
-        is the largest error in the length of a single rod, whether it is too long or too short.
+    Return the excess length of the whole chain over time, and the largest error in the length of a
+    rod. The resolver makes ``iterations`` iterations per contact, or 2 by default.
     """
-    chain = Chain([1.0] * count, LINK, math.radians(degrees))
     setup = chain.setup(link)
-    if link:
-        resolve = by_resolver(iterations)
-        move = resolving(
-            semi_implicit_euler, setup.particles, setup.contacts, resolve, substeps=substeps
-        )
-    else:
-        move = DirectChain(setup.particles, Vector3()).step
-    worst = []
+    move = moving(setup, link and semi_implicit_euler, iterations, substeps)
 
-    def measure() -> float:
-        off = chain.excess(setup.particles)
-        worst.append(max(map(abs, off)))
-        return math.fsum(off)
+    def off() -> list[float]:
+        return chain.excess(setup.particles)
 
-    run = track(move, measure, frames)
-    return run, Track(run.times, worst[: len(run.times)], run.message)
+    whole, worst = tracks(move, [lambda: math.fsum(off()), lambda: max(map(abs, off()))], frames)
+    return whole, worst
 
 
 def energy(step: Integrator | None, rate: int) -> Track:
     """Release a pendulum of 1 kg and 1 m from horizontal, and record its energy in J for 10 s.
 
-    The energy is relative to the lowest point, so it starts at 10 J. If ``step`` is None, the
-    pendulum is a DirectChain, which stores the velocity halfway between two positions. The energy
-    at a position is then that of the mean of the velocities before and after it.
+    The energy is relative to the lowest point. If ``step`` is None, the pendulum is a DirectChain.
     """
     pendulum = Chain([1.0], 1.0, 0.5 * math.pi)
     setup = pendulum.setup()
     (bob,) = setup.particles
-    states: list[tuple[float, Numbers]] = []
+    measures = [
+        lambda: numbers(bob.position)[1],
+        lambda: numbers(bob.velocity)[0],
+        lambda: numbers(bob.velocity)[1],
+    ]
+    y, *parts = tracks(moving(setup, step), measures, 10 * rate, 1.0 / rate)
+    velocities = [complex(*pair) for pair in zip(*(part.values for part in parts), strict=True)]
+    if not step:  # a DirectChain has velocities halfway between two positions
+        velocities[1:] = [0.5 * (v + w) for v, w in pairwise(velocities[1:])]
+    pairs = zip(y.values, velocities, strict=False)
+    energies = [pendulum.gravity * (1.0 + height) + 0.5 * abs(v) ** 2 for height, v in pairs]
+    return Track(y.times[: len(energies)], energies, y.message)
 
-    def energy_of(height: float, velocity: Sequence[float]) -> float:
-        return pendulum.gravity * (1.0 + height) + 0.5 * math.fsum(v * v for v in velocity)
 
-    def measure() -> float:
-        states.append((numbers(bob.position)[1], numbers(bob.velocity)))
-        return energy_of(*states[-1])
-
-    if step is not None:
-        move = resolving(step, setup.particles, setup.contacts, by_resolver())
-        return track(move, measure, 10 * rate, 1.0 / rate)
-    run = track(DirectChain([bob], Vector3()).step, measure, 10 * rate, 1.0 / rate)
-    energies = run.values[:1]
-    for (height, before), (_, after) in pairwise(states[1:]):
-        middle = [0.5 * (v + w) for v, w in zip(before, after, strict=True)]
-        energies.append(energy_of(height, middle))
-    return Track(run.times[: len(energies)], energies[: len(run.times)], run.message)
+def moving(
+    setup: Setup, step: Integrator | None, iterations: int | None = None, substeps: int = 1
+) -> Move:
+    """Return what moves a chain: an integrator and a resolver, or DirectChain if there is none."""
+    if not step:
+        return DirectChain(setup.particles, Vector3()).step
+    resolve = by_resolver(iterations)
+    return resolving(step, setup.particles, setup.contacts, resolve, substeps=substeps)

@@ -19,10 +19,7 @@ METHODS = {"one step": "red", "substeps": "blue", "DirectChain": "green"}
 
 
 class Ropes(Scene):
-    """A scene of three copies of a rope of rods, each simulated with a different method.
-
-    A rope should not stretch, so the picture shows the excess length of each copy.
-    """
+    """Three copies of a rope that should not stretch, each simulated with another method."""
 
     chapter = 7
     title = "One rope, three methods"
@@ -55,7 +52,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Compute the excess length of rope ``i`` in m, added up over all of its rods."""
+        """Add up the excess lengths of all rods of rope ``i``, in m."""
         return math.fsum(self.rope.excess(self.setups[i].particles))
 
     def draw(self, pen: Pen) -> None:

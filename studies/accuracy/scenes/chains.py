@@ -11,7 +11,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import numpy
 from scipy.special import ellipj  # type: ignore[import-untyped]
@@ -76,8 +75,8 @@ def pendulum() -> Scene:
         return bob.step, lambda: flat([bob.position])
 
     _, *others = models_of(chain, frames, STEPS, 1)  # by_angle replaces the first one
-    models = [by_angles("by its angle", by_angle, frames), *others]
-    return Scene("pendulum from horizontal", frames, 1.0, truth, models, COUNTED)
+    first = counted("by its angle, Runge-Kutta 4", by_angle, frames, 4, is_formula=True)
+    return Scene("pendulum from horizontal", frames, 1.0, truth, [first, *others], COUNTED)
 
 
 def double_pendulum() -> Scene:
@@ -88,10 +87,8 @@ def double_pendulum() -> Scene:
         bobs = DoublePendulum([1.0, 1.0], chain.masses, [chain.angle] * 2, gravity=G)
         return bobs.step, lambda: flat(bobs.positions)
 
-    models = [
-        by_angles("by its two angles", by_two_angles, frames),
-        *models_of(chain, frames, STEPS, 2, 10),
-    ]
+    first = counted("by its two angles, Runge-Kutta 4", by_two_angles, frames, 4, is_formula=True)
+    models = [first, *models_of(chain, frames, STEPS, 2, 10)]
     return Scene("double pendulum", frames, 1.0, exact(chain, frames), models, COUNTED)
 
 
@@ -105,7 +102,7 @@ def heavy_tip() -> Scene:
 def rope() -> Scene:
     """Create the scene of a rope of thirty rods of 0.1 m and 0.1 kg, which swings for 1 s."""
     chain, frames, steps = Chain([0.1] * 30, 0.1, math.radians(30.0)), 60, STEPS[:6]
-    run = partial(by_resolver, partial(chain.setup, TwoSidedRod), semi_implicit_euler, frames)
+    run = partial(by_resolver, partial(chain.setup, TwoSidedRod), frames, semi_implicit_euler)
     models = models_of(chain, frames, steps, 100, 300)
     models.append(Model("semi-implicit Euler, two-sided rods", run, steps))
     return Scene("rope of 30 links", frames, 3.0, exact(chain, frames), models, COUNTED)
@@ -154,43 +151,41 @@ def models_of(chain: Chain, frames: int, steps: Sequence[int], *iterations: int)
     high = in_plane(angles, still, accelerations, frames, is_damped=count > 1, place=chain.place)
     start = [complex(body.position.x, body.position.y) for body in chain.particles()]
     rods = accelerations_on_rods(chain.masses, lengths, chain.gravity)
-    rods_by = [("explicit Euler", explicit_euler, "the book")]
-    rods_by.append(("semi-implicit Euler", semi_implicit_euler, "ours"))
+    resolved = partial(by_resolver, chain.setup, frames)
     best = [by_pymunk(at_best(n), ahead(chain, n), frames) for n in iterations]
     return [
-        replace(by_angles("by its angles", angled, frames, count), steps=steps),
+        counted("by its angles, Runge-Kutta 4", angled, frames, 4 * count, steps, is_formula=True),
         *(replace(one, name=f"by its angles, {one.name}", is_formula=True) for one in high),
         *in_plane(start, [0j] * count, rods, frames, is_damped=True),
-        Model("rods as forces, Runge-Kutta 4", counted(tense, frames, 4 * count), steps),
-        Model("direct chain", counted(direct, frames, count), steps),
-        *(
-            Model(f"{name}, rods", partial(by_resolver, chain.setup, step, frames), steps, by)
-            for name, step, by in rods_by
-        ),
+        counted("rods as forces, Runge-Kutta 4", tense, frames, 4 * count, steps),
+        counted("direct chain", direct, frames, count, steps),
+        Model("explicit Euler, rods", partial(resolved, explicit_euler), steps, "the book"),
+        Model("semi-implicit Euler, rods", partial(resolved, semi_implicit_euler), steps),
         by_pymunk(EXAMPLES, lambda _: twin_of(chain.setup()), frames),
         *best,
         *map(from_two_runs, best),
     ]
 
 
-def by_angles(name: str, make: Callable[[], Made], frames: int, count: int = 1) -> Model:
-    """Create a model that steps the angles of ``count`` rods with Runge-Kutta 4."""
-    run = counted(make, frames, 4 * count)
-    return Model(f"{name}, Runge-Kutta 4", run, is_formula=True)
+def counted(
+    name: str,
+    make: Callable[[], Made],
+    frames: int,
+    units: int,
+    steps: Sequence[int] = STEPS,
+    is_formula: bool = False,
+) -> Model:
+    """Create a model in which each step counts as ``units`` of work."""
 
-
-def counted(make: Callable[[], Made], frames: int, units: int) -> Callable[[int], Outcome]:
-    """Return a simulation in which each step counts as ``units`` of work."""
-
-    def run(steps: int) -> Outcome:
+    def run(count: int) -> Outcome:
         step, place = make()
-        return Outcome(in_frames(step, place, frames, steps), units * frames * steps)
+        return Outcome(in_frames(step, place, frames, count), units * frames * count)
 
-    return run
+    return Model(name, run, steps, is_formula=is_formula)
 
 
 def by_resolver(
-    make: Callable[[], Setup], integrator: Integrator, frames: int, steps: int
+    make: Callable[[], Setup], frames: int, integrator: Integrator, steps: int
 ) -> Outcome:
     """Simulate a chain with an integrator, and resolve its contacts after each step."""
     setup, resolver, work = make(), ContactResolver(), 0
@@ -209,8 +204,7 @@ def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
     count = len(chain.masses)
     turning = chain.rates(0.0, numpy.array([chain.angle] * count + [0.0] * count))[count:]
     along, up = math.cos(chain.angle), math.sin(chain.angle)
-    gains: list[Any] = [*numpy.cumsum(turning * chain.length)]
-    first = [(float(gain * along), float(gain * up)) for gain in gains]
+    first = [(float(v * along), float(v * up)) for v in numpy.cumsum(turning * chain.length)]
 
     def make(duration: float) -> InSpace:
         space, bodies = twin_of(chain.setup(), iterations=iterations)

@@ -96,7 +96,11 @@ def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(chapter: Ch
 
 
 @pytest.mark.parametrize(
-    "folder", ["autograder", "chapters", "sample_class", "solutions", "studies", "tests", "web"]
+    "folder",
+    [
+        *("autograder", "chapters", "plots", "sample_class", "scenes"),
+        *("solutions", "studies", "tests", "web"),
+    ],
 )
 def test_no_module_is_too_long_to_be_read_at_once(folder: str) -> None:
     most = 400 if folder == "tests" else 300

@@ -84,7 +84,7 @@ def test_a_command_that_may_not_write_says_what_to_do(
 
 
 def test_a_study_that_cannot_write_is_a_sentence() -> None:
-    done = typed("studies", "figures", "--out", "LICENSE/a")
+    done = typed("plots", "figures", "--out", "LICENSE/a")
     assert done.returncode == 2
     assert done.stderr.startswith("figures: [Errno 20] Not a directory: 'LICENSE/a")
     assert len(done.stderr.splitlines()) == 1

@@ -45,7 +45,7 @@ def test_no_name_in_a_roster_stops_the_class(
 def test_every_console_prints_texts_as_they_are() -> None:
     made = [
         path.name
-        for folder in ("autograder", "lab", "studies", "web")
+        for folder in ("autograder", "lab", "plots", "scenes", "studies", "web")
         for path in (ROOT / folder).rglob("*.py")
         if "node_modules" not in path.parts and "Console(" in path.read_text(encoding="utf-8")
     ]

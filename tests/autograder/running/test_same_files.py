@@ -77,7 +77,7 @@ def test_scenes_plots_and_recordings_reject_what_the_grader_rejects(
     ]
     load = '{"kind": "load", "scene": "one-spring", "values": {}, "peer": ""}\n'
     for arguments, text in (
-        (("studies", "plot", "--chapter", "2", "--out", tmp_path / "plots"), ""),
+        (("plots", "draw", "--chapter", "2", "--out", tmp_path / "plots"), ""),
         (("lab", "record", "ball-game", "--out", tmp_path), ""),
         (("lab.child", "--stack", tmp_path / "stack.txt"), load),
     ):

@@ -229,7 +229,7 @@ def test_a_plot_and_a_scene_refuse_what_a_check_refuses(tmp_path: Path) -> None:
     vector.write_text(
         source.replace("import math\n", "import math\nimport numpy\n"), encoding="utf-8"
     )
-    for arguments in (["studies", "plot", "--chapter", "2"], ["lab", "record", "ball-game"]):
+    for arguments in (["plots", "draw", "--chapter", "2"], ["lab", "record", "ball-game"]):
         done = typed(*arguments, "--engine", tmp_path)
         assert "No module named 'numpy' (" in done.stdout
         assert "vector.py, line" in done.stdout

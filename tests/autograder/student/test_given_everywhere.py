@@ -26,7 +26,7 @@ def engine(tmp_path: Path) -> str:
 
 
 def test_plots_are_drawn_on_what_is_given(engine: str, tmp_path: Path) -> None:
-    own = ("studies", "plot", "--engine", engine, "--out", str(tmp_path / "out"), "--chapter", "3")
+    own = ("plots", "draw", "--engine", engine, "--out", str(tmp_path / "out"), "--chapter", "3")
     before = run(*own)
     assert before.returncode == 1
     assert "not drawn" in before.stdout
@@ -60,7 +60,7 @@ def test_an_exercise_above_what_is_given_has_its_hints() -> None:
     )
 
 
-@pytest.mark.parametrize("command", [("studies", "plot"), ("lab", "record", "ballistics")])
+@pytest.mark.parametrize("command", [("plots", "draw"), ("lab", "record", "ballistics")])
 def test_what_cannot_be_given_is_one_sentence(command: tuple[str, ...]) -> None:
     refused = run(*command, "--given", "19")
     assert refused.returncode == 2

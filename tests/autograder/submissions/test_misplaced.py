@@ -78,7 +78,7 @@ def test_no_other_file_of_a_handout_is_taken_for_a_students_work(
     hand_in: HandIn, tmp_path: Path
 ) -> None:
     """Students may hand in their whole handout, with its own code."""
-    for name in ("studies", "lab", "tests/shared"):
+    for name in ("scenes", "plots", "lab", "tests/shared"):
         copy_tree(ROOT / name, tmp_path / "handout" / name)
     files = [path for path in (tmp_path / "handout").rglob("*.py") if path.is_file()]
     made = hand_in({str(path.relative_to(tmp_path)): b"" for path in files})

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from autograder.definitions import functions
-from autograder.handouts.handout import make_handout
+from autograder.handouts.handout import KEPT, make_handout
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from copies import copy_tree
 from graded import points_of
@@ -115,9 +115,8 @@ def assert_has_no_body_of_the_reference(handout: Path, chapter: Chapter) -> None
     for file in chapter.edited_files:
         source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
         defined = functions(ast.parse(source))
-        texts = [
-            path.read_text(encoding="utf-8") for path in handout.glob(f"*/{chapter.name}/{file}")
-        ]
+        copies = (handout / folder / chapter.name / file for folder in ("chapters", KEPT))
+        texts = [path.read_text(encoding="utf-8") for path in copies if path.is_file()]
         assert len(texts) == 2, "one to edit, and one for make reset"
         there = {line.strip() for text in texts for line in text.splitlines()}
         for edit in [edit for exercise in chapter.exercises for edit in exercise.edit]:
@@ -150,7 +149,7 @@ def test_a_link_to_a_later_lesson_is_plain_text(tmp_path: Path) -> None:
 def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
     """A later chapter is handed out together with chapter 2, which is given."""
     root = tmp_path / "root"
-    for folder in ("chapters", "solutions", "tests", "autograder", "studies"):
+    for folder in ("chapters", "solutions", "tests", "autograder", "scenes"):
         copy_tree(ROOT / folder, root / folder)
     for name in ["Makefile", "pyproject.toml", "requirements.lock", "LICENSE", ".gitignore"]:
         shutil.copyfile(ROOT / name, root / name)
@@ -184,7 +183,7 @@ def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> No
     second = ROOT / "sample_class/ada/ch03_laws_of_motion"
     copy_tree(second, out / "chapters/ch03_laws_of_motion")
     assert f"{points_of(CH03)} of {points_of(CH03)} points" in check(out, "--chapter", "3").stdout
-    command = [sys.executable, "-P", "-m", "studies", "plot", "--chapter", "3"]
+    command = [sys.executable, "-P", "-m", "plots", "draw", "--chapter", "3"]
     environment = {"PYTHONPATH": ".", "MPLBACKEND": "Agg", "SYSTEMROOT": "C:\\Windows"}
     drawn = subprocess.run(
         command, cwd=out, env=environment, capture_output=True, encoding="utf-8", check=False

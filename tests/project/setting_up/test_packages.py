@@ -31,7 +31,7 @@ WANTED = {
     "teaching": [*STUDENTS, *GROUPS["teaching"]],
     "everything": ALL,
 }
-OURS = ("autograder", "lab", "studies", "web")
+OURS = ("autograder", "lab", "plots", "scenes", "studies", "web")
 needs_make = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 
 
@@ -130,7 +130,7 @@ def reached(roots: Iterable[Path], root: Path = ROOT) -> list[Path]:
 def test_students_install_what_their_commands_import_and_no_more(handout: Path) -> None:
     """The files for pictures are those that only plot and demo import."""
     drawing = {handout / "lab/play.py", handout / "plots/draw.py", handout / "plots/drawing.py"}
-    drawing |= {handout / "lab/__main__.py", handout / "studies/__main__.py"}
+    drawing |= {handout / "lab/__main__.py", handout / "plots/__main__.py"}
     roots = [*handout.glob("autograder/**/*.py"), *handout.glob("tests/**/*.py")]
     roots += [*handout.glob("chapters/**/*.py"), *handout.glob("lab/scenes/**/*.py")]
     roots += [handout / "lab/server.py", handout / "lab/child.py"]

@@ -73,7 +73,7 @@ def test_the_students_tools_call_nothing_that_windows_lacks(tmp_path: Path) -> N
 
 def test_every_text_file_says_its_encoding() -> None:
     """The default is not UTF-8 on Windows. Hostile submissions run only on Linux."""
-    for folder in ("autograder", "studies", "chapters", "solutions", "tests"):
+    for folder in ("autograder", "plots", "scenes", "studies", "chapters", "solutions", "tests"):
         for file in (ROOT / folder).rglob("*.py"):
             if "hostile" in file.relative_to(ROOT).parent.parent.parts:
                 continue
@@ -175,7 +175,7 @@ def test_a_console_that_lacks_a_character_stops_no_plot(tmp_path: Path) -> None:
     wrong.write_text("raise ValueError('\u221e meters')\n", encoding="utf-8")
     options = ("--chapter", "2", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
     drawn = run(
-        sys.executable, "-m", "studies", "plot", *options, PYTHONIOENCODING="cp1252", PYTHONUTF8="0"
+        sys.executable, "-m", "plots", "draw", *options, PYTHONIOENCODING="cp1252", PYTHONUTF8="0"
     )
     assert drawn.stdout.startswith("chapter 2 cannot be drawn: ValueError: ? meters ("), drawn
 

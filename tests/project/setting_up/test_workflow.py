@@ -16,7 +16,7 @@ JOBS = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="ut
 STEPS = [step for job in JOBS.values() for step in job["steps"]]
 LINES = [line for step in STEPS for line in step.get("run", "").splitlines()]
 PAGES = yaml.safe_load((ROOT / ".github/workflows/pages.yml").read_text(encoding="utf-8"))["jobs"]
-COMMANDS = re.findall(r"-m (autograder|studies|lab) (\w+)(.*)", "\n".join(LINES))
+COMMANDS = re.findall(r"-m (autograder|plots|lab) (\w+)(.*)", "\n".join(LINES))
 
 
 def test_it_runs_on_three_systems_with_the_pythons_of_the_readme() -> None:
@@ -54,7 +54,7 @@ def test_the_site_is_published_as_the_make_command_builds_it() -> None:
 
 
 def test_students_systems_run_each_of_their_commands() -> None:
-    assert {name for _, name, _ in COMMANDS} == {"check", "hint", "reset", "plot", "record"}
+    assert {name for _, name, _ in COMMANDS} == {"check", "hint", "reset", "draw", "record"}
     assert "python autograder/make_venv.py" in LINES
     assert (ROOT / "autograder/make_venv.py").is_file()
     assert not any(

@@ -143,7 +143,8 @@ def pendulum_energy() -> Picture:
     axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J", ylim=(0.0, None))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
-    tell(figure, [f"{key}: {run.message}" for key, run in found.items() if run.message])
+    stopped = {f"{name}, {rate} Hz": run.message for (name, rate), run in found.items()}
+    tell(figure, [f"{key}: {message}" for key, message in stopped.items() if message])
     return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)
 
 

@@ -22,7 +22,6 @@ from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import restitution_of_drop, table_of_drops
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from plots.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
-from scenes.clock import FRAME
 from scenes.dropped_balls import DroppedBalls
 from scenes.integrators import INTEGRATORS
 from scenes.readings import number, numbers, written
@@ -75,23 +74,17 @@ def ball(
 
 
 def without_rule(contacts: list[Contact], duration: float) -> None:
-    """Resolve contacts without the engine's rule for resting contacts.
-
-    The velocity that gravity adds in a time step then bounces, too.
-    """
+    """Resolve contacts without the engine's rule, so that what gravity adds bounces, too."""
     del duration
     for contact in contacts:
         contact.resolve_velocity()
         contact.resolve_penetration()
 
 
-def no_bounce_below(contacts: list[Contact], duration: float, speed: float = 1.0) -> None:
-    """Resolve contacts without a bounce if they close slower than ``speed`` in m/s.
-
-    This is stricter than the engine's rule for resting contacts.
-    """
+def no_slow_bounce(contacts: list[Contact], duration: float) -> None:
+    """Resolve contacts without a bounce if they close slower than 1 m/s, a stricter rule."""
     for contact in contacts:
-        if contact.separating_velocity() > -speed:
+        if contact.separating_velocity() > -1.0:
             contact.restitution = 0.0
         contact.resolve(duration)
 
@@ -99,13 +92,9 @@ def no_bounce_below(contacts: list[Contact], duration: float, speed: float = 1.0
 def bounce_heights() -> Picture:
     """Plot the height of a ball dropped from 2 m over time, with restitution 1 and with 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
-    found = written(
-        {
-            (name, c): partial(ball, name, HEIGHT, c, round(seconds / FRAME))
-            for c, seconds in ((1.0, 20.0), (0.5, 2.5))
-            for name in COLORS
-        }
-    )
+    runs = {(name, 1.0): partial(ball, name, HEIGHT, 1.0, 1200) for name in COLORS}
+    runs |= {(name, 0.5): partial(ball, name, HEIGHT, 0.5, 150) for name in COLORS}
+    found = written(runs)
     words, ends = [], []
     for (name, c), run in found.items():
         axes = left if c == 1.0 else right
@@ -186,7 +175,7 @@ def resting_jitter() -> Picture:
                 ("time division", "", None),
                 ("explicit Euler", ", resting rule", None),
                 ("semi-implicit Euler", ", resting rule", None),
-                ("semi-implicit Euler", ", no bounce below 1 m/s", no_bounce_below),
+                ("semi-implicit Euler", ", no bounce below 1 m/s", no_slow_bounce),
             )
         }
     )

@@ -8,9 +8,8 @@ solver:
 - For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
   point.
 
-The top sphere of a stack, or the weight at the end of a rope, may be heavier than the other bodies,
-which have 1 kg. The mass ratio is that of the heavy body to another. The work of a solver is its
-number of time steps.
+The top sphere of a stack, or the weight at the end of a rope, may be heavier than the other bodies.
+The mass ratio is that of the two. The work of a solver is its number of time steps.
 """
 
 from __future__ import annotations

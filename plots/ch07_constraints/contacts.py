@@ -16,7 +16,6 @@ from matplotlib import pyplot
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
-from ch07_constraints.detectors import Detectors
 from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
 from scenes.clock import FRAME
 from scenes.readings import number, numbers, written
@@ -117,8 +116,8 @@ def sinking(count: int, iterations: int | None) -> list[Track]:
     The limit of ``iterations`` per contact is 2 by default.
     """
     setup = stack(count)
-    spheres, detector = setup.particles, Detectors(*setup.contacts)
-    move = resolving(semi_implicit_euler, spheres, [detector], by_resolver(iterations))
+    spheres = setup.particles
+    move = resolving(semi_implicit_euler, spheres, setup.contacts, by_resolver(iterations))
 
     def heights() -> list[float]:
         return [numbers(sphere.position)[1] for sphere in spheres]
@@ -129,13 +128,13 @@ def sinking(count: int, iterations: int | None) -> list[Track]:
 def falling_pile() -> tuple[list[Particle], list[Contact]]:
     """Create a pyramid of four rows of spheres that hits the ground at 1 m/s, and its contacts.
 
-    Neighbors overlap by 1 % of the diameter, and so do the lowest spheres and the ground.
+    Neighbors overlap by 1 % of the diameter, and the lowest spheres and the ground by half of it.
     """
     spheres = at(pyramid(4, 0.99 * DIAMETER), 0.0)
     for sphere in spheres:
         sphere.position.y += 0.99 * RADIUS
         sphere.velocity.y = -1.0
-    return spheres, Detectors(*touching(spheres)).contacts()
+    return spheres, [contact for detector in touching(spheres) for contact in detector.contacts()]
 
 
 def residuals(iterations: int, in_order: bool) -> tuple[float, float]:
@@ -157,7 +156,8 @@ def residuals(iterations: int, in_order: bool) -> tuple[float, float]:
     # Use positions only, because the contacts' own depths may be outdated (E-8).
     depths = [RADIUS - place[1] for place in places]
     depths += [DIAMETER - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
-    return max(0.0, *map(_closing, contacts)), max(0.0, *depths)
+    closing = max(map(_closing, contacts), default=math.nan)
+    return max(closing, 0.0), max(0.0, *depths)
 
 
 def _sweep(contacts: list[Contact], limit: int, error: Error, least: float, resolve: Act) -> None:

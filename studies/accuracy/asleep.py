@@ -17,10 +17,7 @@ from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 def asleep(
     make: Callable[[], tuple[SleepingWorld, list[Particle]]], frames: int, name: str = "asleep"
 ) -> Model:
-    """Create a model in which all particles sleep.
-
-    ``make`` creates the world, whose particles sleep, and returns it with those to be compared.
-    """
+    """Create a model from a world in which all particles sleep, and those to be compared."""
 
     def run(_: int) -> Outcome:
         world, particles = make()

@@ -16,9 +16,9 @@ from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from scenes.clock import FRAME
-from scenes.constraints import GRAVITY
 from scenes.hanging_rope import hang_by_direct_chain, hang_by_rods, polygon_sag
 from scenes.resolving import no_forces
+from scenes.spheres import GRAVITY
 from scenes.timing import Measurement, Target, timer, versus
 from studies.models.heap_resolver import HeapResolver
 

@@ -26,10 +26,10 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
 from ch07_constraints.links import Rod, TwoSidedRod
 from lessons.lesson import agrees
+from plots.ch07_constraints.bounces import without_rule
+from plots.ch07_constraints.contacts import sinking
 from plots.ch07_constraints.rods import energy, stretch
 from scenes.chain import Chain, Link
-from scenes.constraints import without_rule
-from scenes.piles import stack
 from scenes.resolving import Resolve, no_forces
 from scenes.track import track
 from studies.accuracy.scenes.chains import double_pendulum
@@ -81,7 +81,7 @@ def moves_until(gravity: float) -> float:
 
 def sinks(count: int, iterations: int | None) -> float:
     """Return how deep the spheres of a stack overlap within 2 s, in percent of a diameter."""
-    return 100 * max(stack(count, iterations, 120)[1].values)
+    return 100 * max(sinking(count, iterations)[1].values)
 
 
 def wrong_by(count: int, link: Link, substeps: int = 1) -> float:

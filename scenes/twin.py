@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import pymunk
 
 WIDE = 1000.0  # m, half the width of the ground, and more than the length of any strut
+THICK = 1.0  # m, half the thickness of the ground, so that no body is below it after a step
 InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
@@ -132,7 +133,8 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
             ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
             space.add(pymunk.SlideJoint(*ends, length, WIDE))
         case GroundPlane(particles=particles, height=height, radius=radius):
-            floor = pymunk.Segment(space.static_body, (-WIDE, height), (WIDE, height), 0.0)
+            low = height - THICK
+            floor = pymunk.Segment(space.static_body, (-WIDE, low), (WIDE, low), THICK)
             floor.elasticity = 1.0
             space.add(floor)
             _add_spheres(space, bodies, particles, radius, generator.restitution)

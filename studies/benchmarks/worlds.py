@@ -13,8 +13,9 @@ from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from scenes.clock import FRAME
-from scenes.constraints import GRAVITY, no_forces
-from scenes.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
+from scenes.hanging_rope import hang_by_direct_chain, hang_by_rods, polygon_sag
+from scenes.resolving import no_forces
+from scenes.spheres import GRAVITY
 from scenes.timing import Measurement, Target, timer, versus
 from studies.models.heap_resolver import HeapResolver
 
@@ -69,7 +70,7 @@ def asleep(
 
 def rope(links: int, rounds: int) -> Measurement:
     """Set up a benchmark of a hanging rope that also states the error in the sag of both ropes."""
-    rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0, HeapResolver())
+    rods = partial(hang_by_rods, links, SUBSTEPS, 1.0, HeapResolver())
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
     low, off = rods().sag - wanted, chain().sag - wanted

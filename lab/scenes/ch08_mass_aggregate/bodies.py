@@ -53,10 +53,13 @@ class Platform(WorldScene):
     def build(self) -> None:
         self.platform = tilting_platform.TiltingPlatform()
         self.free = False
+        self.put: tuple[float, float] | None = None
         self.run(self.platform.step, self.platform.world)
 
     def step(self, duration: float) -> None:
-        self.platform.put_weight(self.mass, self.x)
+        if self.put != (self.mass, self.x):
+            self.platform.put_weight(self.mass, self.x)
+            self.put = self.mass, self.x
         super().step(duration)
 
     def draw(self, pen: Pen) -> None:

@@ -66,7 +66,6 @@ def every(console: Console) -> list[Measurement]:
         check,
         constraints,
         grading,
-        integrators,
         particles,
         rotations,
         sparks,
@@ -76,7 +75,7 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*springs.lines(), *integrators.lines(), *constraints.lines()]
+    found += [*springs.lines(), *constraints.lines()]
     found += worlds.lines()
     return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
 

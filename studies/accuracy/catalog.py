@@ -10,9 +10,9 @@ from functools import cache
 
 from studies.accuracy.scene import Scene
 from studies.accuracy.scenes.bridge import BRIDGES
+from studies.accuracy.scenes.chains import CHAINS
 from studies.accuracy.scenes.flights import FLIGHTS
 from studies.accuracy.scenes.impacts import IMPACTS
-from studies.accuracy.scenes.links import LINKED
 from studies.accuracy.scenes.many import MANY_BODIES
 from studies.accuracy.scenes.nets import NETS
 from studies.accuracy.scenes.springs import SPRINGS
@@ -21,7 +21,7 @@ GROUPS = {
     "Flights and floating": FLIGHTS,
     "Springs": SPRINGS,
     "Impacts": IMPACTS,
-    "Pendulums and ropes": LINKED,
+    "Pendulums and ropes": CHAINS,
     "Rope bridges and nets": [*BRIDGES, *NETS],
     "Many bodies": MANY_BODIES,
 }

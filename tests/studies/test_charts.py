@@ -17,6 +17,7 @@ from ch07_constraints.going_further.angle_pendulum import AnglePendulum
 from plots import drawing
 from plots.drawing import COLORS, slope
 from scenes.clock import RATE
+from scenes.dropped_balls import DroppedBalls
 from studies import charts, choose
 from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with
@@ -24,7 +25,6 @@ from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Measured, Point, load, save
 from studies.accuracy.results import front, stalls, table, time_to
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.accuracy.scenes import impacts
 from studies.charts.page import looks
 from studies.charts.ratios import figures_of, precise, told, told_ratio
 
@@ -97,16 +97,16 @@ def test_the_truth_of_a_scene_is_that_of_its_equation(name: str) -> None:
 
 
 def test_the_truth_of_bounces_is_that_of_drops_and_of_momentum() -> None:
-    balls = impacts.Balls((2.0 + impacts.RADIUS,), (1.0,), 0.8, 1.0)
+    balls = DroppedBalls((2.1,), 0.8, radius=0.1)
     first = math.sqrt(2.0 * 2.0 / 10.0)
     # The ball rises for 0.8 of the time of the fall, to 0.64 of its height.
-    (top,), (down,) = balls.places_at([1.8 * first, 2.6 * first])
-    assert top == pytest.approx(0.64 * 2.0 + impacts.RADIUS, abs=1e-12)
-    assert down == pytest.approx(impacts.RADIUS, abs=1e-12)
-    two = impacts.Balls((1.1, 1.3 + 1e-9), (1.0, 0.1), 0.9, 0.8)
+    (top,), (down,) = balls.heights_at([1.8 * first, 2.6 * first])
+    assert top == pytest.approx(0.64 * 2.0 + 0.1, abs=1e-12)
+    assert down == pytest.approx(0.1, abs=1e-12)
+    two = DroppedBalls((1.1, 1.3 + 1e-9), 0.9, (1.0, 0.1), 0.8, 0.1)
     speed = math.sqrt(2.0 * 10.0)
     after = 0.01
-    _, upper = two.places_at([speed / 10.0 + after])[0]
+    _, upper = two.heights_at([speed / 10.0 + after])[0]
     # Exercise 7.3: 0.9 of the speed upward meets the speed downward, in their common frame.
     gone = (1.0 * 0.9 - 0.1) / 1.1 + 0.8 * 1.0 / 1.1 * 1.9
     # A gap of 1e-9 m closes in 1e-10 s.

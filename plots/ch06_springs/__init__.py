@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from plots.ch06_springs.springs import (
+from plots.ch06_springs.one_spring import (
     energy_over_time,
     error_against_work,
     force_against_length,

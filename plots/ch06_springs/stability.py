@@ -17,7 +17,7 @@ from matplotlib import pyplot
 from ch02_vectors.vector import Vector3
 from ch06_springs.going_further.cloth import make_cloth
 from ch06_springs.springs import FakeStiffSpring
-from plots.ch06_springs.springs import true_places
+from plots.ch06_springs.one_spring import true_places
 from plots.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map
 from scenes import stability
 from scenes.clock import FRAME

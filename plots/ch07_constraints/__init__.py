@@ -9,9 +9,9 @@ from plots.ch07_constraints.bounces import (
     resting_jitter,
     restitution_of_materials,
 )
-from plots.ch07_constraints.contacts import resolver_convergence, stack_height
 from plots.ch07_constraints.rods import pendulum_energy, rods_hold, rope_by_method
 from plots.ch07_constraints.solvers import contact_solvers  # noqa: F401 - for make figures only
+from plots.ch07_constraints.stacks import resolver_convergence, stack_height
 from plots.drawing import Picture
 
 PLOTS: tuple[Callable[[], Picture], ...] = (

@@ -27,8 +27,8 @@ from ch07_constraints.going_further.sequential_impulses import SequentialImpulse
 from ch07_constraints.links import Rod, TwoSidedRod
 from lessons.lesson import agrees
 from plots.ch07_constraints.bounces import without_rule
-from plots.ch07_constraints.contacts import sinking
 from plots.ch07_constraints.rods import energy, stretch
+from plots.ch07_constraints.stacks import sinking
 from scenes.chain import Chain, Link
 from scenes.resolving import Resolve, no_forces
 from scenes.track import track

@@ -20,7 +20,7 @@ from ch07_constraints.going_further.sequential_impulses import SequentialImpulse
 from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, AnchoredRod, TwoSidedRod
 from ch08_mass_aggregate.world import mechanical_energy
-from plots.ch07_constraints.contacts import falling_pile
+from plots.ch07_constraints.stacks import falling_pile
 
 DOWN = Vector3(0.0, -10.0)
 H = 1.0 / 60.0  # s

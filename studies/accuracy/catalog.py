@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from functools import cache
 
+from studies.accuracy.measured.bounces import IMPACTS
+from studies.accuracy.measured.bridge import BRIDGES
+from studies.accuracy.measured.chains import CHAINS
+from studies.accuracy.measured.flights import FLIGHTS
+from studies.accuracy.measured.many import MANY_BODIES
+from studies.accuracy.measured.nets import NETS
+from studies.accuracy.measured.springs import SPRINGS
 from studies.accuracy.scene import Scene
-from studies.accuracy.scenes.bridge import BRIDGES
-from studies.accuracy.scenes.chains import CHAINS
-from studies.accuracy.scenes.flights import FLIGHTS
-from studies.accuracy.scenes.impacts import IMPACTS
-from studies.accuracy.scenes.many import MANY_BODIES
-from studies.accuracy.scenes.nets import NETS
-from studies.accuracy.scenes.springs import SPRINGS
 
 GROUPS = {
     "Flights and floating": FLIGHTS,

@@ -18,9 +18,9 @@ from scenes.timing import Measurement, Target, timer, versus
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Point, point_of, run, seconds_of
+from studies.accuracy.measured.chains import G
 from studies.accuracy.results import order_of
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.accuracy.scenes.chains import G
 from studies.models.order_8 import Accelerations
 from studies.models.plane_rods import accelerations_on_rods
 

@@ -32,8 +32,8 @@ from plots.ch07_constraints.stacks import sinking
 from scenes.chain import Chain, Link
 from scenes.resolving import Resolve, no_forces
 from scenes.track import track
-from studies.accuracy.scenes.chains import double_pendulum
-from studies.accuracy.scenes.nets import swinging
+from studies.accuracy.measured.chains import double_pendulum
+from studies.accuracy.measured.nets import swinging
 from studies.models.rod_tensions import RodTensions
 
 NUMBER = r"(\d+(?:\.\d+)?)"

@@ -239,3 +239,13 @@ def test_a_manifest_that_is_wrong_is_refused(
     (folder / "chapter.toml").write_text(text.replace(*change, 1), encoding="utf-8")
     with pytest.raises(ValueError, match=re.escape(complaint)):
         load_chapter(folder)
+
+
+def test_the_examples_of_where_to_look_are_there() -> None:
+    text = (ROOT / "studies/README.md").read_text(encoding="utf-8")
+    table = text[text.index("| computed in |") :].split("\n\n")[0]
+    for line in table.splitlines():
+        what, *paths = re.findall(r"\| ([^|]*) ", line)
+        folder = ROOT / "".join(re.findall(r"`(.+)`", what))
+        for path in filter(None, paths):
+            assert (folder / path.strip("`")).is_file(), line

@@ -19,7 +19,7 @@ from ch08_mass_aggregate.bridge_plan import make_rows
 from plots.drawing import slope
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
-from studies.accuracy.scenes import hanging
+from studies.accuracy.measured import hanging
 
 G = 9.81
 MASSES = numpy.repeat([1.0, 1.0, 3.5, 1.0, 1.0, 1.0], 2)  # 5 kg on the ends of the third row

@@ -15,9 +15,9 @@ from scenes.clock import RATE, deviation
 from studies.accuracy.in_plane import LONG, ORDERS
 from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, from_two_runs
+from studies.accuracy.measured.hanging import MASSES, cables, hanging
+from studies.accuracy.measured.planes import G, Plane, by_links, by_long_steps, by_net, in_pymunk
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene
-from studies.accuracy.scenes.hanging import MASSES, cables, hanging
-from studies.accuracy.scenes.planes import G, Plane, by_links, by_long_steps, by_net, in_pymunk
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.smooth_net import SmoothNet

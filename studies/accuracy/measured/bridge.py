@@ -27,9 +27,9 @@ from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.asleep import asleep, asleep_in_pymunk
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, by_pymunk
+from studies.accuracy.measured.hanging import HAIR, MASSES, cables, hanging, truth
+from studies.accuracy.measured.planes import by_net
 from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames, places_of
-from studies.accuracy.scenes.hanging import HAIR, MASSES, cables, hanging, truth
-from studies.accuracy.scenes.planes import by_net
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.heap_resolver import HeapResolver

@@ -14,7 +14,7 @@ from matplotlib.animation import PillowWriter
 from rich.progress import track
 
 from lab.drawing.pen import Pen
-from lab.drawing.picture import LIGHT, draw_items
+from lab.drawing.picture import LIGHT, Painter
 from lab.scene import Scene, name_of
 from scenes.clock import FRAME
 
@@ -27,9 +27,7 @@ PIXEL = 0.7  # points, because the axes and the title leave less room for the sc
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
     """Record a scripted run of ``scene`` to files in ``folder``, and return their paths.
 
-    The files are an animated GIF, a PNG image of several frames, and a CSV table of the values in
-    the scene's chart. Files of an earlier recording are deleted first, so that none of them remain
-    if the scene fails.
+    Files of an earlier recording are deleted first, so that none of them remain if the scene fails.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -41,6 +39,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
     axes, title = figure.subplots(), figure.suptitle("", fontsize=10)
     left, right, bottom, top = scene.view
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
+    painter = Painter(axes, LIGHT, PIXEL)
     drawn: list[Any] = []
 
     def draw() -> None:
@@ -48,7 +47,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
         scene.draw(pen)
         for artist in drawn:
             artist.remove()
-        drawn[:] = draw_items(axes, pen.items, LIGHT, PIXEL)
+        drawn[:] = painter.draw(pen.items)
         title.set_text(f"{scene.title}, {scene.time:.2f} s\n{scene.facts()}")
 
     draw()

@@ -21,7 +21,7 @@ from autograder.handouts.handout import CHARTS
 from autograder.manifest import ROOT
 from lab.catalog import Entry, entries, load
 from lab.drawing.pen import COLORS, Item, Pen
-from lab.drawing.picture import DARK, HEIGHT, LIGHT, WIDTH, draw_items
+from lab.drawing.picture import DARK, HEIGHT, LIGHT, WIDTH, Painter
 from scenes.clock import FRAME
 from scenes.engine import use_engine
 
@@ -110,7 +110,8 @@ def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
     axes.set_axis_off()
     axes.set_xlim(x - 0.5 * scale * WIDTH, x + 0.5 * scale * WIDTH)
     axes.set_ylim(y - 0.5 * scale * HEIGHT, y + 0.5 * scale * HEIGHT)
-    draw_items(axes, [i for i in items if i[0] != "arrow" or i[-1] not in HIDDEN], MARKS, 1.0)
+    shown = [item for item in items if item[0] != "arrow" or item[-1] not in HIDDEN]
+    Painter(axes, MARKS, 1.0).draw(shown)
     file = io.StringIO()
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": "still"}):
         figure.savefig(file, format="svg", metadata=WITHOUT, transparent=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -19,113 +19,82 @@ LIGHT, DARK = (  # the page's colors by name, on light and on dark paper
     dict(re.findall(r"--(\w+): (#\w+);", sheet))
     for sheet in SHEET.read_text(encoding="utf-8").split("@media")
 )
-WIDTH, HEIGHT = 640.0, 400.0  # px, of a picture for which sizes in pixels are meant
+WIDTH, HEIGHT = 640.0, 400.0  # px, the size of a picture
 TURNS = 24  # corners of a spring
 
 
-def draw_items(
-    axes: Axes, items: Iterable[Item], paint: Mapping[str, str], pixel: float
-) -> list[Any]:
-    """Draw recorded shapes, each in front of the ones before it, and return matplotlib's artists.
+class Painter:
+    """Draws recorded shapes into matplotlib's axes, as the lab's page draws them on a canvas.
 
     ``paint`` maps names of colors to colors. ``pixel`` is the length in points of a pixel, in which
-    a pen gives the widths of lines and the sizes of letters.
+    a pen gives the widths of lines and the sizes of letters. There is a method for each kind of
+    shape. It gets the values that the pen recorded.
     """
-    drawn = []
-    for kind, color, *values in items:
-        style = {"color": paint[color], "zorder": 3.0 + 0.001 * len(drawn)}
-        drawn += DRAW[kind](axes, style, pixel, *values)
-    return drawn
 
+    def __init__(self, axes: Axes, paint: Mapping[str, str], pixel: float) -> None:
+        self.axes = axes
+        self.paint = paint
+        self.pixel = pixel
+        left, right = axes.get_xlim()
+        self.unit = (right - left) / WIDTH  # of the scene, for a pixel
 
-def _unit(axes: Axes) -> float:
-    """Return the length of a pixel in the scene's units, if the picture is WIDTH px wide."""
-    left, right = axes.get_xlim()
-    return (right - left) / WIDTH
+    def draw(self, items: Iterable[Item]) -> list[Any]:
+        """Draw each shape in front of the ones before it, and return matplotlib's artists."""
+        drawn: list[Any] = []
+        for kind, color, *values in items:
+            self.look: Any = {"color": self.paint[color], "zorder": 3.0 + 0.001 * len(drawn)}
+            drawn += getattr(self, kind)(*values)
+        return drawn
 
+    def stroke(self, xs: Iterable[float], ys: Iterable[float], width: float, **more: Any) -> Any:
+        return self.axes.plot([*xs], [*ys], lw=self.pixel * width, **self.look, **more)
 
-def _pairs(flat: list[float]) -> list[tuple[float, float]]:
-    return list(zip(flat[::2], flat[1::2], strict=True))
+    def circle(self, x: float, y: float, radius: float, fill: bool, _: str) -> Any:
+        line = 0.0 if fill else 2.0 * self.pixel
+        circle = patches.Circle((x, y), max(radius, self.unit), fill=fill, lw=line, **self.look)
+        return [self.axes.add_patch(circle)]
 
+    def dots(self, flat: list[float], size: float) -> Any:
+        return self.stroke(flat[::2], flat[1::2], 0.0, marker="o", ms=self.pixel * size, mew=0.0)
 
-def _circle(
-    axes: Axes, paint: Any, pixel: float, x: float, y: float, radius: float, fill: bool, _: str
-) -> list[Any]:
-    size = max(radius, _unit(axes))
-    circle = patches.Circle((x, y), size, fill=fill, lw=0.0 if fill else 2.0 * pixel, **paint)
-    return [axes.add_patch(circle)]
+    def line(self, flat: list[float], width: float, dashed: bool) -> Any:
+        style = (0, (6.0 / width, 5.0 / width)) if dashed else "-"
+        return self.stroke(flat[::2], flat[1::2], width, ls=style)
 
+    def segments(self, flat: list[float], width: float) -> Any:
+        ends = [*zip(flat[::2], flat[1::2], strict=True)]
+        lines = [*zip(ends[::2], ends[1::2], strict=True)]
+        found = LineCollection(lines, linewidths=self.pixel * width, **self.look)
+        return [self.axes.add_collection(found)]
 
-def _dots(axes: Axes, paint: Any, pixel: float, flat: list[float], size: float) -> list[Any]:
-    return axes.plot(flat[::2], flat[1::2], "o", ms=pixel * size, mew=0.0, **paint)
+    def area(self, flat: list[float], solid: bool) -> Any:
+        corners, alpha = [*zip(flat[::2], flat[1::2], strict=True)], 1.0 if solid else 0.3
+        return [self.axes.add_patch(patches.Polygon(corners, alpha=alpha, lw=0.0, **self.look))]
 
+    def spring(self, ax: float, ay: float, bx: float, by: float) -> Any:
+        dx, dy = (bx - ax) / TURNS, (by - ay) / TURNS
+        side = 7.0 * self.unit / (math.hypot(dx, dy) or 1.0)
+        off = [0.0 if i < 3 or i > TURNS - 3 else side * (-1) ** i for i in range(TURNS + 1)]
+        xs = [ax + dx * i - dy * off[i] for i in range(TURNS + 1)]
+        ys = [ay + dy * i + dx * off[i] for i in range(TURNS + 1)]
+        return self.stroke(xs, ys, 1.5)
 
-def _line(
-    axes: Axes, paint: Any, pixel: float, flat: list[float], width: float, dashed: bool
-) -> list[Any]:
-    style = (0, (6.0 / width, 5.0 / width)) if dashed else "-"
-    return axes.plot(flat[::2], flat[1::2], ls=style, lw=pixel * width, **paint)
+    def arrow(self, x: float, y: float, dx: float, dy: float, _: str) -> Any:
+        length = math.hypot(dx, dy)
+        if length < 2.0 * self.unit:
+            return []
+        head, angle = min(9.0 * self.unit, length / 2.0), math.atan2(dy, dx)
+        xs, ys = [x, x + dx], [y, y + dy]
+        for side in (2.6, -2.6):  # rad, from the direction of the arrow to a barb
+            xs += [x + dx + head * math.cos(angle + side), x + dx]
+            ys += [y + dy + head * math.sin(angle + side), y + dy]
+        return self.stroke(xs, ys, 2.0, clip_on=False)
 
+    def text(self, x: float, y: float, words: str, size: float) -> Any:
+        size *= self.pixel
+        return [self.axes.text(x, y, words, size=size, ha="center", va="center", **self.look)]
 
-def _segments(axes: Axes, paint: Any, pixel: float, flat: list[float], width: float) -> list[Any]:
-    ends = _pairs(flat)
-    lines = list(map(list, zip(ends[::2], ends[1::2], strict=True)))
-    return [axes.add_collection(LineCollection(lines, linewidths=pixel * width, **paint))]
-
-
-def _area(axes: Axes, paint: Any, _: float, flat: list[float], solid: bool) -> list[Any]:
-    shape = patches.Polygon(_pairs(flat), alpha=1.0 if solid else 0.3, lw=0.0, **paint)
-    return [axes.add_patch(shape)]
-
-
-def _spring(
-    axes: Axes, paint: Any, pixel: float, ax: float, ay: float, bx: float, by: float
-) -> list[Any]:
-    dx, dy = bx - ax, by - ay
-    length = math.hypot(dx, dy) or 1.0
-    side = 7.0 * _unit(axes)
-    offsets = [0.0 if i < 3 or i > TURNS - 3 else side * (-1) ** i for i in range(TURNS + 1)]
-    xs = [ax + dx * i / TURNS - dy / length * off for i, off in enumerate(offsets)]
-    ys = [ay + dy * i / TURNS + dx / length * off for i, off in enumerate(offsets)]
-    return axes.plot(xs, ys, lw=1.5 * pixel, **paint)
-
-
-def _arrow(
-    axes: Axes, paint: Any, pixel: float, x: float, y: float, dx: float, dy: float, _: str
-) -> list[Any]:
-    length = math.hypot(dx, dy)
-    if length < 2.0 * _unit(axes):
-        return []
-    head, angle = min(9.0 * _unit(axes), length / 2.0), math.atan2(dy, dx)
-    tip = x + dx, y + dy
-    barbs = [
-        (tip[0] + head * math.cos(angle + side), tip[1] + head * math.sin(angle + side))
-        for side in (2.6, -2.6)
-    ]
-    xs, ys = zip((x, y), tip, barbs[0], tip, barbs[1], strict=True)
-    return axes.plot(xs, ys, lw=2.0 * pixel, clip_on=False, **paint)
-
-
-def _text(
-    axes: Axes, paint: Any, pixel: float, x: float, y: float, words: str, size: float
-) -> list[Any]:
-    return [axes.text(x, y, words, fontsize=pixel * size, ha="center", va="center", **paint)]
-
-
-def _ground(axes: Axes, paint: Any, pixel: float, height: float) -> list[Any]:
-    bottom, _ = axes.get_ylim()
-    earth = axes.axhspan(bottom, height, alpha=0.25, lw=0.0, **paint)
-    return [earth, axes.axhline(height, lw=2.0 * pixel, **paint)]
-
-
-DRAW: dict[str, Callable[..., list[Any]]] = {
-    "circle": _circle,
-    "dots": _dots,
-    "line": _line,
-    "segments": _segments,
-    "area": _area,
-    "spring": _spring,
-    "arrow": _arrow,
-    "text": _text,
-    "ground": _ground,
-}
+    def ground(self, height: float) -> Any:
+        bottom, _ = self.axes.get_ylim()
+        earth = self.axes.axhspan(bottom, height, alpha=0.25, lw=0.0, **self.look)
+        return [earth, self.axes.axhline(height, lw=2.0 * self.pixel, **self.look)]

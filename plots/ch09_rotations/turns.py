@@ -6,9 +6,9 @@ it. What needs functions that the student has not written yet is left out.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Sequence
-from itertools import product
 from typing import Any
 
 import numpy
@@ -16,14 +16,15 @@ from matplotlib import pyplot
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3
+from ch09_rotations.angular import integrate_rotation
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
-from plots.ch09_rotations import disc
 from plots.ch09_rotations.orientations import (
     Arrows,
     X,
     Y,
     Z,
+    arrows,
     arrows_by_engine,
     components,
     degrees_between_arrows,
@@ -32,6 +33,9 @@ from plots.ch09_rotations.orientations import (
     off_directions,
     off_right_angles,
     off_unit_length,
+    product,
+    rotated,
+    turn,
 )
 from plots.drawing import (
     BLACK,
@@ -46,7 +50,7 @@ from plots.drawing import (
     slope,
     tell,
 )
-from scenes.readings import Numbers, is_drawable, is_written, stopped
+from scenes.readings import Numbers, cross, is_drawable, is_written, stopped
 
 ORIGIN = (0.0, 0.0, 0.0)
 NOWHERE: Arrows = ((math.nan,) * 3, (math.nan,) * 3, (math.nan,) * 3)
@@ -55,11 +59,21 @@ PAPER = [2, 0, 1]  # the order of x, y and z in matplotlib, where the third axis
 # The corners of a block's faces, if its eight corners are ordered like binary numbers.
 FACES = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
 
+# A thin disc is thrown and wobbles. Its axis is tilted from the vertical by TILT, and rotates about
+# the vertical at PRECESSION. The moment of inertia about a diameter is half of that about the axis.
+# It follows that the disc also spins about its axis at SPIN, against the precession.
+TILT = math.radians(25.0)
+PRECESSION = math.tau * 0.9
+SPIN = -0.5 * PRECESSION * math.cos(TILT)
+FLIGHT = 1.2  # s
+AXIS = (math.sin(TILT), math.cos(TILT), 0.0)
+TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
+
 
 def turning_motion() -> Picture:
     """Draw seven snapshots of a wobbling disc in flight, along with its axes."""
     rates = (120, 240, 480)
-    throws = {rate: disc.thrown(rate) for rate in rates}
+    throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240][0]
     figure = pyplot.figure(figsize=(13, 6.4))
     figure.subplots_adjust(0.0, 0.08, 1.0, 0.88)
@@ -69,16 +83,16 @@ def turning_motion() -> Picture:
     space.set_xticks((-1, 0, 1))
     space.set_zticks((0, 1, 2))
     space.view_init(elev=18, azim=12)
-    path = [disc.place(disc.FLIGHT * i / 100) for i in range(101)]
+    path = [disc_place(FLIGHT * i / 100) for i in range(101)]
     space.plot(*_on_paper(path), color=GRAY, lw=1, ls=":")
     for i in range(7):
-        n = round(i * disc.FLIGHT / 6.0 * 240)
-        place = disc.place(n / 240)
-        for truth in disc.exact_arrows(n / 240):
+        n = round(i * FLIGHT / 6.0 * 240)
+        place = disc_place(n / 240)
+        for truth in disc_arrows(n / 240):
             ends = _on_paper([place, _along(place, truth, 0.95)])
             space.plot(*ends, color=GRAY, lw=1.0, ls="--")
         if n < len(shown):
-            _draw_disc(space, place, shown[n])
+            _disc(space, place, shown[n])
             for name, color, v in zip("XYZ", COLORS, shown[n], strict=True):
                 label = name if i in (0, 6) else ""
                 arrow_3d(space, _along(place, v, 0.75), label, color, tail=place)
@@ -88,11 +102,11 @@ def turning_motion() -> Picture:
     rows: list[Sequence[object]] = []
     worst = []
     for rate, (found, _) in throws.items():
-        off = [off_directions(v, disc.exact_arrows(n / rate)) for n, v in enumerate(found)]
+        off = [off_directions(v, disc_arrows(n / rate)) for n, v in enumerate(found)]
         worst.append(largest(off))
         for n, (axes, error) in enumerate(zip(found, off, strict=True)):
             flat = [value for v in axes for value in v]
-            rows.append((rate, n / rate, *disc.place(n / rate), *flat, error))
+            rows.append((rate, n / rate, *disc_place(n / rate), *flat, error))
     space.set_title(
         "A thrown disc that wobbles, by integrate_rotation: its axes X, Y, Z,"
         " and the exact axes (dashed)\n"
@@ -108,6 +122,43 @@ def turning_motion() -> Picture:
     names = [f"{axis}.{name}" for axis in "XYZ" for name in "xyz"]
     head = ("steps per second", "time, s", "x, m", "y, m", "z, m", *names, "error, degrees")
     return Picture(figure, head, rows)
+
+
+def disc_place(time: float) -> Numbers:
+    """Compute the position of the disc, which flies along a parabola and lands 6 m away."""
+    return 6.0 * time / FLIGHT, 0.5 * 9.81 * time * (FLIGHT - time), 0.0
+
+
+def disc_arrows(time: float) -> Arrows:
+    """Compute the exact directions of the disc's axes."""
+    spun = product(turn(AXIS, SPIN * time), TILTED)
+    return arrows(product(turn(Y, PRECESSION * time), spun))
+
+
+def disc_acceleration(time: float) -> Numbers:
+    """Compute the angular acceleration: the precession keeps changing the spin's direction."""
+    x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
+    return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
+
+
+def throw_disc(rate: int) -> tuple[list[Arrows], str]:
+    """Simulate the rotation with the engine's integrate_rotation, in ``rate`` steps per second.
+
+    Return the directions of the axes at the start and after each step, and the text of the error
+    that ended the flight early, if there was one.
+    """
+    orientation = Quaternion(*TILTED)
+    velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
+    found: list[Arrows] = []
+
+    def run() -> None:
+        found.append(arrows_by_engine(orientation))
+        for n in range(round(FLIGHT * rate)):
+            now = Vector3(*disc_acceleration(n / rate))
+            integrate_rotation(orientation, velocity, now, 1.0 / rate)
+            found.append(arrows_by_engine(orientation))
+
+    return found, stopped(run)
 
 
 def order_of_turns() -> Picture:
@@ -139,7 +190,7 @@ def order_of_turns() -> Picture:
             for axis, label in ((X, "x"), (Y, "y"), (Z, "z")):
                 space.plot(*_on_paper([ORIGIN, _along(ORIGIN, axis, 1.3)]), color=GRAY, lw=1)
                 space.text(*_on_paper([_along(ORIGIN, axis, 1.45)])[:, 0], label, color=GRAY)
-            _draw_letter(space, by_quaternions[column])
+            _letter(space, by_quaternions[column])
             for label, color, v in zip("XYZ", COLORS, by_quaternions[column], strict=True):
                 arrow_3d(space, v, label, color)
             for v in by_matrices[column] if by_matrices else ():
@@ -192,17 +243,17 @@ def _columns(matrix: Any) -> Arrows:
     return (a, d, g), (b, e, h), (c, f, i)
 
 
-def _draw_letter(space: Any, found: Arrows) -> None:
+def _letter(space: Any, found: Arrows) -> None:
     """Draw a rotated letter L, which stands upright and faces along Z before the rotation."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
-            corners = numpy.array([*product(x, y, (-0.1, 0.1))]) @ numpy.array(found)
+            corners = numpy.array([*itertools.product(x, y, (-0.1, 0.1))]) @ numpy.array(found)
             faces = corners[:, PAPER][FACES]
             look = {"alpha": 0.3, "facecolor": GRAY, "edgecolor": BLACK}
             space.add_collection3d(Poly3DCollection(faces, **look))
 
 
-def _draw_disc(space: Any, place: Numbers, found: Arrows) -> None:
+def _disc(space: Any, place: Numbers, found: Arrows) -> None:
     """Draw a rotated disc with a radius of 0.45 m, which is perpendicular to its Y axis."""
     if is_drawable(*found):
         around = numpy.radians(range(0, 360, 10))

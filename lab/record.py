@@ -21,7 +21,7 @@ from scenes.clock import FRAME
 STEPS_A_PICTURE = 3  # gives 20 pictures per second; GIF delays are whole hundredths of a second
 TILES = 12
 TIME_LIMIT = 30.0  # s per picture; a picture normally takes some hundredths of a second
-PIXEL = 0.7  # points, because the axes and the title leave less room for the scene
+PIXEL = 0.8  # points; slightly less than a pixel, because the axes leave less room for the scene
 
 
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:

@@ -87,7 +87,7 @@ def test_too_few_iterations_let_the_bridge_sag(iterations: int, too_long: int) -
 def test_late_frames_are_dropped_beyond_the_most_steps() -> None:
     """Each late frame of 0.5 s makes 6 steps of 1 / 60 s and drops the other 0.4 s."""
     scene = after("bridge", 3.0, frames="every 60th late")
-    assert scene.clock.dropped == pytest.approx(3 * 0.4, abs=0.02)
+    assert scene.stepper.dropped == pytest.approx(3 * 0.4, abs=0.02)
 
 
 @pytest.mark.parametrize(("x", "lower"), [(-1.0, 0), (-0.25, 1)])

@@ -101,20 +101,13 @@ def _record(options: argparse.Namespace, settings: dict[str, str]) -> int:
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Build the query with which the lab's page opens, such as "scene=one-spring&mass=2".
-
-    If ``scene`` is empty, the page opens with the first scene of ``chapter``.
-
-    Raises:
-        ValueError: The scene does not exist, or the chapter has no scenes.
-    """
+    """Build the query with which the lab's page opens, such as "scene=one-spring&mass=2"."""
     if scene:
         find(scene)
     elif chapter is not None:
-        names = [entry.name for entry in entries() if entry.chapter == chapter]
-        if not names:
+        scene = next((entry.name for entry in entries() if entry.chapter == chapter), "")
+        if not scene:
             raise ValueError(f"chapter {chapter} has no scenes")
-        scene = names[0]
     return urlencode(({"scene": scene} if scene else {}) | settings)
 
 

@@ -98,7 +98,7 @@ async def recording(engine: str, given: str, scene: str, values: dict[str, str])
     """Record a scene in a separate process, and return the contents of the animated GIF.
 
     Raises:
-        ValueError: The recording failed. The message is the last line that the process printed.
+        ValueError: The recording failed, with the last line that the process printed.
     """
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:

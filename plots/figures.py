@@ -50,8 +50,8 @@ PLOTS = (
 )
 # Plots that show the committed numbers of a study, with the module that draws them.
 OF_STUDIES = {"ch07_constraints/contact_solvers": "studies.contacts.chart"}
-# The length of each animation in s, and the time of its still picture. Pages show the still picture
-# and link to the animation, so that nothing moves unless the reader wants it to.
+# The length of each animation in s, and the time of the still picture that a page shows instead, so
+# that nothing moves unless the reader wants it to.
 ANIMATIONS = {
     "ch04_particle_engine/fireworks": (6.0, 2.5),
     "ch05_forces/sniper": (11.0, 3.0),

@@ -1,7 +1,4 @@
-"""A base class for scenes that simulate a ParticleWorld, with its particles and contacts.
-
-The reader can change the step rate and the iteration limit while the scene runs.
-"""
+"""A base class for scenes that simulate a ParticleWorld, with its particles and contacts."""
 
 from __future__ import annotations
 
@@ -16,28 +13,22 @@ from lab.scene import Scene
 from scenes.links import ends_of
 from scenes.parameters import Choice
 
+Line = tuple[tuple[float, float], tuple[float, float]]
+
 
 class WorldScene(Scene):
-    """A scene that simulates a particle world.
-
-    The ``build`` method of a subclass must call ``run``.
-    """
+    """A scene that simulates a particle world. Its ``build`` method must call ``run``."""
 
     rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Set the world to simulate, and the function that advances it by one step.
-
-        This method also starts to record the contacts of ``world``, so that the scene can draw
-        them.
-        """
+        """Set the function that makes a step, and record the contacts of ``world`` for drawing."""
         self.make_step = step
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Advance the world by one time step of ``duration`` s."""
         self.contacts.forget()
         self.contacts.iterations = self.iterations
         self.make_step(duration)
@@ -49,16 +40,14 @@ class WorldScene(Scene):
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
     """Draw the taut cables of a particle world in black, and the slack ones in gray."""
-    anchors: list[tuple[float, float]] = []
-    taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
-    slack: list[tuple[tuple[float, float], tuple[float, float]]] = []
-    for link in generators:
-        if isinstance(link, Cable | AnchoredCable):
-            a, b = ends_of(link)
-            tight = (b - a).magnitude() >= link.max_length
-            (taut if tight else slack).append((flat(a), flat(b)))
-        if isinstance(link, AnchoredCable):
-            anchors.append(flat(link.anchor))
+    cables = [link for link in generators if isinstance(link, Cable | AnchoredCable)]
+    slack: list[Line] = []
+    taut: list[Line] = []
+    for cable in cables:
+        a, b = ends_of(cable)
+        lines = taut if (b - a).magnitude() >= cable.max_length else slack
+        lines.append((flat(a), flat(b)))
     pen.segments(slack, "gray")
     pen.segments(taut, "black", 1.5)
-    pen.dots(anchors, "black", 5.0)
+    anchors = [cable.anchor for cable in cables if isinstance(cable, AnchoredCable)]
+    pen.dots(map(flat, anchors), "black", 5.0)

@@ -131,16 +131,24 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 
 
 def growth_map(
-    axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
+    axes: Axes,
+    kappas: Sequence[float],
+    dampings: Sequence[float],
+    grown: Sequence[Sequence[float]],
+    *,
+    in_spring: bool,
 ) -> Any:
     """Draw a heat map of how much oscillations grow in one time step.
 
-    ``grown`` has one row of factors for each value in ``y``. A factor above 1 means that the
-    simulation explodes, and is drawn in red. Pass the result to ``growth_bar``, which draws the
-    color scale. Factors outside the scale get the color of its nearest end.
+    ``grown`` has one row of factors for each damping, which is that of the spring or that of the
+    particle. A factor above 1 means that the simulation explodes, and is drawn in red. Pass the
+    result to ``growth_bar``, which draws the color scale. Factors outside the scale get the color
+    of its nearest end.
     """
+    axes.set(xscale="log", xlim=(kappas[0], kappas[-1]), xlabel="k h$^2$ / m")
+    axes.set_ylabel(f"damping of the {'spring, c h / m' if in_spring else 'particle, d$^h$'}")
     shades = [[_shade(value) for value in row] for row in grown]
-    return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
+    return axes.pcolormesh(kappas, dampings, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:

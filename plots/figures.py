@@ -48,8 +48,6 @@ PLOTS = (
     "ch09_rotations/drift_of_first_order",
     "ch09_rotations/gimbal_lock",
 )
-# Plots that show the committed numbers of a study, with the module that draws them.
-OF_STUDIES = {"ch07_constraints/contact_solvers": "studies.contacts.chart"}
 # The length of each animation in s, and the time of the still picture that a page shows instead, so
 # that nothing moves unless the reader wants it to.
 ANIMATIONS = {
@@ -81,8 +79,7 @@ def main(arguments: list[str]) -> int:
     for name in PLOTS:
         folder = work / Path(name).parent
         folder.mkdir(parents=True, exist_ok=True)
-        module = OF_STUDIES.get(name, f"plots.{Path(name).parent}")
-        plots = importlib.import_module(module)
+        plots = importlib.import_module(f"plots.{Path(name).parent}")
         done.append(draw.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
         if done[-1]:
             with Image.open(work / f"{name}.png") as drawn:

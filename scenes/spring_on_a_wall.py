@@ -6,13 +6,17 @@ The position of the body is measured from where the spring is relaxed.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import ApplyForces, Integrator
 from ch06_springs.springs import AnchoredSpring
+from scenes.integrators import INTEGRATORS, SOLVERS, Solver
 from scenes.parameters import Slider
+from scenes.readings import number
 from scenes.setup import Setup, alone
 
 STIFFNESS = Slider(100.0, "stiffness k", "N/m", 1.0, 20_000.0, log=True)
@@ -41,6 +45,26 @@ class SpringOnAWall:
         chapter 6.
         """
         return damped_spring_state(x, v, self.stiffness, self.damping, self.mass, time)
+
+    def solved_by(self, solver: Solver) -> Integrator:
+        """Return an integrator that takes its steps with a solver for this spring.
+
+        It ignores all forces. If the solver does not return two values, it raises ValueError.
+        """
+
+        def step(particles: Sequence[Particle], _: ApplyForces, duration: float) -> None:
+            for body in particles:
+                start = body.position.x, body.velocity.x
+                end = solver(*start, self.stiffness, self.damping, body.mass, duration)
+                if not (isinstance(end, tuple) and len(end) == 2):
+                    raise ValueError(f"a solver must return the new x and v, got {end!r}")
+                body.position.x, body.velocity.x = map(number, end)
+
+        return step
+
+    def methods(self) -> dict[str, Integrator]:
+        """Return all integrators by name, including the solvers."""
+        return INTEGRATORS | {name: self.solved_by(solver) for name, solver in SOLVERS.items()}
 
     @property
     def period(self) -> float:

@@ -1,36 +1,35 @@
-"""Simulate a spring with different integrators, and measure when it becomes unstable.
+"""A spring that is too stiff for the time step, and ground that acts as such a spring.
 
-A spring pulls a particle of 1 kg along X. Solvers for a single spring are wrapped as integrators.
+The spring pulls a particle of 1 kg along X. A time step of h s multiplies (x, v h) by a matrix, so
+an oscillation grows if an eigenvalue of the matrix exceeds 1 in magnitude.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Callable, Mapping
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceGenerator
 from ch05_forces.particle import Particle
-from ch06_springs.closed_form import damped_spring_state
-from ch06_springs.going_further.cloth import make_cloth
-from ch06_springs.integrators import ApplyForces, Integrator, semi_implicit_euler, watched
+from ch06_springs.integrators import Integrator, semi_implicit_euler, watched
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.springs import FakeStiffSpring
+from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS, SOLVERS, Solver
-from scenes.readings import number, numbers, stopped
+from scenes.readings import numbers, stopped
+from scenes.spring_on_a_wall import SpringOnAWall
+from scenes.track import Move, Track, track, tracks
+
+Matrix = tuple[float, float, float, float]  # row by row
 
 
 class Pull:
-    """A spring that pulls toward 0, independent of the engine's own springs and their bugs.
-
-    ``count`` is the number of times that the force was evaluated.
-    """
+    """A spring that pulls toward 0, independent of the engine's own springs and their bugs."""
 
     def __init__(self, stiffness: float) -> None:
         self.stiffness = stiffness
-        self.count = 0
+        self.count = 0  # evaluations of the force
 
     def update_force(self, particle: Particle, duration: float) -> None:
         del duration
@@ -38,31 +37,18 @@ class Pull:
         particle.add_force(Vector3(-self.stiffness * particle.position.x))
 
 
-@dataclass(frozen=True)
-class Swing:
-    """The recorded motion of an oscillating body, with the message of any error that ended it."""
+def stepping(
+    name: str, damping: float, kappa: float, solvers: Mapping[str, Solver] = SOLVERS
+) -> tuple[Integrator, Pull, float]:
+    """Return an integrator, a spring with k h^2 / m = ``kappa``, and the damping of the particle.
 
-    places: list[float]
-    velocities: list[float]
-    message: str
-
-
-def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
-    """Build an integrator that moves particles along X with a solver for a single linear spring."""
-
-    def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-        del apply_forces
-        for particle in particles:
-            x, v = particle.position.x, particle.velocity.x
-            end = _pair(solver(x, v, stiffness, damping, particle.mass, duration))
-            particle.position.x, particle.velocity.x = end
-
-    return step
-
-
-def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return a dict of all integrators. Solvers are wrapped for a spring without damping."""
-    return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
+    The step h is FRAME. For an integrator, ``damping`` is d^h, where d is the damping of the
+    particle. For one of the ``solvers``, it is c h / m, where c is the damping of the spring.
+    """
+    k = kappa / FRAME**2
+    if name in INTEGRATORS:
+        return INTEGRATORS[name], Pull(k), damping ** (1.0 / FRAME)
+    return SpringOnAWall(k, damping / FRAME).solved_by(solvers[name]), Pull(k), 1.0
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
@@ -80,126 +66,47 @@ def watching(integrator: Integrator, limit: float) -> Integrator:
 def swing(
     integrator: Integrator,
     generator: ForceGenerator,
-    duration: float,
+    damping: float = 1.0,
+    *,
     steps: int,
     limit: float,
-    damping: float = 1.0,
-) -> Swing:
-    """Release a body of 1 kg at x = 1 m. Stop early if its speed exceeds ``limit`` in m/s."""
-    particle = Particle(Vector3(1.0), damping=damping)
-    step = watching(integrator, limit)
-    places, velocities = [1.0], [0.0]
-
-    def run() -> None:
-        for _ in range(steps):
-            _step(step, particle, generator, duration)
-            x, v = _state(particle)
-            places.append(x)
-            velocities.append(v)
-
-    message = stopped(run)
-    return Swing(places, velocities, message)
+    duration: float = FRAME,
+) -> tuple[Track, Track]:
+    """Release a body at x = 1 m, and record x and v, until its speed exceeds ``limit`` in m/s."""
+    body = Particle(Vector3(1.0), damping=damping)
+    move = _moving(watching(integrator, limit), body, generator)
+    measures = [lambda: _state(body)[0], lambda: _state(body)[1]]
+    places, velocities = tracks(move, measures, steps, duration)
+    return places, velocities
 
 
-def growth(
-    integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
-) -> float:
-    """Compute the factor by which an oscillation grows per time step in the long run.
-
-    It is the largest magnitude of an eigenvalue of the step's matrix, or NaN if the engine fails.
-    """
-    return spectral_radius(*step_matrix(integrator, generator, duration, damping))
-
-
-def step_matrix(
-    integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
-) -> tuple[float, float, float, float]:
+def step_matrix(integrator: Integrator, generator: ForceGenerator, damping: float = 1.0) -> Matrix:
     """Measure the matrix of one time step of an integrator, which multiplies (x, v h).
 
-    A step is linear, so the columns of the matrix are its results for (1, 0) and (0, 1). Return the
-    four entries row by row, or four NaNs if the engine fails.
+    A step is linear, so the columns of the matrix are its results for (1, 0) and (0, 1). If the
+    engine fails, all entries are NaN.
     """
     columns = []
-    for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
-        particle = Particle(Vector3(x), Vector3(v), damping=damping)
-        if stopped(lambda p=particle: _step(integrator, p, generator, duration)):  # type: ignore[misc]
+    for x, v in ((1.0, 0.0), (0.0, 1.0 / FRAME)):
+        body = Particle(Vector3(x), Vector3(v), damping=damping)
+        move = _moving(integrator, body, generator)
+        if stopped(lambda move=move: move(FRAME)):  # type: ignore[misc]
             return math.nan, math.nan, math.nan, math.nan
-        columns.append(_state(particle))
+        columns.append(_state(body))
     (a, c), (b, d) = columns
-    return a, b, c * duration, d * duration
+    return a, b, c * FRAME, d * FRAME
 
 
-def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Compute the factor by which the oscillations of a spring grow in one time step.
-
-    ``kappa`` is k h^2 / m, where k is the stiffness and h is the time step. ``damping`` is d^h for
-    an integrator, and c h / m for a solver.
-    """
-    k = kappa / duration**2
-    if name in SOLVERS:
-        return growth(solving(SOLVERS[name], k, damping / duration), Pull(k), duration)
-    return growth(INTEGRATORS[name], Pull(k), duration, damping ** (1.0 / duration))
+def growth(integrator: Integrator, generator: ForceGenerator, damping: float = 1.0) -> float:
+    """Return the factor by which an oscillation grows per time step in the long run."""
+    return spectral_radius(*step_matrix(integrator, generator, damping))
 
 
-def period(places: Sequence[float]) -> float:
-    """Return the number of steps per oscillation, or NaN if there are too few zero crossings."""
-    found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
-    return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
-
-
-def true_place(k: float, c: float, time: float) -> float:
-    """Compute the exact position of a body of 1 kg on a spring, released at 1 m."""
-    state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
-    return number(state[0]) if isinstance(state, tuple) else math.nan
-
-
-def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Compute the factor by which the oscillations of a FakeStiffSpring grow in one time step.
-
-    ``angle`` is the phase per step in radians. ``share`` is the fraction of critical damping.
-    """
-    chi = angle / duration
-    fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
-    return growth(semi_implicit_euler, fake, duration)
-
-
-def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return the number of steps until a cloth particle exceeds 1000 m/s, and any error message."""
-    knots, registry = make_cloth(damping)
-    step = watching(INTEGRATORS[name], 1000.0)
-    steps = 0
-
-    def run() -> None:
-        nonlocal steps
-        while steps < most:
-            step(knots, registry.update_forces, 1.0 / rate)
-            steps += 1
-
-    message = stopped(run)
-    return steps, message
-
-
-def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Drop a 1 kg body onto an undamped PenaltyGround, and record its height at 60 Hz."""
-    particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
-    ground = PenaltyGround(0.0, stiffness)
-    step = watching(semi_implicit_euler, 1e4)
-    heights = [fall]
-
-    def run() -> None:
-        for _ in range(steps):
-            _step(step, particle, ground, 1.0 / 60.0)
-            heights.append(numbers(particle.position)[1])
-
-    stopped(run)
-    return heights
-
-
-def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return a spring's largest deviation from cos(chi t), sampled at most 64 times per second."""
-    every = max(1, steps // 64)
-    found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
-    return max(found, default=math.nan)
+def growth_of(
+    name: str, damping: float, kappa: float, solvers: Mapping[str, Solver] = SOLVERS
+) -> float:
+    """Return the growth per time step of an oscillation with the arguments of ``stepping``."""
+    return growth(*stepping(name, damping, kappa, solvers))
 
 
 def spectral_radius(a: float, b: float, c: float, d: float) -> float:
@@ -224,26 +131,8 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
     return low
 
 
-def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Measure the stability limit k h^2 / m of an integrator for several levels of damping.
-
-    Return tuples of d^h, the measured limit and the theoretical limit, where h is the time step.
-    Undamped explicit Euler is left out, because its limit is 0.
-    """
-    found = []
-    for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
-        if (true := theory(name, kept)) > 0.0:
-            limit = limit_of(lambda kappa, d=kept: growth_of(name, kappa, d, duration))  # type: ignore[misc]
-            found.append((kept, limit, true))
-    return found
-
-
 def theory(name: str, kept: float) -> float:
-    """Return the theoretical stability limit k h^2 / m of a spring, where h is the time step.
-
-    ``kept`` is D = d^h, the fraction of the velocity that is left after a step. Verlet and
-    Runge-Kutta apply the damping at the end of a step.
-    """
+    """Return the theoretical limit of k h^2 / m for an integrator and ``kept`` = D = d^h."""
     if name == "explicit Euler":
         return 1.0 / kept - 1.0
     if name in ("semi-implicit Euler", "leapfrog"):  # their matrices are similar
@@ -253,26 +142,33 @@ def theory(name: str, kept: float) -> float:
     return limit_of(lambda kappa: spectral_radius(*_runge_kutta(kappa, kept)))
 
 
-def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:
-    """Return the matrix of one step of Runge-Kutta 4 on a spring with k h^2 / m = ``kappa``."""
+def _runge_kutta(kappa: float, kept: float) -> Matrix:
+    """Return the matrix of a step of Runge-Kutta 4 on a spring with k h^2 / m = ``kappa``."""
     cosine, sine = 1.0 - kappa / 2.0 + kappa**2 / 24.0, 1.0 - kappa / 6.0
     return cosine, sine, -kept * kappa * sine, kept * cosine
 
 
-def _step(
-    integrator: Integrator, particle: Particle, generator: ForceGenerator, duration: float
-) -> None:
-    integrator([particle], lambda h: generator.update_force(particle, h), duration)
+def faked_growth(angle: float, share: float) -> float:
+    """Return the growth per step of a FakeStiffSpring, with the phase per step as ``angle``.
+
+    ``share`` is the fraction of critical damping.
+    """
+    chi = angle / FRAME
+    return growth(semi_implicit_euler, FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi))
 
 
-def _state(particle: Particle) -> tuple[float, float]:
-    """Return the position and velocity along X. Anything that is not a number becomes NaN."""
-    x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
-    return number(x), number(v)
+def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
+    """Drop a 1 kg body onto an undamped PenaltyGround, and return its height after each step."""
+    body = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
+    move = _moving(watching(semi_implicit_euler, 1e4), body, PenaltyGround(0.0, stiffness))
+    return track(move, lambda: numbers(body.position)[1], steps).values
 
 
-def _pair(value: object) -> tuple[float, float]:
-    """Return the two numbers in a solver's result, or two NaNs if it is not a tuple of two."""
-    if not (isinstance(value, tuple) and len(value) == 2):
-        return math.nan, math.nan
-    return number(value[0]), number(value[1])
+def _moving(integrator: Integrator, body: Particle, generator: ForceGenerator) -> Move:
+    """Return a function that takes a step of a body, without a registry and its possible bugs."""
+    return lambda duration: integrator([body], lambda h: generator.update_force(body, h), duration)
+
+
+def _state(body: Particle) -> tuple[float, float]:
+    """Return the position and velocity along X."""
+    return numbers(body.position)[0], numbers(body.velocity)[0]

@@ -12,22 +12,24 @@ from typing import TYPE_CHECKING, Any
 
 from ch05_forces.particle import Particle
 from ch06_springs.springs import AnchoredSpring, Spring
-from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
-from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
 from scenes.setup import Setup
 
 if TYPE_CHECKING:
     import pymunk
 
-WIDE = 1000.0  # m, half the width of the ground
+WIDE = 1000.0  # m, half the width of the ground, and more than the length of any strut
+THICK = 1.0  # m, half the thickness of the ground, so that no body is below it after a step
 InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
-def twin_of(setup: Setup, ahead: float = 0.0, iterations: int = 10) -> InSpace:
+def twin_of(
+    setup: Setup, ahead: float = 0.0, iterations: int = 10, *, corrects: bool = False
+) -> InSpace:
     """Create a pymunk space with the same scene, and return it with its bodies.
 
     ``ahead`` is the length of a step in s. If it is not 0, all bodies start with the velocities
-    that they have half a step later, which makes pymunk's step as accurate as leapfrog.
+    that they have half a step later, which makes pymunk's step as accurate as leapfrog. With
+    ``corrects``, joints correct their whole error in each step, and not only a fraction of it.
 
     Raises:
         ValueError: Pymunk cannot express the scene, because it has a generator of another kind, or
@@ -50,8 +52,11 @@ def twin_of(setup: Setup, ahead: float = 0.0, iterations: int = 10) -> InSpace:
             bodies[id(particle)].velocity = start.x, start.y
     for particle, generator in setup.forces:
         space.add(_spring(space, bodies, particle, generator))
-    for contacts in _parts(setup.contacts):
+    for contacts in setup.contacts:
         _add_contacts(space, bodies, contacts)
+    if corrects:
+        for joint in space.constraints:
+            joint.error_bias = 0.0
     return space, [*bodies.values()]
 
 
@@ -92,15 +97,6 @@ def _spring(
     return pymunk.DampedSpring(body, other, (0.0, 0.0), at, *values)
 
 
-def _parts(generators: Iterable[object]) -> Iterable[object]:
-    """Yield all contact generators, and the parts of those that combine several."""
-    for generator in generators:
-        if isinstance(generator, Detectors):
-            yield from _parts(generator.detectors)
-        else:
-            yield generator
-
-
 def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator: object) -> None:
     """Add the joint or the shapes that do the same as a contact generator.
 
@@ -109,7 +105,15 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
     """
     import pymunk
 
+    # A handout for chapter 6 does not have these.
+    from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+    from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+    from scenes.links import Strut
+
     match generator:
+        case Detectors(detectors=parts):
+            for part in parts:
+                _add_contacts(space, bodies, part)
         case Rod(a=a, b=b):
             space.add(pymunk.PinJoint(bodies[id(a)], bodies[id(b)]))
         case AnchoredRod(particle=particle, anchor=anchor):
@@ -125,8 +129,12 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
         case Limits(a=a, b=b, min_length=low, max_length=high):
             ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
             space.add(pymunk.SlideJoint(*ends, low, high))
+        case Strut(a=a, b=b, min_length=length):
+            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
+            space.add(pymunk.SlideJoint(*ends, length, WIDE))
         case GroundPlane(particles=particles, height=height, radius=radius):
-            floor = pymunk.Segment(space.static_body, (-WIDE, height), (WIDE, height), 0.0)
+            low = height - THICK
+            floor = pymunk.Segment(space.static_body, (-WIDE, low), (WIDE, low), THICK)
             floor.elasticity = 1.0
             space.add(floor)
             _add_spheres(space, bodies, particles, radius, generator.restitution)

@@ -68,7 +68,6 @@ def every(console: Console) -> list[Measurement]:
         constraints,
         forces,
         grading,
-        integrators,
         particles,
         rotations,
         sparks,
@@ -78,7 +77,7 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*forces.lines(), *springs.lines(), *integrators.lines(), *constraints.lines()]
+    found += [*forces.lines(), *springs.lines(), *constraints.lines()]
     found += worlds.lines()
     return [*found, *rotations.lines(console), *accuracy.lines(), *bounds.lines(), *grading.lines()]
 

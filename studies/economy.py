@@ -1,47 +1,33 @@
-"""Measure how much optional features cost in a simulation of falling particles.
+"""Measure how much features cost that a scene does not need.
 
-The scene consists of two hundred falling particles, which need none of these features. Each bar of
-the chart is for one feature, such as a search for collisions. It shows the time per frame with the
-feature, divided by the time per frame without it. The two times are measured one right after the
-other.
+The scene consists of two hundred falling particles. Each line of the table is for one feature, such
+as a search for collisions. It shows the time per frame with the feature, divided by the time per
+frame without it. The two times are measured one right after the other, in the engine of solutions/.
 """
 
 from __future__ import annotations
 
 import argparse
-import csv
 import sys
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
-
-from matplotlib import pyplot
 
 from autograder.commands import find_engine
-from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console, print_wrapped
-from plots.drawing import BLUE, GRAY
-from scenes.reason import shown
-from scenes.timing import Line, Measurement, measure, timer, versus
+from scenes.clock import FRAME
+from scenes.timing import Measurement, measure, timer, versus
+from studies.bench import told
 
-COUNT, ROUNDS, FRAME = 200, 41, 1.0 / 60.0
+COUNT, ROUNDS = 200, 41
 FRAMES = 20  # per measurement
 Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the cost of optional features for falling particles, and draw it as a bar chart.
-
-    The chart is saved as a PNG file, and a CSV file next to it contains the numbers. Return 0.
-    """
-    parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
-    parser.add_argument(
-        "--out",
-        type=Path,
-        default=ROOT / "build" / "economy.png",
-        help="the file for the picture; the numbers are written next to it",
+    """Measure the cost of features that falling particles do not need, and print it. Return 0."""
+    argparse.ArgumentParser(prog="python -m studies economy", description=__doc__).parse_args(
+        arguments
     )
-    options = parser.parse_args(arguments)
     sys.path[:0] = map(str, find_engine("solutions"))
     console = plain_console()
     lines = measure(
@@ -50,44 +36,10 @@ def main(arguments: list[str]) -> int:
             for what, with_it, without in parts()
         ]
     )
-    console.print("Time per frame with a part / without it (quartiles):")
-    for line in lines:
-        told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
-        print_wrapped(console, told, hanging=21)
-    options.out.parent.mkdir(parents=True, exist_ok=True)
-    draw(lines, options.out)
-    with options.out.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:
-        rows = [(line.what, line.median, line.low, line.high) for line in lines]
-        csv.writer(file).writerows([("part", "ratio", "lower", "upper"), *rows])
-    console.print(
-        f"{shown(options.out)} and {shown(options.out.with_suffix('.csv'))}", soft_wrap=True
-    )
+    console.print("Time per frame with a feature / without it (quartiles):")
+    for line in sorted(lines, key=lambda line: -line.median):
+        print_wrapped(console, f"{told(line):24} {line.what}", hanging=25)
     return 0
-
-
-def draw(lines: list[Line], png: Path) -> None:
-    """Draw the cost of each feature as a bar, with the most expensive feature on top.
-
-    The cost is the time per frame with the feature divided by the time without it. Whiskers show
-    the quartiles. A dashed line at 1 marks the cost of a feature that takes no extra time.
-    """
-    pyplot.switch_backend("agg")
-    figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
-    ordered = sorted(lines, key=lambda line: line.median)
-    ratios = [line.median for line in ordered]
-    around = [
-        [line.median - line.low for line in ordered],
-        [line.high - line.median for line in ordered],
-    ]
-    axes.barh([line.what for line in ordered], ratios, xerr=around, color=BLUE, capsize=3)
-    for i, line in enumerate(ordered):  # beside the whisker, which would cross the number
-        axes.text(1.05 * line.high, i, f"{line.median:.2f}", va="center")
-    axes.axvline(1.0, color=GRAY, ls="--")
-    axes.set(xscale="log", xlim=(0.9, 2.0 * max(ratios)))
-    axes.set(xlabel="time per frame with it / without it (whiskers: quartiles; dashed: no cost)")
-    axes.set_title("The cost of parts that a falling particle does not need")
-    figure.savefig(png, dpi=110)
-    pyplot.close(figure)
 
 
 def parts() -> list[tuple[str, Move, Move]]:

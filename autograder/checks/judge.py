@@ -18,10 +18,10 @@ import time
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, TYPE_CHECKING
+from typing import IO, TYPE_CHECKING, Protocol
 
 from autograder.checks.apart import how_it_ended
-from autograder.checks.arrange import root_of_checks
+from autograder.checks.arrange import Behind, Config, root_of_checks
 from autograder.diagnosis.explain import explain_hang
 from autograder.files import is_full
 from autograder.manifest import ROOT
@@ -29,7 +29,6 @@ from autograder.message import Kind, Message
 from autograder.records import to_json
 
 if TYPE_CHECKING:
-    from autograder.checks.runner import Run
     from autograder.isolation.judges import ForkedJudge
 
 GRACE = 10.0  # seconds beyond a check's limit that we wait for output before we kill the process
@@ -145,13 +144,29 @@ class Ending:
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
-def judge(run: Run) -> Ending:
+class Listener(Protocol):
+    """What a run of checks tells the process, and how it hears of the events."""
+
+    root: Path
+    behind: Behind | None
+    restarts: bool
+    deadline: float
+
+    @property
+    def limit(self) -> float: ...
+
+    def config(self, folder: Path) -> Config: ...
+
+    def hear(self, line: str) -> None: ...
+
+
+def judge(run: Listener) -> Ending:
     """Run the checks that have no verdict yet in a new process, and report how the process ended.
 
     The process prints one line per event, such as the start of a check. Each line is passed to
     ``run`` as soon as it arrives.
     """
-    order, silent = run.order, False
+    silent = False
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
@@ -160,8 +175,8 @@ def judge(run: Run) -> Ending:
         stack_file = Path(arranged.stack_file)
         stack_file.touch()
         config.write_text(json.dumps(to_json(arranged)), encoding="utf-8")
-        place = root_of_checks(folder, order.root, order.behind)
-        process = Judge(config, place, behind=order.behind is not None)
+        place = root_of_checks(folder, run.root, run.behind)
+        process = Judge(config, place, behind=run.behind is not None)
         try:
             with contextlib.closing(process.lines(run.limit, run.deadline)) as lines:
                 for line in lines:

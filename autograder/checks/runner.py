@@ -114,6 +114,7 @@ class Run:
         judge: Judging = judge,
     ) -> None:
         self.order = order
+        self.root, self.behind = order.root, order.behind
         self.judge = judge
         self.on_verdict = on_verdict or (lambda *_: None)
         self.checks: dict[str, events.Check] = {}

@@ -11,16 +11,19 @@ import re
 from collections.abc import Sequence
 from importlib.machinery import ModuleSpec
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation.handles import Handle, Session
 
-if TYPE_CHECKING:
-    from autograder.isolation.in_worker import InWorker
-
 PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
+
+
+class Workers(Protocol):
+    """What knows the session with a check's worker process. Outside a check, there is none."""
+
+    session: Session | None
 
 
 class Name(Handle):
@@ -32,7 +35,7 @@ class Name(Handle):
 
     __slots__ = ("_module", "_name", "_workers")
 
-    def __init__(self, workers: InWorker, module: str, name: str) -> None:
+    def __init__(self, workers: Workers, module: str, name: str) -> None:
         object.__setattr__(self, "_workers", workers)
         object.__setattr__(self, "_module", module)
         object.__setattr__(self, "_name", name)
@@ -54,7 +57,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     student's code runs only in the worker processes.
     """
 
-    def __init__(self, workers: InWorker) -> None:
+    def __init__(self, workers: Workers) -> None:
         self.workers = workers
 
     def find_spec(
@@ -83,7 +86,7 @@ class ChapterModule(ModuleType):
     from the worker process that runs the student's code.
     """
 
-    def __init__(self, workers: InWorker, name: str) -> None:
+    def __init__(self, workers: Workers, name: str) -> None:
         super().__init__(name)
         self._workers = workers
 

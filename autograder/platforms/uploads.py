@@ -14,8 +14,8 @@ from autograder.platforms.moodle import MOST, from_moodle, write_moodle, write_w
 from autograder.reports.report import StudentReport
 from autograder.scores import possible, shown
 from autograder.submissions.class_list import ClassList
+from autograder.submissions.exports import OF_MOODLE
 from autograder.submissions.moodle_worksheet import Worksheet
-from autograder.submissions.platform_files import OF_MOODLE
 
 SOME = 5  # the most names in a line
 CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment ends with its id

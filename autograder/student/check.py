@@ -19,7 +19,8 @@ from autograder.diagnosis.given import (
 )
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import result_of, results_of
-from autograder.student.screen import ProgressBar, Report, print_report
+from autograder.student.checked import Report
+from autograder.student.screen import ProgressBar, print_report
 from autograder.student.written import print_written
 
 

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING
 from autograder.commands import command, engine_variables
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import Result
+from autograder.student.checked import Report
 from autograder.student.written import listed, open_questions
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from autograder.student.screen import Report
 
 WIDTH = 79
 LABEL = 10  # width of the column with the labels

@@ -7,7 +7,6 @@ the checks are running in a separate process, so the student does not have to wa
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind, Message
 from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
+from autograder.student.checked import Report
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
@@ -37,23 +37,6 @@ STYLES = {
     "error": "magenta",
 }
 WORKS = "works"
-
-
-@dataclass(frozen=True)
-class Report:
-    """The results of checking a student's code for one chapter.
-
-    Attributes:
-        results: The results with the student's own code in the earlier chapters.
-        on_reference: The results with our solutions in the earlier chapters. The list is empty if
-            the checks did not run with our solutions.
-        suspects: The earlier chapters whose mistakes may have caused failures.
-    """
-
-    chapter: Chapter
-    results: list[Result]
-    on_reference: list[Result]
-    suspects: list[Chapter]
 
 
 class ProgressBar:

@@ -22,6 +22,7 @@ CANVAS = re.compile(
 MOODLE = re.compile(
     r"(?P<name>.+)_(?P<id>[0-9]+)_assignsubmission_(?P<kind>[a-z]+)(?:_(?P<file>.*))?"
 )
+OF_MOODLE = "worksheet.csv"  # instructors save the grading worksheet under this name
 RESUBMITTED = re.compile(r"-([0-9]+)$")
 
 

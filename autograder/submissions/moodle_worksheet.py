@@ -19,8 +19,8 @@ from datetime import datetime
 from pathlib import Path
 
 from autograder.submissions.csv_rows import read_csv
+from autograder.submissions.exports import OF_MOODLE
 from autograder.submissions.moodle_times import read_times
-from autograder.submissions.platform_files import OF_MOODLE
 
 IDENTIFIER = re.compile(r"(.*\D)([0-9]+)")  # such as Participant 12345 or Teilnehmer/in12345
 NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")

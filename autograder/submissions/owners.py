@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from pathlib import Path
 
-from autograder.submissions.exports import Exported
+from autograder.submissions.exports import OF_MOODLE, Exported
 from autograder.submissions.find import Entry, printable
 from autograder.submissions.names import Names, key, letters
-from autograder.submissions.platform_files import OF_MOODLE, Uploads
+from autograder.submissions.platform_files import Uploads
 from autograder.submissions.roster import Student
 
 Who = tuple[Student | str, ...]  # the students of a submission, or a name if there is no student

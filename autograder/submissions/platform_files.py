@@ -16,10 +16,9 @@ from typing import Any
 
 from autograder.course.dates import parse_time
 from autograder.submissions.csv_rows import Mistakes, read_csv
-from autograder.submissions.exports import read_export, without_suffix
+from autograder.submissions.exports import OF_MOODLE, read_export, without_suffix
 from autograder.submissions.names import letters, some
 
-OF_MOODLE = "worksheet.csv"  # instructors save the grading worksheet under this name
 OF_GRADESCOPE = "submission_metadata.yml"
 OF_GITHUB = "grades.csv"  # instructors save the grades of GitHub Classroom under this name
 REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"

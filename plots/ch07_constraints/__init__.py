@@ -11,6 +11,7 @@ from plots.ch07_constraints.bounces import (
 )
 from plots.ch07_constraints.contacts import resolver_convergence, stack_height
 from plots.ch07_constraints.rods import pendulum_energy, rods_hold, rope_by_method
+from plots.ch07_constraints.solvers import contact_solvers  # noqa: F401 - for make figures only
 from plots.drawing import Picture
 
 PLOTS: tuple[Callable[[], Picture], ...] = (

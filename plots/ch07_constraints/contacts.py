@@ -1,19 +1,30 @@
 """Plots for chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
 
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine. A curve is omitted if the student has not yet solved its exercise.
+Titles report measured results, such as the largest error, which reveal bugs in the student's
+engine. A curve is omitted if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable
+from functools import partial
+from itertools import cycle
 
 from matplotlib import pyplot
 
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import semi_implicit_euler
+from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
 from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
-from scenes.piles import pile, residuals, stack
-from scenes.readings import number, written
-from scenes.track import Track
+from scenes.clock import FRAME
+from scenes.readings import number, numbers, written
+from scenes.resolving import by_resolver, resolving
+from scenes.spheres import DIAMETER, RADIUS, at, overlap, pyramid, stack, touching
+from scenes.track import Track, tracks
+
+Error = Callable[[Contact], float]
+Act = Callable[[Contact], object]
 
 
 def resolver_convergence() -> Picture:
@@ -29,19 +40,16 @@ def resolver_convergence() -> Picture:
             "in list order": lambda: [residuals(count, True) for count in counts],
         }
     )
-    rows: list[Sequence[object]] = []
-    for name, seen in found.items():
-        color, style = (BLUE, "o-") if name == "worst first" else (ORANGE, "s-")
-        for i, axes in enumerate(panels):
+    contacts = len(falling_pile()[1])
+    shown = ("closing velocity", "m/s", 1e-8), ("depth", "m", 1e-10)
+    for i, (axes, (what, unit, least)) in enumerate(zip(panels, shown, strict=True)):
+        words = []
+        for name, seen in found.items():
+            color, style = (BLUE, "o-") if name == "worst first" else (ORANGE, "s-")
             # Zeros and rounding errors are drawn at the lower edge of the picture.
-            left = [max(number(pair[i]), (1e-8, 1e-10)[i]) for pair in seen]
+            left = [max(number(pair[i]), least) for pair in seen]
             axes.semilogy(counts, left, style, color=color, ms=3, lw=1, label=name)
-        rows += [(name, count, *pair) for count, pair in zip(counts, seen, strict=True)]
-    contacts = len(pile(4, 0.01, 1.0)[1])
-    shown = ("closing velocity", "m/s"), ("depth", "m")
-    for i, (axes, (what, unit)) in enumerate(zip(panels, shown, strict=True)):
-        at = {name: seen[counts.index(100)][i] for name, seen in found.items()}
-        words = [f"{name} {value:.2g} {unit}" for name, value in at.items()]
+            words.append(f"{name} {seen[counts.index(100)][i]:.2g} {unit}")
         axes.set_title(
             f"Largest {what} of {contacts} contacts, after 100 resolutions:\n{', '.join(words)}",
             fontsize=10,
@@ -50,6 +58,11 @@ def resolver_convergence() -> Picture:
         axes.set(xlabel="resolutions", ylabel=f"largest {what}, {unit}")
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
+    rows = [
+        (name, count, *pair)
+        for name, seen in found.items()
+        for count, pair in zip(counts, seen, strict=True)
+    ]
     columns = ("order", "resolutions", "largest closing velocity, m/s", "largest depth, m")
     return Picture(figure, columns, rows)
 
@@ -60,53 +73,121 @@ def stack_height() -> Picture:
     The stacks are simulated with different limits on the number of iterations per contact.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
-    numbers_of = (1, 2, 5, 10, 20, 50)
-    found = written(
-        {
-            (count, iterations): _stacked(count, iterations)
-            for count in (3, 10)
-            for iterations in (None, *numbers_of)
-        }
-    )
-    rows: list[Sequence[object]] = []
-    sunk: dict[int, list[str]] = {}
-    overlaps: dict[int, list[str]] = {}
-    for (count, iterations), (height, overlap) in found.items():
-        name = "default" if iterations is None else str(iterations)
-        seen = zip(height.times, height.values, overlap.values, strict=True)
-        rows += [(count, name, *row) for row in seen]
-        if iterations in (None, 50):
-            how, style = ("default", "-") if iterations is None else (f"{name} per contact", "--")
-            color, label = BLUE if count == 3 else RED, f"{count} spheres, {how}"
-            left.plot(height.times, height.values, style, color=color, label=label)
-            down = height.values[0] - height.values[-1]
-            sunk.setdefault(count, []).append(f"{down:.3g} m ({how})")
-            most = 100.0 * max(overlap.values)
-            overlaps.setdefault(count, []).append(f"{most:.2g} % ({how})")
+    limits, titles = (1, 2, 5, 10, 20, 50), ([], [])
+    runs = {(n, limit): partial(sinking, n, limit) for n in (3, 10) for limit in (None, *limits)}
+    found = written(runs)
     for count, color in ((3, BLUE), (10, RED)):
-        highest = [
-            max(100.0 * max(found[count, i][1].values), 1e-6)
-            for i in numbers_of
-            if (count, i) in found
-        ]
-        right.loglog(
-            numbers_of[: len(highest)], highest, "o-", color=color, label=f"{count} spheres"
-        )
-    for axes, what, told in ((left, "sink by", sunk), (right, "overlap by up to", overlaps)):
-        lines = [f"{count} spheres {what} {', '.join(words)}" for count, words in told.items()]
+        sunk, overlaps = [], []
+        for limit, how, style in ((None, "default", "-"), (50, "50 per contact", "--")):
+            if (count, limit) in found:
+                height, depth = found[count, limit]
+                label = f"{count} spheres, {how}"
+                left.plot(height.times, height.values, style, color=color, label=label)
+                sunk.append(f"{height.values[0] - height.values[-1]:.3g} m ({how})")
+                overlaps.append(f"{100.0 * max(depth.values):.2g} % ({how})")
+        titles[0].append(f"{count} spheres sink by {', '.join(sunk)}")
+        titles[1].append(f"{count} spheres overlap by up to {', '.join(overlaps)}")
+        done = [limit for limit in limits if (count, limit) in found]
+        most = [max(100.0 * max(found[count, limit][1].values), 1e-6) for limit in done]
+        right.loglog(done, most, "o-", color=color, label=f"{count} spheres")
+    for axes, lines in zip((left, right), titles, strict=True):
         axes.set_title("\n".join(lines), fontsize=10)
-    left.set(xlabel="time, s", ylabel="height of the center of the top sphere, m")
-    right.set(xlabel="iterations per contact", ylabel="largest overlap in 2 s, % of a diameter")
-    right.set_xticks(numbers_of, [str(i) for i in numbers_of])
-    right.set_xticks([], minor=True)
-    left.set_ylim(0.0, 14.0)
-    for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
+    left.set(xlabel="time, s", ylabel="height of the center of the top sphere, m")
+    right.set(xlabel="iterations per contact", ylabel="largest overlap in 2 s, % of a diameter")
+    right.set_xticks(limits, [str(limit) for limit in limits])
+    right.set_xticks([], minor=True)
+    left.set_ylim(0.0, 14.0)
     tell(figure, [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message])
+    rows = [
+        (count, limit or "default", *row)
+        for (count, limit), (height, depth) in found.items()
+        for row in zip(height.times, height.values, depth.values, strict=True)
+    ]
     columns = ("spheres", "iterations per contact", "time, s", "height, m", "overlap / diameter")
     return Picture(figure, columns, rows)
 
 
-def _stacked(count: int, iterations: int | None) -> Callable[[], tuple[Track, Track]]:
-    return lambda: stack(count, iterations, 120)
+def sinking(count: int, iterations: int | None) -> list[Track]:
+    """Simulate a stack of spheres for 2 s, and record its height and the overlap of the spheres.
+
+    The height is that of the top sphere's center, and the overlap is a fraction of the diameter.
+    The limit of ``iterations`` per contact is 2 by default.
+    """
+    setup = stack(count)
+    spheres = setup.particles
+    move = resolving(semi_implicit_euler, spheres, setup.contacts, by_resolver(iterations))
+
+    def heights() -> list[float]:
+        return [numbers(sphere.position)[1] for sphere in spheres]
+
+    return tracks(move, [lambda: max(heights()), lambda: overlap(heights())], 120)
+
+
+def falling_pile() -> tuple[list[Particle], list[Contact]]:
+    """Create a pyramid of four rows of spheres that hits the ground at 1 m/s, and its contacts.
+
+    Neighbors overlap by 1 % of the diameter, and the lowest spheres and the ground by half of it.
+    """
+    spheres = at(pyramid(4, 0.99 * DIAMETER), 0.0)
+    for sphere in spheres:
+        sphere.position.y += 0.99 * RADIUS
+        sphere.velocity.y = -1.0
+    return spheres, [contact for detector in touching(spheres) for contact in detector.contacts()]
+
+
+def residuals(iterations: int, in_order: bool) -> tuple[float, float]:
+    """Resolve a pile's contacts in ``iterations`` iterations, and measure the remaining errors.
+
+    If ``in_order`` is true, the contacts are resolved in list order, in repeated passes. Otherwise
+    a ContactResolver always resolves the worst contact first.
+
+    Returns:
+        The largest closing velocity in m/s, and the largest depth in m at the final positions.
+    """
+    spheres, contacts = falling_pile()
+    if iterations and in_order:
+        _sweep(contacts, iterations, _closing, VELOCITY_TOLERANCE, _stop)
+        _sweep(contacts, iterations, _depth, DEPTH_TOLERANCE, _separate)
+    elif iterations:
+        ContactResolver(iterations).resolve_contacts(contacts, FRAME)
+    places = [numbers(sphere.position) for sphere in spheres]
+    # Use positions only, because the contacts' own depths may be outdated (E-8).
+    depths = [RADIUS - place[1] for place in places]
+    depths += [DIAMETER - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
+    closing = max(map(_closing, contacts), default=math.nan)
+    return max(closing, 0.0), max(0.0, *depths)
+
+
+def _sweep(contacts: list[Contact], limit: int, error: Error, least: float, resolve: Act) -> None:
+    """Resolve contacts whose error exceeds ``least``, in repeated passes, ``limit`` times."""
+    used = idle = 0
+    for contact in cycle(contacts):
+        if used == limit or idle == len(contacts):
+            return
+        idle += 1
+        if error(contact) > least:
+            resolve(contact)
+            used, idle = used + 1, 0
+
+
+def _closing(contact: Contact) -> float:
+    return -contact.separating_velocity()
+
+
+def _stop(contact: Contact) -> None:
+    contact.resolve_velocity(FRAME)
+
+
+def _depth(contact: Contact) -> float:
+    """Compute how far a sphere overlaps another sphere or the ground at its current position."""
+    place = contact.particle.position
+    if contact.other is None:
+        return RADIUS - place.y
+    return DIAMETER - (place - contact.other.position).dot(contact.normal)
+
+
+def _separate(contact: Contact) -> None:
+    contact.penetration = _depth(contact)
+    contact.resolve_penetration()

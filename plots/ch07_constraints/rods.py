@@ -3,50 +3,54 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
+from itertools import pairwise
 
 from matplotlib import pyplot
 
+from ch02_vectors.vector import Vector3
+from ch06_springs.integrators import Integrator, semi_implicit_euler
+from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod, TwoSidedRod
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
+from scenes.chain import Chain, Link
 from scenes.clock import FRAME
-from scenes.constraints import LINK, Link, by_resolver, chain, chain_by_direct_solve, pendulum
 from scenes.integrators import INTEGRATORS
-from scenes.readings import written
-from scenes.track import Track
+from scenes.readings import numbers, written
+from scenes.resolving import by_resolver, resolving
+from scenes.setup import Setup
+from scenes.track import Move, Track, tracks
 
-LINKS = 25
+LINKS, LINK = 25, 0.1  # rods of a rope, and their length in m
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot the length error of a rope made of rods over time, for each simulation method.
-
-    The rope is released at 30 degrees from the vertical.
-    """
+    """Plot the length error of a swinging rope of rods over time, for each simulation method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
-    frames = 120
-    colors = (RED, ORANGE, PINK, SKY, BLUE, GREEN)
-    scenes: dict[str, Callable[[], tuple[Track, Track]]] = {
-        "Rod": lambda: chain(LINKS, Rod, by_resolver(), frames, 30.0),
-        "Rod, 10 times the iterations": lambda: chain(LINKS, Rod, by_resolver(20), frames, 30.0),
-        "Rod, 8 substeps": lambda: chain(LINKS, Rod, by_resolver(), frames, 30.0, 8),
-        "TwoSidedRod": lambda: chain(LINKS, TwoSidedRod, by_resolver(), frames, 30.0),
-        "TwoSidedRod, 8 substeps": lambda: chain(
-            LINKS, TwoSidedRod, by_resolver(), frames, 30.0, 8
-        ),
-        "DirectChain": lambda: chain_by_direct_solve(LINKS, frames, 30.0),
+    rope, frames = Chain([1.0] * LINKS, LINK, math.radians(30.0)), 120
+    methods: dict[str, tuple[Link | None, int | None, int, str]] = {
+        "Rod": (Rod, None, 1, RED),
+        "Rod, 10 times the iterations": (Rod, 20, 1, ORANGE),
+        "Rod, 8 substeps": (Rod, None, 8, PINK),
+        "TwoSidedRod": (TwoSidedRod, None, 1, SKY),
+        "TwoSidedRod, 8 substeps": (TwoSidedRod, None, 8, BLUE),
+        "DirectChain": (None, None, 1, GREEN),
     }
-    found = written(scenes)
+    found = written(
+        {
+            name: partial(stretch, rope, link, frames, iterations, substeps)
+            for name, (link, iterations, substeps, _) in methods.items()
+        }
+    )
     rows: list[Sequence[object]] = []
-    for color, name in zip(colors, scenes, strict=True):
-        if name not in found:
-            continue
-        run, worst = found[name]
+    for name, (run, worst) in found.items():
         # A rope whose length is exact except for rounding is drawn at the lower edge.
         off = [max(abs(value), 1e-10) for value in run.values]
         label = f"{name}: at most {max(off):.2g} m"
-        axes.semilogy(run.times, off, color=color, lw=3.0 if name == "Rod" else 1.3, label=label)
+        color, width = methods[name][-1], 3.0 if name == "Rod" else 1.3
+        axes.semilogy(run.times, off, color=color, lw=width, label=label)
         rows += [(name, *row) for row in zip(run.times, run.values, worst.values, strict=True)]
     label = f"length of the rope: {LINKS * LINK:g} m"
     axes.axhline(LINKS * LINK, color=GRAY, lw=1, ls=":", label=label)
@@ -66,10 +70,7 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """Plot the largest length error of a rod in a hanging chain against the number of rods.
-
-    Each curve is for a different number of iterations or substeps.
-    """
+    """Plot the largest length error of a rod in a hanging chain against the number of rods."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
     panels[0].set(yscale="log", ylim=(5e-11, 10.0))  # a wrong engine may have no finite error
     # Cases that take longer than all other cases together are left out.
@@ -82,55 +83,56 @@ def rods_hold() -> Picture:
     }
     found = written(
         {
-            (kind, way, count): _hanging(KINDS[kind], count, iterations, substeps)
+            (kind, way, count): partial(
+                stretch, Chain([1.0] * count, LINK), KINDS[kind], 120, iterations, substeps
+            )
             for kind in KINDS
             for way, (iterations, substeps, most, _) in ways.items()
             for count in (1, 3, 10, 30)
             if count <= most
         }
     )
-    rows: list[Sequence[object]] = [(*key, value) for key, (value, _) in found.items()]
+    worst = {key: max(run.values[90:], default=math.inf) for key, (_, run) in found.items()}
     for axes, kind in zip(panels, KINDS, strict=True):
         for way, (*_, color) in ways.items():
-            seen = {
-                n: max(off, 1e-10) for (k, w, n), (off, _) in found.items() if (k, w) == (kind, way)
-            }
+            seen = {n: off for (k, w, n), off in worst.items() if (k, w) == (kind, way)}
             if seen:
+                shown = [max(off, 1e-10) for off in seen.values()]
                 style = "s--" if "substeps" in way else "o-"
-                n, off = [*seen.items()][-1]
-                label = f"{way}: {off:.2g} m for {n} rods"
-                axes.loglog(*zip(*seen.items(), strict=True), style, color=color, ms=5, label=label)
-        at = [value for (k, _, n), (value, _) in found.items() if (k, n) == (kind, 10)]
+                label = f"{way}: {shown[-1]:.2g} m for {[*seen][-1]} rods"
+                axes.loglog([*seen], shown, style, color=color, ms=5, label=label)
+        at = [value for (k, _, n), value in worst.items() if (k, n) == (kind, 10)]
         words = f"{min(at):.2g} to {max(at):.2g}" if at else "?"
         axes.set_title(f"{kind}: the largest error of 10 rods is {words} m", fontsize=10)
         axes.axhline(LINK, color=GRAY, lw=1, ls=":")
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
-        axes.set(xlabel="number of rods in the chain, 0.1 m each (dotted)")
+        axes.set_xlabel("number of rods in the chain, 0.1 m each (dotted)")
         axes.grid(alpha=0.3)
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize=8)
         else:
             axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
     panels[0].set_ylabel("largest error of a rod from 1.5 to 2 s, m (60 Hz; 1e-10 or less at edge)")
-    tell(figure, [f"{key}: {message}" for key, (_, message) in found.items() if message])
+    tell(figure, [f"{key}: {run.message}" for key, (_, run) in found.items() if run.message])
+    rows = [(*key, value) for key, value in worst.items()]
     return Picture(figure, ("link", "method", "rods", "largest error of a rod, m"), rows)
 
 
 def pendulum_energy() -> Picture:
     """Plot the energy of a pendulum on a rod for 10 s, starting with the rod horizontal."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
-    shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
-    shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]
-    shown += [("DirectChain", 60, GREEN)]
-    found = written({(name, rate): _swinging(name, rate) for name, rate, _ in shown})
+    colors = {("explicit Euler", 60): RED, ("semi-implicit Euler", 60): SKY}
+    colors |= {("semi-implicit Euler", 240): PINK, ("semi-implicit Euler", 960): BLACK}
+    colors |= {("DirectChain", 60): GREEN}
+    found = written(
+        {(name, rate): partial(energy, INTEGRATORS.get(name), rate) for name, rate in colors}
+    )
     rows: list[Sequence[object]] = []
     words = []
-    for name, rate, color in shown:
-        if (run := found.get((name, rate))) is None:
-            continue
+    for (name, rate), run in found.items():
         label = f"{name}, {rate} Hz: {run.values[-1]:.4g} J at the end"
-        axes.plot(run.times, run.values, color=color, lw=1.2, label=label)
+        axes.plot(run.times, run.values, color=colors[name, rate], lw=1.2, label=label)
         rows += [(name, rate, *row) for row in run.points]
         words.append(f"{100.0 * (run.values[-1] / run.values[0] - 1.0):+.3g} %")
     axes.set_title(
@@ -138,33 +140,59 @@ def pendulum_energy() -> Picture:
         f"order of the legend:\n{', '.join(words)}",
         fontsize=11,
     )
-    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J")
-    axes.set_ylim(bottom=0.0)
+    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J", ylim=(0.0, None))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
-    notes = [
-        f"{name}, {rate} Hz: {run.message}" for (name, rate), run in found.items() if run.message
-    ]
-    tell(figure, notes)
+    stopped = {f"{name}, {rate} Hz": run.message for (name, rate), run in found.items()}
+    tell(figure, [f"{key}: {message}" for key, message in stopped.items() if message])
     return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)
 
 
-def _hanging(
-    link: Link, count: int, iterations: int | None, substeps: int
-) -> Callable[[], tuple[float, str]]:
-    """Return a function that simulates a hanging chain for 2 s.
+def stretch(
+    chain: Chain, link: Link | None, frames: int, iterations: int | None = None, substeps: int = 1
+) -> tuple[Track, Track]:
+    """Release a chain of rods, or a DirectChain if ``link`` is None, and record how it stretches.
 
-    That function returns the largest error in the length of a rod, in m, and the message of any
-    exception.
+    Return the excess length of the whole chain over time, and the largest error in the length of a
+    rod. The resolver makes ``iterations`` iterations per contact, or 2 by default.
     """
+    setup = chain.setup(link)
+    move = moving(setup, link and semi_implicit_euler, iterations, substeps)
 
-    def scene() -> tuple[float, str]:
-        resolve = by_resolver(iterations)
-        _, worst = chain(count, link, resolve, 120, substeps=substeps)
-        return max(worst.values[90:], default=math.inf), worst.message
+    def off() -> list[float]:
+        return chain.excess(setup.particles)
 
-    return scene
+    whole, worst = tracks(move, [lambda: math.fsum(off()), lambda: max(map(abs, off()))], frames)
+    return whole, worst
 
 
-def _swinging(name: str, rate: int) -> Callable[[], Track]:
-    return lambda: pendulum(INTEGRATORS.get(name), rate, 10.0)
+def energy(step: Integrator | None, rate: int) -> Track:
+    """Release a pendulum of 1 kg and 1 m from horizontal, and record its energy in J for 10 s.
+
+    The energy is relative to the lowest point. If ``step`` is None, the pendulum is a DirectChain.
+    """
+    pendulum = Chain([1.0], 1.0, 0.5 * math.pi)
+    setup = pendulum.setup()
+    (bob,) = setup.particles
+    measures = [
+        lambda: numbers(bob.position)[1],
+        lambda: numbers(bob.velocity)[0],
+        lambda: numbers(bob.velocity)[1],
+    ]
+    y, *parts = tracks(moving(setup, step), measures, 10 * rate, 1.0 / rate)
+    velocities = [complex(*pair) for pair in zip(*(part.values for part in parts), strict=True)]
+    if not step:  # a DirectChain has velocities halfway between two positions
+        velocities[1:] = [0.5 * (v + w) for v, w in pairwise(velocities[1:])]
+    pairs = zip(y.values, velocities, strict=False)
+    energies = [pendulum.gravity * (1.0 + height) + 0.5 * abs(v) ** 2 for height, v in pairs]
+    return Track(y.times[: len(energies)], energies, y.message)
+
+
+def moving(
+    setup: Setup, step: Integrator | None, iterations: int | None = None, substeps: int = 1
+) -> Move:
+    """Return what moves a chain: an integrator and a resolver, or DirectChain if there is none."""
+    if not step:
+        return DirectChain(setup.particles, Vector3()).step
+    resolve = by_resolver(iterations)
+    return resolving(step, setup.particles, setup.contacts, resolve, substeps=substeps)

@@ -12,10 +12,10 @@ from plots.ch08_mass_aggregate.energy import (
 from plots.ch08_mass_aggregate.projects import (
     blob_bonds,
     sleeping_balls,
-    trebuchet_range,
     wheel_deformation,
 )
 from plots.ch08_mass_aggregate.ropes import hanging_rope, mass_ratios
+from plots.ch08_mass_aggregate.trebuchet import trebuchet_range
 from plots.drawing import Picture
 
 PLOTS: tuple[Callable[[], Picture], ...] = (

@@ -1,8 +1,4 @@
-"""Plots for chapter 8: how accurate simulated ropes and bridge cables are, and at what cost.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine.
-"""
+"""Plots for chapter 8: how accurate simulated ropes and bridge cables are, and at what cost."""
 
 from __future__ import annotations
 
@@ -11,21 +7,19 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from matplotlib import pyplot
-from matplotlib.axes import Axes
 
+from plots.ch08_mass_aggregate.energy import load_on_bridge
 from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
-from scenes.mass_aggregate import load_on_bridge
-from scenes.readings import stopped, written
-from scenes.ropes import (
+from scenes.hanging_rope import (
     LENGTH,
     SPAN,
     Hanging,
-    catenary_radius,
-    catenary_sag,
+    catenary,
     hang_by_direct_chain,
     hang_by_rods,
     polygon_sag,
 )
+from scenes.readings import stopped, written
 from scenes.track import Track
 
 BOUND = 2.0  # %, allowed excess length of a cable
@@ -66,7 +60,7 @@ def mass_ratios() -> Picture:
         # Values without an error are drawn at the lower edge.
         shown = {ratio: min(max(value, 1e-3), THROUGH) for ratio, value in worst.items()}
         label = f"{way}: {ends} (up to {most:,} resolutions)"
-        axes.loglog(*zip(*shown.items(), strict=True), "o-", color=color, label=label)
+        axes.loglog([*shown], [*shown.values()], "o-", color=color, label=label)
         axes.plot(bad, [shown[ratio] for ratio in bad], "x", color=BLACK, ms=11, mew=2)
         if 300 in worst:
             words.append(f"{way} {worst[300]:.2g} %")
@@ -74,7 +68,6 @@ def mass_ratios() -> Picture:
     axes.axhline(THROUGH, color=GRAY, lw=1, ls=":", label="the ball has fallen through")
     axes.axhspan(BOUND, 1e6, color=GRAY, alpha=0.12, lw=0)
     axes.axhline(BOUND, color=GRAY, lw=1, ls="--", label=f"limit: {BOUND:g} %")
-    axes.set_ylim(8e-4, 2e5)
     axes.set_xticks(ratios, [f"{ratio}:1" for ratio in ratios])
     axes.set_xticks([], minor=True)
     axes.set_title(
@@ -83,137 +76,98 @@ def mass_ratios() -> Picture:
         fontsize=11,
     )
     axes.set(xlabel="mass of the ball : mass of the end of a plank")
-    axes.set_ylabel("excess length of the worst cable from 3 to 4 s, % (60 Hz)")
+    axes.set(ylabel="excess length of the worst cable from 3 to 4 s, % (60 Hz)", ylim=(8e-4, 2e5))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8.5, loc="upper left")
-    notes = [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message]
-    tell(figure, notes)
+    tell(figure, [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message])
     columns = ("method", "ball : plank's end", "resolutions", "excess length of the worst cable, %")
     return Picture(figure, columns, rows)
 
 
 def hanging_rope() -> Picture:
-    """Plot how accurately each method simulates the sag of a rope between two nails.
-
-    The error in the sag is plotted against the work, which is the number of contacts resolved. For
-    DirectChain, it is the number of rod forces computed. These counts are the same on every
-    computer.
-    """
+    """Plot the error in the sag of a rope between two nails against the work of each method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
+    rods = {substeps: f"rods, {substeps} substep{'s' * (substeps > 1)}" for substeps in (1, 4, 16)}
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
     # DirectChain is also shown with a rope that starts in the shape of a V.
+    direct, from_v = "DirectChain, 240 Hz", "DirectChain, 240 Hz, from a V for 8 s"
     scenes: dict[tuple[int, str], Callable[[], Hanging]] = {
-        (links, f"rods, {substeps} substep{'s' * (substeps > 1)}"): partial(
-            hang_by_rods, links, 60, substeps, SECONDS
-        )
+        (links, name): partial(hang_by_rods, links, substeps, SECONDS)
         for links in (10, MANY)
-        for substeps in (1, 4, 16)
+        for substeps, name in rods.items()
     }
-    for links, rate in ((10, 60), (MANY, 60), (MANY, 240)):
-        scenes[links, f"DirectChain, {rate} Hz"] = partial(
-            hang_by_direct_chain, links, rate, SECONDS
-        )
+    scenes |= {
+        (links, f"DirectChain, {rate} Hz"): partial(hang_by_direct_chain, links, rate, SECONDS)
+        for links, rate in ((10, 60), (MANY, 60), (MANY, 240))
+    }
     for links in (10, MANY):
-        name = "DirectChain, 240 Hz, from a V for 8 s"
-        scenes[links, name] = partial(hang_by_direct_chain, links, 240, 8.0, True)
-    notes: list[str] = []
-    hung = written({key: _ended(scene, key, notes) for key, scene in scenes.items()})
-    found = {key: hanging for key, hanging in hung.items() if hanging is not None}
-    a = catenary_radius()
-    xs = [SPAN * i / 100 for i in range(101)]
-    ys = [a * (math.cosh((x - 0.5 * SPAN) / a) - math.cosh(0.5 * SPAN / a)) for x in xs]
-    left.plot(xs, ys, color=GRAY, lw=5, alpha=0.5, label=f"catenary: sag {catenary_sag():.5f} m")
-    for color, substeps in ((RED, "1 substep"), (ORANGE, "4 substeps"), (PINK, "16 substeps")):
-        _shape(left, found.get((MANY, f"rods, {substeps}")), f"rods, {substeps}", color)
-    direct = found.get((MANY, "DirectChain, 240 Hz"))
-    _shape(left, direct, "DirectChain, 240 Hz", BLACK)
+        scenes[links, from_v] = partial(hang_by_direct_chain, links, 240, 8.0, True)
+    tries = written({key: partial(_tried, scene) for key, scene in scenes.items()})
+    found = {key: hanging for key, (hanging, _) in tries.items() if hanging}
+    errors = {key: hanging.sag - polygon_sag(key[0]) for key, hanging in found.items()}
+    exact, xs = catenary(), [SPAN * i / 100 for i in range(101)]
+    label = f"catenary: sag {-exact(0.5 * SPAN):.5f} m"
+    left.plot(xs, [*map(exact, xs)], color=GRAY, lw=5, alpha=0.5, label=label)
+    for color, name in zip((RED, ORANGE, PINK, BLACK), (*rods.values(), direct), strict=True):
+        if rope := found.get((MANY, name)):
+            label = f"{name}: sag {rope.sag:.5g} m, {abs(rope.stretch):.2g} m too long"
+            left.plot(*zip(*rope.places, strict=True), color=color, lw=1.3, label=label)
     rows: list[Sequence[object]] = []
-    looks = (("rods", 10, SKY), ("rods", MANY, RED), ("DirectChain", 10, BLUE))
-    for kind, links, color in (*looks, ("DirectChain", MANY, BLACK)):
-        points = []
-        for (count, name), hanging in found.items():
-            if count == links and name.startswith(kind):
-                error = hanging.sag - polygon_sag(links)
-                rows.append((links, name, hanging.work, hanging.sag, error, hanging.stretch))
-                points.append((hanging.work, max(abs(error), 1e-10), name))
-        if points:
-            work, errors, _ = zip(*points, strict=True)
-            style = "o-" if kind == "rods" else "D"
-            label = f"{kind}, {links} links: {min(errors):.1g} to {max(errors):.1g} m"
-            right.loglog(work, errors, style, color=color, label=label)
-            for spent, error, name in points:
-                words = name.removeprefix(f"{kind}, ").replace(", from", "\nfrom")
-                above = kind == "rods" or ("\n" in words and links == MANY)
-                offset = (6, 4) if above else (-2, -24 if "\n" in words else -16)
-                right.annotate(
-                    words, (spent, error), offset, textcoords="offset points", fontsize=7.5
-                )
-    sinks = [_sinks(found, 10, s) for s in (1, 16)]
-    deep = [_sinks(found, MANY, s) for s in (1, 16)]
-    stays = "?" if direct is None else f"{direct.sag - polygon_sag(MANY):.1g}"
+    looks = {("rods", 10): SKY, ("rods", MANY): RED}
+    looks |= {("DirectChain", 10): BLUE, ("DirectChain", MANY): BLACK}
+    for (kind, links), color in looks.items():
+        keys = [key for key in found if key[0] == links and key[1].startswith(kind)]
+        rows += [
+            (*key, found[key].work, found[key].sag, errors[key], found[key].stretch) for key in keys
+        ]
+        if not keys:
+            continue
+        work = [found[key].work for key in keys]
+        off = [max(abs(errors[key]), 1e-10) for key in keys]
+        style = "o-" if kind == "rods" else "D"
+        label = f"{kind}, {links} links: {min(off):.1g} to {max(off):.1g} m"
+        right.loglog(work, off, style, color=color, label=label)
+        for (_, name), spent, error in zip(keys, work, off, strict=True):
+            words = name.removeprefix(f"{kind}, ").replace(", from", "\nfrom")
+            above = kind == "rods" or ("\n" in words and links == MANY)
+            offset = (6, 4) if above else (-2, -24 if "\n" in words else -16)
+            right.annotate(words, (spent, error), offset, textcoords="offset points", fontsize=7.5)
+
+    def sinks(links: int, name: str, digits: str = ".2g") -> str:
+        return f"{errors[links, name]:{digits}}" if (links, name) in errors else "?"
+
     right.set_title(
-        f"With 1 and 16 substeps, 10 links sink by {sinks[0]} and {sinks[1]} m,\n"
-        f"{MANY} links by {deep[0]} and {deep[1]} m, with DirectChain by {stays} m",
+        f"With 1 and 16 substeps, 10 links sink by {sinks(10, rods[1])} and {sinks(10, rods[16])} "
+        f"m,\n{MANY} links by {sinks(MANY, rods[1])} and {sinks(MANY, rods[16])} m, "
+        f"with DirectChain by {sinks(MANY, direct, '.1g')} m",
         fontsize=10,
     )
+    longer = f"{found[MANY, rods[16]].stretch:.2g}" if (MANY, rods[16]) in found else "?"
     left.set_title(
         f"{MANY} links of {LENGTH / MANY:g} m, {SECONDS:g} s after a start at rest:\n"
-        f"rods with 16 substeps are {_stretch(found, MANY, 16)} m too long",
+        f"rods with 16 substeps are {longer} m too long",
         fontsize=10,
     )
-    left.set(xlabel="position along the span, m", ylabel="height relative to the nails, m")
-    right.set(xlabel="work: contacts resolved, or rods solved")
-    right.set_ylabel("error of the sag, m (1e-10 or less at the edge)")
-    left.set(xlim=(-0.6, 2.6), ylim=(-4.0, 1.5))
-    right.set(xlim=(1.5e2, 1e6), ylim=(1e-11, 1e3))
+    left.set(xlabel="position along the span, m", xlim=(-0.6, 2.6))
+    left.set(ylabel="height relative to the nails, m", ylim=(-4.0, 1.5))
+    right.set(xlabel="work: contacts resolved, or rods solved", xlim=(1.5e2, 1e6))
+    right.set(ylabel="error of the sag, m (1e-10 or less at the edge)", ylim=(1e-11, 1e3))
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
-    tell(figure, notes)
+    tell(figure, [f"{key[0]} links, {key[1]}: {why}" for key, (_, why) in tries.items() if why])
     columns = ("links", "method", "work", "sag, m", "error of the sag, m", "excess length, m")
     return Picture(figure, columns, rows)
 
 
 def _late(run: Track, since: float) -> float:
-    """Find the largest value that a simulation recorded after the first ``since`` seconds.
-
-    If the engine raised an exception, return infinity.
-    """
+    """Find the largest value after ``since`` s, or infinity if the engine raised an exception."""
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
 
 
-def _ended(
-    scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
-) -> Callable[[], Hanging | None]:
-    """Wrap the simulation of a rope, so that one failed run does not stop the whole plot.
-
-    If the simulation raises an exception, the wrapped function returns None. The message of the
-    exception is added to ``notes``.
-    """
-
-    def run() -> Hanging | None:
-        hung: list[Hanging] = []
-        message = stopped(lambda: hung.append(scene()))
-        if message:
-            notes.append(f"{key[0]} links, {key[1]}: {message}")
-        return hung[0] if hung else None
-
-    return run
-
-
-def _shape(axes: Axes, hanging: Hanging | None, name: str, color: str) -> None:
-    if hanging is not None:
-        label = f"{name}: sag {hanging.sag:.5g} m, {abs(hanging.stretch):.2g} m too long"
-        axes.plot(*zip(*hanging.places, strict=True), color=color, lw=1.3, label=label)
-
-
-def _sinks(found: dict[tuple[int, str], Hanging], links: int, substeps: int) -> str:
-    name = f"rods, {substeps} substep{'s' * (substeps > 1)}"
-    hanging = found.get((links, name))
-    return "?" if hanging is None else f"{hanging.sag - polygon_sag(links):.2g}"
-
-
-def _stretch(found: dict[tuple[int, str], Hanging], links: int, substeps: int) -> str:
-    hanging = found.get((links, f"rods, {substeps} substeps"))
-    return "?" if hanging is None else f"{hanging.stretch:.2g}"
+def _tried(scene: Callable[[], Hanging]) -> tuple[Hanging | None, str]:
+    """Simulate a rope, and return the result and the message of any exception."""
+    hung: list[Hanging] = []
+    message = stopped(lambda: hung.append(scene()))
+    return (hung[0] if hung else None), message

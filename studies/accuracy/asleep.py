@@ -9,17 +9,15 @@ from collections.abc import Callable
 
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.sleeping import SleepingWorld
-from studies.accuracy.in_pymunk import InSpace, in_turn
+from scenes.twin import InSpace
+from studies.accuracy.in_pymunk import in_turn
 from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 
 
 def asleep(
     make: Callable[[], tuple[SleepingWorld, list[Particle]]], frames: int, name: str = "asleep"
 ) -> Model:
-    """Create a model in which all particles sleep.
-
-    ``make`` creates the world, whose particles sleep, and returns it with those to be compared.
-    """
+    """Create a model from a world in which all particles sleep, and those to be compared."""
 
     def run(_: int) -> Outcome:
         world, particles = make()

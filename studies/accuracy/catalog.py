@@ -6,14 +6,31 @@ by name.
 
 from __future__ import annotations
 
+from functools import cache
+
 from studies.accuracy.scene import Scene
 from studies.accuracy.scenes.bridge import BRIDGES
+from studies.accuracy.scenes.chains import CHAINS
 from studies.accuracy.scenes.flights import FLIGHTS
 from studies.accuracy.scenes.impacts import IMPACTS
-from studies.accuracy.scenes.links import LINKED
 from studies.accuracy.scenes.many import MANY_BODIES
 from studies.accuracy.scenes.nets import NETS
 from studies.accuracy.scenes.springs import SPRINGS
+
+GROUPS = {
+    "Flights and floating": FLIGHTS,
+    "Springs": SPRINGS,
+    "Impacts": IMPACTS,
+    "Pendulums and ropes": CHAINS,
+    "Rope bridges and nets": [*BRIDGES, *NETS],
+    "Many bodies": MANY_BODIES,
+}
+
+
+@cache
+def group_of() -> dict[str, str]:
+    """Return the title of the group of each scene, by the scene's name."""
+    return {make().name: title for title, group in GROUPS.items() for make in group}
 
 
 def scenes_with(part: str) -> list[Scene]:
@@ -24,8 +41,7 @@ def scenes_with(part: str) -> list[Scene]:
     Raises:
         ValueError: No scene matches. The message lists all names.
     """
-    groups = (FLIGHTS, SPRINGS, IMPACTS, LINKED, BRIDGES, NETS, MANY_BODIES)
-    every = [make() for group in groups for make in group]
+    every = [make() for group in GROUPS.values() for make in group]
     if found := [scene for scene in every if part in scene.name]:
         return found
     names = "; ".join(scene.name for scene in every)

@@ -1,7 +1,4 @@
-"""Models that step the equations of a scene as complex numbers, with methods of high order.
-
-They read the scene's equations from one function, from positions and velocities to accelerations.
-"""
+"""Models that step the equations of a scene as complex numbers, with methods of high order."""
 
 from __future__ import annotations
 
@@ -21,7 +18,7 @@ ORDERS = (4, 6, 8)
 
 
 def flat(positions: Sequence[complex]) -> Place:
-    """List the coordinates of all bodies in one flat tuple: x1, y1, x2, y2 and so on."""
+    """List the coordinates of all bodies in one tuple: x1, y1, x2, y2 and so on."""
     if len(positions) == 1:
         return positions[0].real, positions[0].imag
     return tuple([part for z in positions for part in (z.real, z.imag)])
@@ -43,19 +40,15 @@ def in_plane(
     positions to coordinates. An evaluation counts as ``units`` of work, or as one for each body.
     """
     units = units or len(positions)
+    kind = LoneMultistep if len(positions) == 1 else Multistep
 
     def by_multistep(order: int, steps: int) -> Outcome:
-        is_long = steps < LONG
-        kind = LoneMultistep if len(positions) == 1 else Multistep
+        # The curve between two long steps needs velocities.
+        needs_velocities, length = is_damped or steps < LONG, LONG / (steps * RATE)
         bodies = kind(
-            positions,
-            velocities,
-            accelerations,
-            LONG / (steps * RATE),
-            order,
-            is_damped=is_damped or is_long,  # the curve between two steps needs velocities
+            positions, velocities, accelerations, length, order, is_damped=needs_velocities
         )
-        if is_long:
+        if steps < LONG:
             places = in_long_steps(
                 lambda: bodies.run(1, 1),
                 lambda: ([*bodies.positions], [*bodies.velocities]),
@@ -72,13 +65,11 @@ def in_plane(
         places = bodies.positions_at(1.0 / RATE, frames, 1.0 / inverse)
         return Outcome([*map(place, places)], bodies.evaluations * units)
 
-    return [
-        *(
-            Model(f"multistep, order {order}", partial(by_multistep, order), LONG_STEPS, per=LONG)
-            for order in ORDERS
-        ),
-        Model("order 8, own steps", by_tolerance, TOLERANCES, takes_tolerance=True),
+    models = [
+        Model(f"multistep, order {order}", partial(by_multistep, order), LONG_STEPS, per=LONG)
+        for order in ORDERS
     ]
+    return [*models, Model("order 8, own steps", by_tolerance, TOLERANCES, takes_tolerance=True)]
 
 
 def in_long_steps(

@@ -1,21 +1,9 @@
 """Models that simulate a scene in pymunk: as its examples do, and at its best.
 
-A step of pymunk first moves all bodies, and then changes their velocities. If you use it as most of
-its examples do, the error therefore falls only in proportion to the step. These changes, which need
-nothing but pymunk's public functions, make it fall with the square of the step, and the last one
-makes it fall still faster:
-
-- **Half a step ahead**, for gravity, springs and joints. The body starts with the velocity that it
-  has half a step later. All velocities then belong to the middle of a step, and the positions are
-  those of leapfrog.
-- **Velocity before the step, from half a step behind**, for a force of our own. A program that adds
-  h times the acceleration to the velocity before a step uses the new position, and the step then
-  moves the body with the new velocity. The force from ``apply_force`` would act only after the body
-  has moved. A function in ``velocity_func``, from half a step ahead, also uses the new position,
-  but calls from C to Python take longer.
-- **No bias.** By default, a joint corrects only a part of its error in each step. If ``error_bias``
-  is 0, it corrects the whole error.
-- **Two runs.** The errors of a run with n steps and of one with 2n steps cancel in (4 x2 - x1) / 3.
+A step of pymunk first moves all bodies, and then changes their velocities. As most of its examples
+use it, the error therefore falls only in proportion to the step. The changes that README.md
+describes, which need nothing but pymunk's public functions, make it fall with the square of the
+step: a start half a step ahead, our own forces before the step, and joints without bias.
 
 A ``DampedSpring`` damps after it has changed the velocity, and the damping of a space comes before
 gravity. A spring that is stiffer by half a step's damping, or a gravity that is weaker by it, makes
@@ -28,7 +16,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
 from scenes.clock import RATE
+from scenes.setup import alone
+from scenes.twin import InSpace, twin_of
 from studies.accuracy.scene import MANY, Model, Outcome, Place, in_frames
 
 if TYPE_CHECKING:
@@ -40,7 +32,6 @@ BATCH = 4  # bodies from which it is faster to read all positions in one call
 Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
 Pair = tuple[float, float]
 Step = Callable[[float], object]
-InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
 def by_pymunk(
@@ -53,17 +44,16 @@ def by_pymunk(
 ) -> Model:
     """Create a model that simulates a scene in pymunk.
 
-    ``make`` creates the space and its bodies for steps of the given duration in s. ``stepping``
-    returns the function that makes a step, which for example applies forces. A step counts as one
-    unit of work for each iteration of each joint. Without joints, it counts as ``units``.
+    ``make`` creates the space and its bodies for steps of the given duration in s, and ``stepping``
+    returns what makes a step. A step counts as one unit of work for each iteration of each joint
+    or, without joints, as ``units``.
     """
 
     def run(count: int) -> Outcome:
         space, bodies = make(1.0 / (RATE * count))
         places = in_frames(stepping(space, bodies), reading(space, bodies), frames, count)
-        return Outcome(
-            places, frames * count * (len(space.constraints) * space.iterations or units)
-        )
+        work = len(space.constraints) * space.iterations or units
+        return Outcome(places, frames * count * work)
 
     return Model(name, run, steps, "pymunk")
 
@@ -71,8 +61,8 @@ def by_pymunk(
 def from_two_runs(model: Model) -> Model:
     """Return a model that combines two runs of ``model``, with n and with 2n steps per frame.
 
-    If the error falls with the square of the step, this cancels most of it. What is left has order
-    4, or 3 if forces depend on the velocity. Source: Richardson's extrapolation.
+    If the error falls with the square of the step, this cancels most of it (Richardson). What is
+    left has order 4, or 3 if forces depend on the velocity.
     """
 
     def run(count: int) -> Outcome:
@@ -89,15 +79,27 @@ def from_two_runs(model: Model) -> Model:
 def lone(
     position: Pair, velocity: Pair, acceleration: Acceleration, frames: int
 ) -> tuple[Model, Model, Model]:
-    """Create the models of a single body in pymunk, which moves under a force of our own.
+    """Create the models of a single body in pymunk under a force of our own.
 
     The first one applies the force before each step, the second one in ``velocity_func``, and the
     third one adds the acceleration to the velocity before each step, from half a step behind.
-    ``acceleration`` returns the acceleration in m/s^2 for a position in m and a velocity in m/s.
     """
+    first = acceleration(complex(*position), complex(*velocity))
 
-    def begun(_: float) -> InSpace:
-        return space_with(position, velocity)
+    def called_back(_: float) -> InSpace:
+        space, (body,) = space_with(position, velocity)
+        update = body.update_velocity
+
+        def change(body: pymunk.Body, _gravity: Any, _damping: float, duration: float) -> None:
+            pull = acceleration(complex(*body.position), complex(*body.velocity))
+            update(body, (pull.real, pull.imag), 1.0, duration)
+
+        body.velocity_func = change
+        return space, [body]
+
+    def behind(duration: float) -> InSpace:
+        start = complex(*velocity) - 0.5 * duration * first
+        return space_with(position, (start.real, start.imag))
 
     def pushing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
         (body,) = bodies
@@ -109,23 +111,6 @@ def lone(
             space.step(duration)
 
         return step
-
-    def called_back(_: float) -> InSpace:
-        space, (body,) = begun(0.0)
-        update = body.update_velocity
-
-        def change(body: pymunk.Body, _gravity: Any, _damping: float, duration: float) -> None:
-            pull = acceleration(complex(*body.position), complex(*body.velocity))
-            update(body, (pull.real, pull.imag), 1.0, duration)
-
-        body.velocity_func = change
-        return space, [body]
-
-    first = acceleration(complex(*position), complex(*velocity))
-
-    def behind(duration: float) -> InSpace:
-        start = complex(*velocity) - 0.5 * duration * first
-        return space_with(position, (start.real, start.imag))
 
     def changing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
         (body,) = bodies
@@ -141,6 +126,9 @@ def lone(
 
         return step
 
+    def begun(_: float) -> InSpace:
+        return space_with(position, velocity)
+
     return (
         by_pymunk("pymunk, force by hand", begun, frames, stepping=pushing),
         by_pymunk(EXAMPLES, called_back, frames),
@@ -149,20 +137,13 @@ def lone(
 
 
 def at_best(iterations: int) -> str:
-    """Return the name of the model with pymunk at its best, in a scene with joints."""
+    """Return the name of pymunk at its best in a scene with joints."""
     return f"{BEST}, {iterations} iteration{'s' * (iterations > 1)}"
 
 
 def space_with(position: Pair, velocity: Pair) -> InSpace:
-    """Create a pymunk space without gravity, add a single body to it, and return both."""
-    import pymunk  # here, because a chapter's plots do not need it
-
-    space = pymunk.Space()
-    space.iterations = 1  # there is at most one spring
-    body = pymunk.Body(1.0, 1.0)
-    body.position, body.velocity = position, velocity
-    space.add(body)
-    return space, [body]
+    """Create a pymunk space without gravity, with a single body of 1 kg."""
+    return twin_of(alone(Particle(Vector3(*position), Vector3(*velocity))), iterations=1)
 
 
 def in_turn(bodies: Sequence[pymunk.Body]) -> Place:

@@ -3,10 +3,8 @@
 A model is one way to simulate a scene, for example with a certain integrator. The error and the
 amount of work of a model are the same in every run, so they are measured only once. The time varies
 from run to run, so it is measured in several rounds. Each round times all models in random order,
-so that a brief slowdown of the computer does not always affect the same model.
-
-The results are saved again and again. If the measurement is interrupted, it can resume from the
-saved results, even in the middle of a round, unless the code or a version has changed.
+so that a brief slowdown of the computer does not always affect the same model. An interrupted
+measurement can resume from its saved results, unless the code or a version has changed.
 """
 
 from __future__ import annotations
@@ -20,6 +18,7 @@ import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from datetime import date
 from importlib import metadata
 from pathlib import Path
 
@@ -39,12 +38,9 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 class Point:
     """A point in a chart: the error, work and time of a model with a given number of steps.
 
-    A model is one way to simulate a scene, for example with a certain integrator.
-
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
     - ``is_formula``: True if the model knows more about the scene than its equations of motion.
-    - ``steps``: the number of steps per frame, or per ``Model.per`` frames. If the model takes a
-      tolerance instead, it is 1 / tolerance.
+    - ``steps``: the number of steps, or 1 / tolerance, as in ``Model.steps``.
     - ``times``: the processor time in s in each timing round.
     """
 
@@ -70,25 +66,24 @@ class Point:
 
 @dataclass
 class Measured:
-    """The measurements that `make charts` has made so far, and the number of timing rounds.
+    """The points so far, the number of finished timing rounds, and the day of the last one.
 
-    A round that is not over yet does not count. Each of its points that has been timed already has
-    one time more than there are rounds.
+    A point that the present round has timed already has one time more than there are rounds.
     """
 
     points: list[Point]
     rounds: int = 0
+    day: str = ""
 
 
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and the work of every model in every scene.
+    """Measure the error and the work of every model in every scene, but not the times.
 
-    The times are measured later. Each model runs with more and more steps per frame, until only
-    rounding errors are left or a run takes too long. The time limit is ``theirs`` seconds for
-    pymunk's models and ``slowest`` seconds for ours. Before each model, ``hear`` is called with a
-    line of text that shows the progress.
+    Each model runs with more and more steps per frame, until only rounding errors are left or a run
+    takes too long: ``theirs`` seconds for pymunk's models, and ``slowest`` seconds for ours. Before
+    each model, ``hear`` is called with a line of text that shows the progress.
     """
     points = []
     for scene in scenes:
@@ -107,10 +102,7 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model with ``steps`` steps per frame, and return its result.
-
-    Return None if the simulation fails, for example because it is unstable with such long steps.
-    """
+    """Run a model with ``steps`` steps per frame. Return None if it is unstable with such steps."""
     try:
         return model.run(steps)
     except (ArithmeticError, ValueError):
@@ -120,9 +112,8 @@ def run(model: Model, steps: int) -> Outcome | None:
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
     """Run one more timing round, or the rest of an interrupted one.
 
-    A round times every model at every number of steps, in random order. A run that takes longer
-    than LONG seconds is timed only in the first FEW rounds, and is skipped in later ones. After
-    each run, timed or skipped, ``hear`` is called to advance a progress bar.
+    A run that takes longer than LONG seconds is timed only in the first FEW rounds, and is skipped
+    in later ones. After each run, timed or skipped, ``hear`` is called to advance a progress bar.
     """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
@@ -131,13 +122,11 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
             point.times.append(seconds_of(models[point.scene, point.model], point.steps))
         hear()
     measured.rounds += 1
+    measured.day = date.today().isoformat()
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Measure the processor time in s of one simulation with ``steps`` steps per frame.
-
-    A short simulation is repeated, and the time of the fastest run counts.
-    """
+    """Measure the processor time in s of one simulation, the fastest of several if it is short."""
 
     def once() -> float:
         start = time.process_time()
@@ -148,41 +137,34 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save all measurements so far, so that an interrupted run of `make charts` can resume.
-
-    ``sign`` is the signature from ``sign_of``. The file is replaced in one step, so an interruption
-    cannot leave a damaged file.
-    """
-    data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
-    replace_bytes(path, json.dumps(data).encode())
+    """Save all measurements so far, with their signature from ``sign_of``."""
+    replace_bytes(path, json.dumps({"sign": sign, **asdict(measured)}).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Load the measurements of an interrupted run of `make charts`.
-
-    Return None if the file cannot be read, or if the measurements are out of date because their
-    signature differs from ``sign``.
-    """
+    """Load the measurements of an interrupted run. Return None if there are none with this sign."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         if data["sign"] != sign:
             return None
-        return Measured([Point(**point) for point in data["points"]], data["rounds"])
+        points = [Point(**point) for point in data["points"]]
+        return Measured(points, data["rounds"], data["day"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Compute a signature that shows whether the saved results of `make charts` are out of date.
+    """Compute a signature that changes with anything that affects the results.
 
-    It changes with anything that affects the results: the scene names, the time limits, and the
-    code of the engine and the studies. It also depends on the platform and the versions of Python
-    and pymunk.
+    These are the names of the scenes, the time limits, the code of the engine, the scenes and the
+    studies except for what only draws the charts, the platform, and the versions of Python and
+    pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
-    for folder in ("solutions", "chapters", "studies"):
+    for folder in ("solutions", "chapters", "scenes", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):
-            digest.update(file.read_bytes())
+            if file.parent != ROOT / "studies" / "charts":
+                digest.update(file.read_bytes())
     versions = f"{platform.python_version()} {metadata.version('pymunk')} {platform.platform()}"
     digest.update(versions.encode())
     return digest.hexdigest()

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 from studies.accuracy.measure import EXACT, Point
@@ -24,8 +24,7 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 class Side:
     """The fastest model of our engine, or of pymunk, that meets a given error tolerance.
 
-    - ``model``: the name of the model, or None if no model meets the tolerance.
-    - ``time``: the time in s that the model takes, or None.
+    - ``model``, ``time``: its name, and how long it takes in s, or None if no model meets it.
     - ``longest``: a lower bound on the time in s, for the case that no model meets the tolerance.
       Every model that could still meet it with more steps has already run for at least this long.
     - ``never``: True if no model would meet the tolerance with any number of steps.
@@ -72,22 +71,25 @@ class Row:
     def bounds(self) -> tuple[float, float]:
         """The lower and upper bounds on the ratio of pymunk's time to ours.
 
-        If both times are known, both bounds are equal to the ratio. If pymunk missed the tolerance,
-        we know only that its time exceeds ``Side.longest``, so the upper bound is infinity. If our
-        models missed it, there is no upper limit on our time, so the lower bound is 0.
+        A side that missed the tolerance takes at least ``Side.longest``, and perhaps forever.
         """
-        low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
-        high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
+        ours, theirs = self.ours, self.pymunk
+        low = 0.0 if ours.time is None else (theirs.time or theirs.longest) / ours.time
+        high = math.inf if theirs.time is None else theirs.time / (ours.time or ours.longest)
         return low, high
 
-    @staticmethod
-    def _of(side: Side) -> float:
-        return side.longest if side.time is None else side.time
+
+def by_steps(points: Sequence[Point]) -> list[Point]:
+    """Sort the runs of one model by their number of steps."""
+    return sorted(points, key=lambda point: point.steps)
 
 
-def power(tolerance: float) -> str:
-    """Format one of TOLERANCES, as in 1e-2."""
-    return f"1e{round(math.log10(tolerance))}"
+def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
+    """Group measured points by model. The points of each model stay in the same order."""
+    found: dict[str, list[Point]] = {}
+    for point in points:
+        found.setdefault(point.model, []).append(point)
+    return found
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
@@ -109,7 +111,7 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
     enough. It is shorter if the time at the tolerance itself is, interpolated on logarithmic scales
     between the two runs on either side.
     """
-    ordered = sorted(points, key=lambda point: point.steps)
+    ordered = by_steps(points)
     first = first_within(ordered, tolerance)
     if first is None:
         return None
@@ -129,76 +131,69 @@ def stalls(points: Sequence[Point]) -> bool:
     comparison, a method of order 1 would reduce it to an eighth. The result is False if the error
     is at least a tenth of the scene's size, because such an error may still start to shrink.
     """
-    ordered = sorted(points, key=lambda point: point.steps)
+    ordered = by_steps(points)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
     return bool(before) and 0.5 * before[-1].error <= ordered[-1].error < 0.1
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Measure a model's order of convergence from its runs with the most steps.
+    """Measure a model's order of convergence while its number of steps grows eightfold at the end.
 
-    If the error is proportional to 1 / steps^p, the order is p. It is measured while the number of
-    steps grows eightfold. Return None in these cases:
-
-    - The error does not fall steadily.
-    - The error is a tenth of the scene's size or more, or so small that it is only rounding.
-    - There are fewer than four such runs.
+    If the error is proportional to 1 / steps^p, the order is p. Return None if the error does not
+    fall steadily, if it is a tenth of the scene's size or more, if it is so small that it is only
+    rounding, or if there are fewer than four such runs.
     """
-    ordered = sorted(points, key=lambda point: point.steps)
+    ordered = by_steps(points)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
     if len(last) < 4 or not all(EXACT < point.error < 0.1 for point in last):
         return None
-    orders = [math.log(a.error / b.error) / math.log(b.steps / a.steps) for a, b in pairwise(last)]
-    mean: float = math.log(last[0].error / last[-1].error) / math.log(
-        last[-1].steps / last[0].steps
-    )
-    is_steady = mean > 0.5 and max(orders) - min(orders) <= STEADY
-    return mean if is_steady else None
+    orders = [_order(a, b) for a, b in pairwise(last)]
+    mean = _order(last[0], last[-1])
+    return mean if mean > 0.5 and max(orders) - min(orders) <= STEADY else None
+
+
+def _order(a: Point, b: Point) -> float:
+    return math.log(a.error / b.error) / math.log(b.steps / a.steps)
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
     """Estimate how long a model would take, in s, to meet a tolerance that it has not met so far.
 
-    The number of steps is estimated from the model's order of convergence. Each step is assumed to
-    take as long as in the finest run, the one with the most steps. Return None if the model has no
-    steady order, or if the error of the finest run is more than FARTHEST times the tolerance.
+    The number of steps follows from the model's order of convergence. Each step is assumed to take
+    as long as in the finest run. Return None if the model has no steady order, or if the error of
+    the finest run is more than FARTHEST times the tolerance.
     """
-    finest = max(points, key=lambda point: point.steps)
-    order = order_of(points)
+    finest, order = by_steps(points)[-1], order_of(points)
     if order is None or finest.error > FARTHEST * tolerance:
         return None
     return finest.time * math.pow(finest.error / tolerance, 1.0 / order)
 
 
-def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by model, for example to draw each model as a line.
-
-    The points of each model stay in the same order.
-    """
-    found: dict[str, list[Point]] = {}
-    for point in points:
-        found.setdefault(point.model, []).append(point)
-    return found
-
-
-def side_of(points: Sequence[Point], tolerance: float) -> Side:
+def side_of(points: Sequence[Point], tolerance: float, *, extrapolates: bool = False) -> Side:
     """Find the fastest model of one engine, ours or pymunk, that meets ``tolerance``.
 
-    ``points`` contains all runs of this engine in one scene.
+    ``points`` contains all runs of this engine in one scene. If none of them meets the tolerance
+    and ``extrapolates`` is true, the time is extrapolated where that is possible.
     """
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
-    times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
-    name = min(times, key=lambda name: times[name], default=None)
     tried = (max(point.time for point in own) for own in open_ones or models.values())
-    return Side(name, times[name] if name else None, min(tried), not times and not open_ones)
+    longest, order = min(tried), None
+    times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
+    never = not times and not open_ones
+    if not times and extrapolates:
+        estimates = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
+        times = {name: time for name, time in estimates.items() if time is not None}
+        order = order_of(models[min(times, key=times.__getitem__)]) if times else None
+    name = min(times, key=times.__getitem__, default=None)
+    return Side(name, times[name] if name else None, longest, never, order)
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
     """Find the fastest run that is accurate enough, and the next faster run of any accuracy.
 
-    A single small error may be a coincidence. A run is therefore accurate enough only if all runs
-    of the same model with more steps are accurate enough, too.
+    A run is accurate enough only if ``first_within`` finds that the model's runs with more steps
+    are accurate enough, too.
 
     Returns:
         The fastest accurate run, and the slowest of all runs that take less time. Either of them is
@@ -206,7 +201,7 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
     """
     within = []
     for own in models_of(points).values():
-        ordered = sorted(own, key=lambda point: point.steps)
+        ordered = by_steps(own)
         first = first_within(ordered, tolerance)
         within += [] if first is None else ordered[first:]
     found = min(within, key=lambda point: point.time, default=None)
@@ -215,10 +210,7 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Separate the runs of our models from those of pymunk's models, and return both lists.
-
-    The textbook's own integrator counts as one of ours.
-    """
+    """Separate our runs, which include those of the textbook's own integrator, from pymunk's."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
@@ -226,41 +218,21 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
 def row(points: Sequence[Point], tolerance: float, *, is_formula: bool) -> Row | None:
     """Compare our fastest model of one kind with pymunk's fastest in one scene, at one tolerance.
 
-    ``points`` are all runs in that scene. If none of pymunk's runs meets the tolerance, its time is
-    extrapolated if possible. Return None if there is no model of this kind.
+    ``points`` are all runs in that scene. Return None if there is no model of this kind.
     """
     ours, theirs = split(points)
     own = [point for point in ours if point.is_formula == is_formula]
     if not own:
         return None
     theirs = [point for point in theirs if is_formula or not point.is_formula]
-    side = side_of(theirs, tolerance)
-    if side.time is None:
-        side = extrapolated(side, theirs, tolerance)
+    side = side_of(theirs, tolerance, extrapolates=True)
     return Row(points[0].scene, is_formula, tolerance, side_of(own, tolerance), side)
-
-
-def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Estimate how long pymunk would take to meet a tolerance that none of its runs met.
-
-    The time of each model is extrapolated from its order of convergence. ``side`` is pymunk's
-    result without an estimate. Return a copy that contains the fastest model and its estimated
-    time. If no time can be extrapolated, return ``side`` unchanged.
-    """
-    models = models_of(points)
-    times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
-    found = {name: time for name, time in times.items() if time is not None}
-    if not found:
-        return side
-    name = min(found, key=lambda name: found[name])
-    return replace(side, model=name, time=found[name], order=order_of(models[name]))
 
 
 def table(points: Sequence[Point]) -> list[Row]:
     """Compare our fastest models with pymunk's in every scene, at every error tolerance.
 
-    `make charts` prints the returned rows as a table, and draws them in the overview picture. The
-    models that step the equations come first.
+    The models that step the equations come first.
     """
     scenes: dict[str, list[Point]] = {}
     for point in points:

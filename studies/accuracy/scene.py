@@ -70,10 +70,15 @@ class Model:
 
     def chosen(self, steps: int) -> str:
         """Describe a number of steps, as in "3 steps per 12 frames" or "tolerance 0.001"."""
-        if self.takes_tolerance:
-            return f"tolerance {1.0 / steps:g}"
-        frames = "frame" if self.per == 1 else f"{self.per} frames"
-        return f"{'once' if steps == 1 else f'{steps:,} steps'} per {frames}"
+        return told_choice(steps, self.per, takes_tolerance=self.takes_tolerance)
+
+
+def told_choice(steps: int, per: int, *, takes_tolerance: bool) -> str:
+    """Describe a number of steps per ``per`` frames, or a tolerance of 1 / ``steps``."""
+    if takes_tolerance:
+        return f"tolerance {1.0 / steps:g}"
+    frames = "frame" if per == 1 else f"{per} frames"
+    return f"{'once' if steps == 1 else f'{steps:,} steps'} per {frames}"
 
 
 @dataclass(frozen=True)

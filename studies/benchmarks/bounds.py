@@ -16,7 +16,7 @@ from scenes.timing import Measurement, timer, versus
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, at_best
 from studies.accuracy.measure import seconds_of
-from studies.accuracy.scenes.links import G
+from studies.accuracy.scenes.chains import G
 from studies.benchmarks.accuracy import fewest_steps, model_of, told
 from studies.models.order_8 import Accelerations
 from studies.models.plane_rods import accelerations_on_rods

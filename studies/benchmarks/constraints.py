@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 import random
 import timeit
+from collections.abc import Callable
 from itertools import pairwise
-
-import pymunk
+from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
@@ -19,16 +19,18 @@ from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import ParticlePairs
 from ch07_constraints.going_further.direct_chain import DirectChain
-from ch07_constraints.links import AnchoredRod, Cable, Rod
+from ch07_constraints.links import Cable
+from scenes.chain import Chain
 from scenes.clock import FRAME
-from scenes.constraints import GRAVITY, LINK, chain_particles, no_forces
+from scenes.resolving import no_forces
+from scenes.spheres import GRAVITY
 from scenes.timing import Measurement, Target, Timer, timer, versus
+from scenes.twin import twin_of
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
 
-LINKS = 30
-ANGLE = 30.0  # degrees, at which the chain is released
-SECONDS = 1
+LINKS, LINK = 30, 0.1  # rods, and the length of each in m
+CHAIN = Chain([1.0] * LINKS, LINK, math.radians(30.0))
 RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
@@ -36,6 +38,7 @@ def lines() -> list[Measurement]:
     """Set up the benchmarks for finding and resolving contacts, and for chains of rods."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
+    direct_chain = timer(lambda: by_direct_chain(RATE))
     return [
         *(
             Measurement(
@@ -61,13 +64,13 @@ def lines() -> list[Measurement]:
         Measurement(
             f"{LINKS} rods: pymunk's pin joints at {rate:,} Hz / DirectChain at {RATE} Hz, "
             "with the same error at the tip",
-            versus(timer(lambda: by_pymunk(rate)), timer(lambda: by_direct_solve(RATE))),
+            versus(timer(lambda: by_pymunk(rate)), direct_chain),
             7,
             Target("at least", 2.5),
         ),
         Measurement(
             f"{LINKS} rods: DirectNet / DirectChain at {RATE} Hz, with the same error at the tip",
-            versus(timer(lambda: by_direct_net(RATE)), timer(lambda: by_direct_solve(RATE))),
+            versus(timer(lambda: by_direct_net(RATE)), direct_chain),
             7,
             Target("at least", 2.5),
         ),
@@ -75,10 +78,9 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a function that measures how long it takes to resolve the contacts of a rope, in s.
+    """Return a function that measures how long a resolver takes for a rope's contacts, in s.
 
-    ``kind`` is the class of the resolver. The rope has ``count`` cables, all of which are stretched
-    beyond their maximum length.
+    The rope has ``count`` cables, all of which are stretched beyond their maximum length.
     """
 
     def once() -> float:
@@ -95,73 +97,46 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 
 
 def spread(count: int) -> ParticlePairs:
-    """Scatter ``count`` spheres in a cube, and return the detector that finds the touching pairs.
-
-    The spheres have a radius of 0.5 m. The cube grows with ``count``, so there is always one sphere
-    per 8 m^3 on average.
-    """
+    """Return the detector of ``count`` spheres in a cube, with one per 8 m^3 on average."""
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
     places = [[rng.uniform(0.0, size) for _ in range(3)] for _ in range(count)]
     return ParticlePairs([Particle(Vector3(*place)) for place in places], 0.5)
 
 
-def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with the solver DirectChain.
+def tip(body: Any, step: Callable[[float], object], rate: int) -> tuple[float, float]:
+    """Simulate a chain for 1 s with ``rate`` steps per second, and return x and y of a body."""
+    for _ in range(rate):
+        step(1.0 / rate)
+    return body.position.x, body.position.y
 
-    ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
-    """
-    particles = chain_particles(LINKS, ANGLE)
-    chain = DirectChain(particles[1:], Vector3())
-    for _ in range(SECONDS * rate):
-        chain.step(1.0 / rate)
-    tip = particles[-1].position
-    return tip.x, tip.y
+
+def by_direct_chain(rate: int) -> tuple[float, float]:
+    """Return where DirectChain puts the tip of the swinging chain."""
+    particles = CHAIN.particles()
+    return tip(particles[-1], DirectChain(particles, Vector3()).step, rate)
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with the solver DirectNet.
-
-    ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
-    """
-    particles = chain_particles(LINKS, ANGLE)[1:]
-    first = AnchoredRod(particles[0], Vector3(), LINK)
-    net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
-    for _ in range(SECONDS * rate):
-        net.step(1.0 / rate)
-    tip = particles[-1].position
-    return tip.x, tip.y
+    """Return where DirectNet puts the tip."""
+    setup = CHAIN.setup()
+    return tip(setup.particles[-1], DirectNet(setup.contacts).step, rate)
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with pymunk, where pin joints act as the rods.
-
-    Pymunk's solver makes 10 iterations per step, its default. ``rate`` is the number of time steps
-    per second. Return x and y of the chain's tip at the end.
-    """
-    space = pymunk.Space()
-    space.gravity = (0.0, -GRAVITY)
-    before = space.static_body
-    for particle in chain_particles(LINKS, ANGLE)[1:]:
-        body = pymunk.Body(1.0, math.inf)
-        body.position = (particle.position.x, particle.position.y)
-        joint = pymunk.PinJoint(before, body)
-        space.add(body, joint)
-        before = body
-    for _ in range(SECONDS * rate):
-        space.step(1.0 / rate)
-    return before.position.x, before.position.y
+    """Return where pymunk puts the tip, with pin joints as the rods and 10 iterations per step."""
+    space, bodies = twin_of(CHAIN.setup())
+    return tip(bodies[-1], space.step, rate)
 
 
 def matching_rate() -> int:
-    """Find how many steps per second pymunk needs to be as accurate as DirectChain.
+    """Find how many steps per second pymunk needs to be as accurate as DirectChain at the tip.
 
-    Accuracy is judged by the final position of a swinging chain's tip. The search starts at four
-    times our rate, and doubles the rate until pymunk is accurate enough. DirectChain at 16 times
-    our rate serves as the exact solution, since its error is 256 times smaller.
+    The search doubles the rate from four times ours. DirectChain at 16 times our rate serves as the
+    exact solution, since its error is 256 times smaller.
     """
-    true = by_direct_solve(16 * RATE)
-    ours = math.dist(by_direct_solve(RATE), true)
+    true = by_direct_chain(16 * RATE)
+    ours = math.dist(by_direct_chain(RATE), true)
     rate = 4 * RATE
     while rate < 100_000 and math.dist(by_pymunk(rate), true) > ours:
         rate *= 2

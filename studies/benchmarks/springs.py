@@ -1,13 +1,15 @@
-"""Compare the speed of three ways to simulate the springs of a cloth.
+"""Measure the steps of integrators with one spring, and the springs of a cloth.
 
-The first way calls ``connect`` for each spring, and the second creates two ``Spring`` objects, one
-for each end. The third way is a loop that does the same arithmetic without any objects.
+A cloth is simulated with ``connect``, with two ``Spring`` objects for each spring, and in a loop
+that does the same arithmetic without any objects.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
+from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.going_further.cloth import (
@@ -19,23 +21,35 @@ from ch06_springs.going_further.cloth import (
     make_cloth,
     neighbors,
 )
-from ch06_springs.springs import Spring, spring_force
+from ch06_springs.integrators import Integrator
+from ch06_springs.springs import AnchoredSpring, Spring, spring_force
+from scenes.integrators import INTEGRATORS
 from scenes.timing import Measurement, Target, timer, versus
 
-DAMPING = 0.2  # N s/m
+DAMPING = 0.2  # N s/m, of all springs
 FRAME = 1.0 / 2400.0  # s, short enough for the book's step to be stable with this cloth
 FRAMES = 120
 ROUNDS = 21
 
+LONE_STIFFNESS, LONE_LENGTH = 100.0, 1.0  # N/m and m, of one spring
+STEP = 1.0 / 60.0  # s
+STEPS = 2000
+LONE_ROUNDS = 51
+
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare three ways to simulate the springs of a cloth.
+    """Set up the benchmarks of springs.
 
-    They are ``connect``, two Spring objects per spring, and a loop with plain arithmetic. The
-    engine's cloths are built only once, so they keep falling from one round to the next.
+    The engine's cloths are built only once, so they keep falling from one round to the next.
     """
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
+    once = timer(stepping(INTEGRATORS["semi-implicit Euler"]))
+    others = {
+        "leapfrog": Target("at most", 1.1),
+        "velocity Verlet": None,
+        "Runge-Kutta 4": Target("at most", 4.0),
+    }
     return [
         Measurement(
             "a cloth of 180 springs with connect / the same arithmetic in one loop",
@@ -48,6 +62,21 @@ def lines() -> list[Measurement]:
             versus(apart, connected),
             ROUNDS,
             Target("at least", 4),
+        ),
+        Measurement(
+            "one particle on a spring: a semi-implicit Euler step / the same arithmetic",
+            versus(once, timer(arithmetic)),
+            LONE_ROUNDS,
+            Target("at most", 6.6),  # nine tenths of the cost before kick and drift existed
+        ),
+        *(
+            Measurement(
+                f"one particle on a spring: a {name} step / a semi-implicit Euler step",
+                versus(timer(stepping(INTEGRATORS[name])), once),
+                LONE_ROUNDS,
+                target,
+            )
+            for name, target in others.items()
         ),
     ]
 
@@ -63,10 +92,7 @@ class VectorSpring(Spring):
 
 
 def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
-    """Build a cloth of springs with two force generators per spring, one for each end.
-
-    The force of each spring is therefore computed twice in every step.
-    """
+    """Build a cloth with two force generators per spring, so that each force is computed twice."""
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
     for i, j in neighbors():
@@ -77,7 +103,7 @@ def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
 
 
 def steps(knots: list[Particle], registry: ForceRegistry) -> float:
-    """Simulate a cloth of springs with explicit Euler, and return the height of its lowest knot."""
+    """Simulate a cloth with explicit Euler, and return the height of its lowest knot."""
     for _ in range(FRAMES):
         registry.update_forces(FRAME)
         for knot in knots:
@@ -86,11 +112,7 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Simulate a cloth of springs with plain arithmetic, and return the height of the lowest knot.
-
-    As in the engine, each step computes the forces of all springs before it moves the knots. The
-    extra time that the engine takes is therefore the cost of its objects.
-    """
+    """Simulate the same cloth with plain arithmetic, and return the height of its lowest knot."""
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]
     y = [0.0] * count
@@ -129,3 +151,35 @@ def cloth_arithmetic() -> float:
                 v[i] += (fy[i] * inverse - G) * FRAME
                 w[i] += fz[i] * inverse * FRAME
     return min(y)
+
+
+def stepping(integrator: Integrator) -> Callable[[], None]:
+    """Return a function that moves a particle on a spring by STEPS further time steps."""
+    particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0))
+    registry = ForceRegistry()
+    registry.add(particle, AnchoredSpring(Vector3(), LONE_STIFFNESS, LONE_LENGTH, DAMPING))
+    particles = [particle]
+
+    def run() -> None:
+        for _ in range(STEPS):
+            integrator(particles, registry.update_forces, STEP)
+
+    return run
+
+
+def arithmetic() -> tuple[float, float, float]:
+    """Take STEPS steps of semi-implicit Euler with plain arithmetic, and return the position."""
+    x, y, z = 1.0, 2.0, 3.0
+    u, v, w = 1.0, 2.0, 3.0
+    mass = 1.0
+    for _ in range(STEPS):
+        length = math.hypot(x, y, z)
+        rate = (u * x + v * y + w * z) / length
+        pull = (LONE_STIFFNESS * (LONE_LENGTH - length) - DAMPING * rate) / length
+        u += x * pull / mass * STEP
+        v += y * pull / mass * STEP
+        w += z * pull / mass * STEP
+        x += u * STEP
+        y += v * STEP
+        z += w * STEP
+    return x, y, z

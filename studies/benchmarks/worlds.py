@@ -1,7 +1,4 @@
-"""Measure the overhead of a ParticleWorld, and the time that sleeping balls save.
-
-Two ways to simulate a rope are also compared: rods in a ParticleWorld, and a DirectChain.
-"""
+"""Measure the overhead of a ParticleWorld, and the time that sleep and a DirectChain save."""
 
 from __future__ import annotations
 
@@ -16,8 +13,9 @@ from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from scenes.clock import FRAME
-from scenes.constraints import GRAVITY, no_forces
-from scenes.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
+from scenes.hanging_rope import hang_by_direct_chain, hang_by_rods, polygon_sag
+from scenes.resolving import no_forces
+from scenes.spheres import GRAVITY
 from scenes.timing import Measurement, Target, timer, versus
 from studies.models.heap_resolver import HeapResolver
 
@@ -31,26 +29,11 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 def lines() -> list[Measurement]:
     """Set up the benchmarks for particle worlds, sleeping balls and hanging ropes."""
-    bare = flying()
+    loop = partial(integrate, flying())
+    bare = stepping_bare(semi_implicit_euler, flying())
     return [
-        Measurement(
-            f"{COUNT:,} particles, explicit Euler: ParticleWorld.step / a plain loop",
-            versus(
-                timer(stepping(ParticleWorld(flying(), integrator=explicit_euler)), 5),
-                timer(lambda: integrate(bare), 5),
-            ),
-            101,
-            Target("at most", 1.15),
-        ),
-        Measurement(
-            f"{COUNT:,} particles, semi-implicit Euler: ParticleWorld.step / the integrator",
-            versus(
-                timer(stepping(ParticleWorld(flying())), 5),
-                timer(stepping_bare(semi_implicit_euler, flying()), 5),
-            ),
-            101,
-            Target("at most", 1.15),
-        ),
+        overhead("explicit Euler", "a plain loop", explicit_euler, loop),
+        overhead("semi-implicit Euler", "the integrator", semi_implicit_euler, bare),
         asleep("on the ground", on_the_ground, Target("at least", 7)),
         asleep("on springs, without contacts", on_springs, Target("at least", 2)),
         rope(10, 11),
@@ -58,19 +41,27 @@ def lines() -> list[Measurement]:
     ]
 
 
+def overhead(
+    name: str, other: str, integrator: Integrator, bare: Callable[[], None]
+) -> Measurement:
+    """Set up a benchmark that measures how much longer a world takes than its integrator alone."""
+    world = ParticleWorld(flying(), integrator=integrator)
+    return Measurement(
+        f"{COUNT:,} particles, {name}: ParticleWorld.step / {other}",
+        versus(timer(stepping(world), 5), timer(bare, 5)),
+        101,
+        Target("at most", 1.15),
+    )
+
+
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Set up a benchmark that measures how much time is saved if nine tenths of the balls sleep.
-
-    ``make`` is a function that takes a class and creates a world of that class. The result is the
-    time of a ParticleWorld, in which all balls stay awake, divided by that of a SleepingWorld.
-    """
+    """Set up a benchmark that measures how much time is saved if nine tenths of the balls sleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
-        # In every LOOK_EVERY-th frame, the world checks whether anything pushes a sleeping ball.
-        # Such a frame costs as much as several others, so each measured time includes one.
+        # Each measured time includes one of the frames that check whether anything pushes a ball.
         versus(*(timer(stepping(world), LOOK_EVERY) for world in worlds)),
         21,
         target,
@@ -78,12 +69,8 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Set up a benchmark that compares two ways to simulate a hanging rope.
-
-    The result is the time for rods in a ParticleWorld, divided by the time for a DirectChain. The
-    description of the benchmark also states the error in the sag of both ropes, in m.
-    """
-    rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0, HeapResolver())
+    """Set up a benchmark of a hanging rope that also states the error in the sag of both ropes."""
+    rods = partial(hang_by_rods, links, SUBSTEPS, 1.0, HeapResolver())
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
     low, off = rods().sag - wanted, chain().sag - wanted
@@ -97,20 +84,14 @@ def rope(links: int, rounds: int) -> Measurement:
 
 
 def flying() -> list[Particle]:
-    """Create COUNT particles that fly freely, each with a different velocity.
-
-    Only gravity acts on them. There are no force generators and no contacts.
-    """
+    """Create COUNT particles that fly freely, each with a different velocity."""
     return [
         Particle(Vector3(i), Vector3(1.0, 0.001 * i, 2.0), DOWN, damping=0.99) for i in range(COUNT)
     ]
 
 
 def integrate(particles: Sequence[Particle]) -> None:
-    """Advance particles by one frame in a plain loop instead of a ParticleWorld.
-
-    The extra time that a ParticleWorld takes is its overhead.
-    """
+    """Advance particles by one frame in a plain loop instead of a ParticleWorld."""
     for particle in particles:
         particle.integrate(FRAME)
 
@@ -120,27 +101,18 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that advances particles by one frame with the given integrator.
-
-    The function uses no ParticleWorld, so a comparison with ``stepping`` shows the overhead of one.
-    """
+    """Return a function that advances particles by one frame without a ParticleWorld."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world in which one ball in ten rolls on the ground, and the others lie still.
-
-    ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
-    """
+    """Create a world in which one ball in ten rolls on the ground, and the others lie still."""
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world in which one ball in ten flies away, and the others hang still on springs.
-
-    ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
-    """
+    """Create a world in which one ball in ten flies away, and the others hang still on springs."""
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -149,11 +121,7 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Prepare a world in which one ball in ten moves, and the other balls are at rest.
-
-    The world runs for FRAMES frames, so that a SleepingWorld has time to put the balls at rest to
-    sleep. Return the world.
-    """
+    """Push one ball in ten, and run the world until a SleepingWorld lets the others sleep."""
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0
     for _ in range(FRAMES):

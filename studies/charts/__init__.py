@@ -1,8 +1,8 @@
 """Compare the speed and accuracy of our models and pymunk in every scene of the study.
 
-The results are written to build/charts/. They consist of a page with all charts, a picture and a
-file of numbers for each scene, and a table of all scenes. A full run also updates the page and the
-overview in the repository. If you start an interrupted run again, it resumes where it stopped.
+The results are written to build/charts/. They consist of a page with all charts, a file with all
+points, a picture of all ratios, and a table of them. A full run also updates the page and the
+picture in the repository. If you start an interrupted run again, it resumes where it stopped.
 """
 
 from __future__ import annotations
@@ -10,13 +10,12 @@ from __future__ import annotations
 import argparse
 import csv
 import platform
-import re
 import sys
 import time
-from datetime import date
 from importlib import metadata
+from itertools import repeat
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
@@ -30,12 +29,13 @@ from autograder.text.wrapping import plain_console
 from scenes.reason import shown
 
 if TYPE_CHECKING:
-    from studies.accuracy.results import Row
+    from studies.accuracy.measure import Measured
 
 # The number of rounds, and the time in s for the slowest run of our models and of pymunk's. Pymunk
 # gets more time, because it needs many steps to become as accurate as our models.
 QUICK = (3, 0.05, 0.05)
 FULL = (3, 0.3, 1.0)
+COLUMNS = ("scene", "tolerance", "better model", "ours", "pymunk", "pymunk / ours")
 SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
@@ -56,9 +56,11 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
-    from studies.accuracy import chart, measure, results
+    from studies.accuracy import measure, results
     from studies.accuracy.catalog import scenes_with
     from studies.charts import kept, page
+    from studies.charts.overview import draw_overview
+    from studies.charts.ratios import figures_of, precise, told, told_ratio
 
     pyplot.switch_backend("agg")
     try:
@@ -99,24 +101,26 @@ def main(arguments: list[str]) -> int:
             measure.time_once(measured, scenes, advance)
             measure.save(measured, resumed, sign)
     for scene in scenes:
-        own = [point for point in measured.points if point.scene == scene.name]
-        png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
-        chart.draw(own, scene, png)
-        console.print(f"{scene.name}: {shown(png)}", soft_wrap=True)
         if scene.differs:
-            apart = f"{scene.differs():.1g} of the scale"
-            console.print(f"  its exact solution and our own finest run differ by {apart}")
+            console.print(
+                f"{scene.name}: its exact solution and our own finest run differ by "
+                f"{scene.differs():.1g} of the scale"
+            )
     rows = results.table(measured.points)
-    chart.draw_overview(rows, options.out / "overview.png")
-    words = [[*map(chart.told, (row.ours, row.pymunk)), chart.told_ratio(row)] for row in rows]
-    _print(rows, words, console)
+    draw_overview(rows, options.out / "overview.png")
+    table = [
+        (row.scene, row.tolerance, row.is_formula, *map(told, (row.ours, row.pymunk)), ratio)
+        for row, ratio in zip(rows, map(told_ratio, figures_of(rows), repeat(precise)), strict=True)
+    ]
+    _print(table, console)
     if any(row.is_extrapolated for row in rows):
         console.print("~: pymunk's time is extrapolated from its measured order of convergence.")
-    _write(rows, words, options.out / "table.csv")
-    page.write(scenes, measured.points, _how(measured.rounds, options.quick), options.out)
+    with (options.out / "table.csv").open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([COLUMNS, *table])
+    page.write(scenes, measured.points, _how(measured, options.quick), options.out)
     is_whole = not options.quick and not options.scene
     if is_whole:
-        kept.keep(rows, options.out)
+        kept.keep(rows, measured.day, options.out)
     console.print(
         f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
         f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}\n"
@@ -129,30 +133,20 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def _how(rounds: int, is_quick: bool) -> str:
+def _how(measured: Measured, is_quick: bool) -> str:
     """Write a note for the charts page that says when and how the times were measured."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (
-        f"Measured on {date.today():%Y-%m-%d}{quick}, with {versions}. Each time is the median of "
-        f"{rounds} rounds."
+        f"Measured on {measured.day}{quick}, with {versions}. Each time is the median of "
+        f"{measured.rounds} rounds."
     )
 
 
-def _print(rows: list[Row], words: list[list[str]], console: Console) -> None:
-    from studies.charts.ratios import COMPARED  # it imports chapters
-
+def _print(rows: list[tuple[Any, ...]], console: Console) -> None:
     table = Table("scene", "error", "compared", box=SIMPLE_HEAD, pad_edge=False)
-    for heading in ("ours", "pymunk", "pymunk / ours"):
+    for heading in COLUMNS[-3:]:
         table.add_column(heading, justify="right")
-    for row, told in zip(rows, words, strict=True):
-        table.add_row(row.scene, f"{row.tolerance:g}", COMPARED[row.is_formula], *told)
+    for scene, tolerance, is_formula, *words in rows:
+        table.add_row(scene, f"{tolerance:g}", "better model" if is_formula else "steps", *words)
     console.print(table)
-
-
-def _write(rows: list[Row], words: list[list[str]], path: Path) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(("scene", "tolerance", "better model", "ours", "pymunk", "pymunk / ours"))
-        for row, told in zip(rows, words, strict=True):
-            writer.writerow((row.scene, row.tolerance, row.is_formula, *told))

@@ -14,11 +14,12 @@ from __future__ import annotations
 import argparse
 import math
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.commands import TUNED, find_engine
-from autograder.text.wrapping import plain_console, print_wrapped
+from autograder.text.wrapping import plain_console
 
 if TYPE_CHECKING:
     from studies.accuracy.measure import Point
@@ -56,6 +57,7 @@ def main(arguments: list[str]) -> int:
     from scenes.clock import RATE
     from studies.accuracy import measure, results
     from studies.accuracy.catalog import scenes_with
+    from studies.choose.report import print_choice, print_line
 
     try:
         scenes = scenes_with(options.scene)
@@ -81,29 +83,18 @@ def main(arguments: list[str]) -> int:
         theirs, _ = results.cheapest(others, options.tolerance)
         missed |= found is None
         limit = f"with runs of up to {SLOWEST:g} s"
-        for title, point, none in (
-            ("cheapest", found, f"none of our models is accurate enough {limit}"),
-            ("next cheaper", cheaper, "none of our models is cheaper"),
-            ("pymunk", theirs, f"not accurate enough {limit}"),
-        ):
-            if title == "next cheaper" and not found:
-                continue
-            told = _told(scene, point, options.tolerance) if point else none
-            if point and point is cheaper:
-                fails = point.error > options.tolerance
-                told += ": not accurate enough" if fails else ": accurate only by chance"
-            elif point and point is theirs and found and theirs.time < found.time:
-                told += ": cheaper than all of ours"
-            print_wrapped(console, f"  {title + ':':14}{told}", hanging=16)
+        none = f"none of our models is accurate enough {limit}", "none of our models is cheaper"
+        told = partial(_told, scene, options.tolerance)
+        print_choice(console, found, cheaper, options.tolerance, told, none)
+        text = told(theirs) if theirs else f"not accurate enough {limit}"
+        if found and theirs and theirs.time < found.time:
+            text += ": cheaper than all of ours"
+        print_line(console, "pymunk", text)
     return 1 if missed else 0
 
 
-def _told(scene: Scene, point: Point, tolerance: float) -> str:
-    """Describe one timed run for the report, with its steps, time, work and error.
-
-    For example, "leapfrog, 8 steps per frame: 3.2 ms (0.027 ms per frame), 960 evaluations of
-    forces or formulas, error 3e-05".
-    """
+def _told(scene: Scene, tolerance: float, point: Point) -> str:
+    """Describe one timed run for the report, with its steps, time, work and error."""
     from studies.choose.report import told_beside, took  # it imports chapters
 
     model = next(model for model in scene.models if model.name == point.model)

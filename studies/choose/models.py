@@ -26,7 +26,7 @@ from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
 from ch08_mass_aggregate.world import ParticleWorld
 from scenes.integrators import INTEGRATORS
-from studies.accuracy.scene import STEPS, TOLERANCES
+from studies.accuracy.scene import STEPS, TOLERANCES, told_choice
 from studies.models.direct_net import DirectNet
 from studies.models.net import LINKS
 from studies.models.smooth_net import SmoothNet
@@ -56,9 +56,7 @@ class Model:
 
     def chosen(self, choice: int) -> str:
         """Return the number of steps per frame, or the tolerance, as in "4 steps per frame"."""
-        if self.takes_tolerance:
-            return f"tolerance {1.0 / choice:g}"
-        return "once per frame" if choice == 1 else f"{choice} steps per frame"
+        return told_choice(choice, 1, takes_tolerance=self.takes_tolerance)
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
         """Prepare a world to be simulated with this model.

@@ -7,6 +7,7 @@ other, it calls none of them accurate.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
@@ -47,7 +48,7 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
     doubt = contradiction(found, tolerance)
     chosen = None
     if doubt:
-        print_wrapped(console, f"  {'cheapest:':14}unknown, because {doubt}", hanging=16)
+        print_line(console, "cheapest", f"unknown, because {doubt}")
     else:
         chosen = _print_choice(scene, found, tolerance, console)
     console.print(_table(found, scene, tolerance, is_doubtful=bool(doubt)))
@@ -63,24 +64,42 @@ def _print_choice(
     steady = [point for tried in found if tried.halved.is_steady for point in tried.points(scene)]
     chosen, cheaper = cheapest(steady, tolerance)
     longest = max(taken for tried in found for times in tried.times for taken in times)
-    for title, point, none in (
-        ("cheapest", chosen, f"no model is accurate enough with runs of up to {longest:.2g} s"),
-        ("next cheaper", cheaper, "no model is cheaper"),
-    ):
-        told = _told(found, point, scene.frames, tolerance) if point else none
-        if point and point is cheaper:
-            fails = point.error > tolerance
-            told += ": not accurate enough" if fails else ": accurate only by chance"
-        if chosen or title == "cheapest":
-            print_wrapped(console, f"  {title + ':':14}{told}", hanging=16)
+    models = {tried.model.name: tried.model for tried in found}
+
+    def told(point: Point) -> str:
+        choice = models[point.model].chosen(point.steps)
+        error = told_beside(tolerance, point.error)
+        return f"{point.model}, {choice}: {took(point, scene.frames)}, error about {error}"
+
+    none = f"no model is accurate enough with runs of up to {longest:.2g} s"
+    print_choice(console, chosen, cheaper, tolerance, told, (none, "no model is cheaper"))
     return chosen
 
 
-def _told(found: list[Tried], point: Point, frames: int, tolerance: float) -> str:
-    model = next(tried.model for tried in found if tried.model.name == point.model)
-    choice = model.chosen(point.steps)
-    error = told_beside(tolerance, point.error)
-    return f"{point.model}, {choice}: {took(point, frames)}, error about {error}"
+def print_choice(
+    console: Console,
+    chosen: Point | None,
+    cheaper: Point | None,
+    tolerance: float,
+    told: Callable[[Point], str],
+    none: tuple[str, str],
+) -> None:
+    """Print the cheapest run that is accurate enough, and the next cheaper one.
+
+    ``told`` describes a run. ``none`` are the texts if there is no such run.
+    """
+    print_line(console, "cheapest", told(chosen) if chosen else none[0])
+    if chosen and cheaper:
+        fails = cheaper.error > tolerance
+        why = "not accurate enough" if fails else "accurate only by chance"
+        print_line(console, "next cheaper", f"{told(cheaper)}: {why}")
+    elif chosen:
+        print_line(console, "next cheaper", none[1])
+
+
+def print_line(console: Console, title: str, text: str) -> None:
+    """Print a line of the report, such as the cheapest run."""
+    print_wrapped(console, f"  {title + ':':14}{text}", hanging=16)
 
 
 def told_beside(tolerance: float, error: float, digits: int = 1) -> str:

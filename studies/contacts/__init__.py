@@ -1,14 +1,15 @@
 """Compare how fast the contact solvers of chapter 7 are on stacks of spheres and on ropes.
 
-A heavy body that rests on a light one, or hangs from it, is hard to simulate. Each scene is
-therefore run with several mass ratios. The command prints how much time per frame each solver needs
-to keep the error small. A complete run also stores its measurements, from which `make figures`
-draws the picture in the lesson.
+A heavy body that rests on a light one, or hangs from it, is hard to simulate, so each scene is run
+with several mass ratios. The command prints how much time per frame each solver needs to keep the
+error small. A complete run also stores its measurements, from which `make figures` draws the
+picture in the lesson.
 """
 
 from __future__ import annotations
 
 import argparse
+import shutil
 import sys
 from pathlib import Path
 
@@ -26,26 +27,20 @@ QUICK, FULL = (1, 0.02), (3, 1.0)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all contact solvers, print a table, draw the picture, and save the measurements.
-
-    With the option ``--quick``, the measurements that are stored in the project are not replaced.
-    """
+    """Measure all contact solvers, print a table, draw the picture, and save the measurements."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
-    parser.add_argument(
-        "--quick",
-        action="store_true",
-        help="take a minute at most: fewer steps, one round, not stored",
-    )
-    parser.add_argument(
-        "--out", type=Path, default=ROOT / "build" / "contacts", help="the folder for the results"
-    )
+    quick = "take a minute at most: fewer steps, one round, not stored"
+    parser.add_argument("--quick", action="store_true", help=quick)
+    out = ROOT / "build" / "contacts"
+    parser.add_argument("--out", type=Path, default=out, help="the folder for the results")
     options = parser.parse_args(arguments)
     if options.out.exists() and not options.out.is_dir():
         parser.error(f"--out must be a folder, got the file {options.out}")
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
+    from plots.ch07_constraints.solvers import contact_solvers
     from studies.accuracy import measure
-    from studies.contacts import chart, kept, scenes
+    from studies.contacts import kept, scenes
 
     pyplot.switch_backend("agg")
     console = plain_console()
@@ -61,25 +56,23 @@ def main(arguments: list[str]) -> int:
         task = progress.add_task("timing", total=rounds * len(measured.points))
         for _ in range(rounds):
             measure.time_once(measured, every, lambda: progress.advance(task))
-    points = kept.rounded(measured.points)
+    options.out.mkdir(parents=True, exist_ok=True)
+    png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
+    kept.keep(measured.points, numbers)
+    picture = contact_solvers(numbers)
+    picture.figure.savefig(png, dpi=110)
     table = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
-    for heading in chart.COLUMNS:
+    for heading in picture.columns:
         longest = max(map(len, heading.split()))
         table.add_column(heading, no_wrap=heading == "scene", min_width=longest)
-    for row in chart.table(points):
-        table.add_row(*row)
+    for row in picture.rows:
+        table.add_row(*map(str, row))
     console.print("Time in ms per frame that a solver needs to stay within an error for 1 s:")
     console.print(table)
     console.print("-: the longest run is not accurate enough, or the solver does not apply.")
-    options.out.mkdir(parents=True, exist_ok=True)
-    png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
-    chart.draw(points).savefig(png, dpi=110)
-    kept.keep(points, numbers)
-    console.print(f"picture: {shown(png)}\nall points: {shown(numbers)}", soft_wrap=True)
+    told = f"picture: {shown(png)}\nall points: {shown(numbers)}"
     if not options.quick:
-        kept.keep(points)
-        console.print(
-            f"Written to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture.",
-            soft_wrap=True,
-        )
+        shutil.copy(numbers, kept.FILE)
+        told += f"\nWritten to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture."
+    console.print(told, soft_wrap=True)
     return 0

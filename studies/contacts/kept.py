@@ -1,51 +1,49 @@
-"""Save and load the measurements of the last complete `make contacts`.
-
-They are stored as a JSON file in the project, so that the lesson's picture can be redrawn without
-measuring again.
-"""
+"""Save and load the measurements of contact solvers, from which the lesson's picture is drawn."""
 
 from __future__ import annotations
 
 import json
 import platform
 from collections.abc import Sequence
-from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
 from studies.accuracy.measure import Point
+from studies.accuracy.results import models_of, time_to
 from studies.contacts.scenes import FRAMES
 
 FILE = Path(__file__).with_name("figures.json")
+TOLERANCES = (1e-1, 1e-2, 1e-3)
 
 
-def rounded(points: Sequence[Point]) -> list[Point]:
-    """Round the measurements of the contact solvers to three digits, with times in ms per frame."""
+def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]:
+    """Find how long each solver takes to keep the error of a scene within a tolerance.
 
-    def digits(value: float) -> float:
-        return float(f"{value:.3g}")
-
-    return [
-        replace(point, error=digits(point.error), times=[digits(1e3 * point.time / FRAMES)])
-        for point in points
-    ]
-
-
-def keep(points: Sequence[Point], file: Path = FILE) -> None:
-    """Write the measurements of the contact solvers to ``file`` as JSON, one per line.
-
-    The file also contains today's date and the version of Python.
+    Each row has a scene, a tolerance, and the times in ms per frame of all solvers that meet it.
     """
-    start = {"measured": date.today().isoformat(), "python": platform.python_version()}
-    lines = [json.dumps([p.scene, p.model, p.by, p.steps, p.error, p.time]) for p in points]
-    text = json.dumps(start, indent=1)[:-2] + ',\n "points": [\n  ' + ",\n  ".join(lines)
-    file.write_text(text + "\n ]\n}\n", encoding="utf-8")
+    found = []
+    for scene in dict.fromkeys(point.scene for point in points):
+        models = models_of([point for point in points if point.scene == scene])
+        for tolerance in TOLERANCES:
+            times = {name: time_to(own, tolerance) for name, own in models.items()}
+            ms = {name: _rounded(1e3 * time / FRAMES, 4) for name, time in times.items() if time}
+            found.append((scene, tolerance, ms))
+    return found
 
 
-def kept(file: Path = FILE) -> list[Point]:
-    """Load the stored measurements of the contact solvers, with times in ms per frame."""
-    rows = json.loads(file.read_text(encoding="utf-8"))["points"]
-    return [
-        Point(scene, model, by, steps, error, 0, [time])
-        for scene, model, by, steps, error, time in rows
+def keep(points: Sequence[Point], file: Path) -> None:
+    """Write the date, the version of Python, all points and the table to a JSON file.
+
+    Each point has an error and a time in ms per frame, both with three digits.
+    """
+    rows = [
+        (p.scene, p.model, p.by, p.steps, _rounded(p.error), _rounded(1e3 * p.time / FRAMES))
+        for p in points
     ]
+    start = {"measured": date.today().isoformat(), "python": platform.python_version()}
+    text = json.dumps(start | {"points": rows, "within": within(points)})
+    file.write_text(text.replace(": [[", ": [\n  [").replace("], [", "],\n  [") + "\n", "utf-8")
+
+
+def _rounded(value: float, digits: int = 3) -> float:
+    return float(f"{value:.{digits}g}")

@@ -14,6 +14,7 @@ import argparse
 import csv
 import math
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -45,7 +46,7 @@ def main(arguments: list[str]) -> int:
         default=ROOT / "build" / "limits.csv",
         help="the file for the numbers; the pictures are written next to it",
     )
-    options = parser.parse_args(arguments)
+    out: Path = parser.parse_args(arguments).out
     sys.path[:0] = map(str, find_engine("solutions"))
     # These modules import chapters.
     from studies.limits import maps, search
@@ -60,24 +61,22 @@ def main(arguments: list[str]) -> int:
         drifts = search.energy_drifts(SWINGS)
     with console.status("simulating unstable springs"):
         losses = maps.divergence()
-    tables = ((springs, "case", "k h^2 / m"), (drags, "case", "k1 h / m"))
-    for bounds, where, what in tables:
-        console.print(_table(bounds, where, what))
+    tables = ((springs, "k h^2 / m"), (drags, "k1 h / m"))
+    for bounds, what in tables:
+        console.print(_table(bounds, what))
     table = Table("method", f"energy after {SWINGS[-1]} oscillations", box=SIMPLE_HEAD)
     for name, ratios in drifts.items():
         table.add_row(name, f"{ratios[-1]:.6g}")
     console.print(table)
-    options.out.parent.mkdir(parents=True, exist_ok=True)
-    with options.out.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        for bounds, where, what in tables:
-            heading = ("method", where, f"limit of {what}", "theory", "steps to x 1e6")
-            writer.writerows([heading, *bounds])
-        writer.writerow(("method", *(f"energy after {count} oscillations" for count in SWINGS)))
-        writer.writerows((name, *ratios) for name, ratios in drifts.items())
-        writer.writerows([maps.LOSS_COLUMNS, *losses])
-    picture = options.out.with_suffix(".png")
-    curves = options.out.with_name(f"{options.out.stem}_divergence.png")
+    rows: list[Sequence[object]] = []
+    for bounds, what in tables:
+        rows += [("method", "case", f"limit of {what}", "theory", "steps to x 1e6"), *bounds]
+    rows.append(("method", *(f"energy after {count} oscillations" for count in SWINGS)))
+    rows += [(name, *ratios) for name, ratios in drifts.items()]
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with out.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([*rows, maps.LOSS_COLUMNS, *losses])
+    picture, curves = out.with_suffix(".png"), out.with_name(f"{out.stem}_divergence.png")
     with console.status("drawing maps"):
         maps.draw_maps(picture)
     maps.draw_divergence(losses, drifts, SWINGS, curves)
@@ -85,33 +84,25 @@ def main(arguments: list[str]) -> int:
         f"The column 'steps' shows how many steps an oscillation at {search.OUTSIDE} times the\n"
         "limit takes to grow by a factor of 1e6. A limit of 0 means that oscillations\n"
         f"grow even at {search.LEAST:g}.\n"
-        "Energies are relative to the initial energy, at k h^2 / m = "
-        f"{search.STIFFNESS * search.FRAME**2:.3g},\n"
+        f"Energies are relative to the initial energy, at k h^2 / m = {search.KAPPA:.3g},\n"
         "where explicit Euler is unstable.\n"
         f"\nMaps: {shown(picture)}\nTime to divergence, energies: {shown(curves)}\n"
-        f"All numbers: {shown(options.out)}",
+        f"All numbers: {shown(out)}",
         soft_wrap=True,
     )
-    off = [each for each in (*springs, *drags) if not _is_near(each)]
-    for each in off:
-        console.print(f"differs from theory by more than 5 %: {each.method}, {each.at}")
+    bounds = [*springs, *drags]
+    off = [one for one in bounds if not math.isclose(one.found, one.theory, rel_tol=WORST)]
+    for one in off:
+        console.print(f"differs from theory by more than 5 %: {one.method}, {one.at}")
     return 1 if off else 0
 
 
-def _is_near(bound: Bound) -> bool:
-    return math.isclose(bound.found, bound.theory, rel_tol=WORST)
-
-
-def _table(bounds: list[Bound], where: str, what: str) -> Table:
-    headings = ("method", where, "limit", "theory", "error, %", "steps")
+def _table(bounds: list[Bound], what: str) -> Table:
+    headings = ("method", "case", "limit", "theory", "error, %", "steps")
     table = Table(*headings, title=f"Limits of {what}", box=SIMPLE_HEAD, pad_edge=False)
     for name, at, found, true, steps in bounds:
         off = f"{100.0 * (found / true - 1.0):.1g}" if 0.0 < true < math.inf else ""
-        reached = "over 1e6" if found == math.inf else _number(found)
-        lasts = "" if math.isnan(steps) else f"{steps:.0f}"
-        table.add_row(name, at, reached, _number(true), off, lasts)
+        reached = "over 1e6" if found == math.inf else f"{found:.6g}"
+        wanted = "none" if true == math.inf else f"{true:.6g}"
+        table.add_row(name, at, reached, wanted, off, "" if math.isnan(steps) else f"{steps:.0f}")
     return table
-
-
-def _number(value: float) -> str:
-    return "none" if value == math.inf else f"{value:.6g}"

@@ -1,7 +1,6 @@
 """Draw the stability limits of integrators, and how soon simulations diverge beyond them.
 
-In these pictures, curves are predictions from the eigenvalues of one time step. Marks come from
-simulations.
+Curves are predictions from the eigenvalues of one time step. Marks come from simulations.
 """
 
 from __future__ import annotations
@@ -16,16 +15,8 @@ from matplotlib.axes import Axes
 
 from plots.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
 from scenes.integrators import INTEGRATORS, SOLVERS
-from scenes.stability import swing
-from studies.limits.search import (
-    FRAME,
-    HUGE,
-    STIFFNESS,
-    first,
-    growth_at,
-    stepping,
-    theory_at,
-)
+from scenes.stability import stepping, swing
+from studies.limits.search import ALL_SOLVERS, HUGE, KAPPA, first, growth_at, theory_at
 
 SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 # Pymunk's results lie on the curves of equal methods, so their marks must show on top of others.
@@ -33,15 +24,8 @@ MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
 DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings at which limits are measured
 # For each method, a damping at which its limit is above 0. The damping is d^h, or c h / m.
-LOST = {
-    "explicit Euler": 0.5,
-    "semi-implicit Euler": 1.0,
-    "leapfrog": 1.0,
-    "velocity Verlet": 1.0,
-    "Runge-Kutta 4": 1.0,
-    "pymunk's spring": 0.0,
-    "pymunk, by hand": 0.5,
-}
+LOST = dict.fromkeys(INTEGRATORS, 1.0) | {"explicit Euler": 0.5}
+LOST |= {"pymunk's spring": 0.0, "pymunk, by hand": 0.5}
 BEYOND = (0.001, 0.003, 0.01, 0.02, 0.03, 0.1, 0.3, 1.0)  # k / limit - 1
 LOSS_COLUMNS = (
     "method",
@@ -51,30 +35,24 @@ LOSS_COLUMNS = (
     "steps of a simulation from release",
     "steps of a simulation from x 1e3 to x 1e9",
 )
+
+
 Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw a heat map for each integrator to show how stiffness and damping affect stability.
+    """Draw a heat map for each method of the growth per time step against stiffness and damping.
 
-    Each color shows the factor by which an oscillation grows in one time step. A line marks the
-    theoretical stability limit, and dots mark limits found by bisection. The figure is saved as
-    ``png``.
+    A line marks the theoretical stability limit, and dots mark limits found by bisection.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
     for axes, name in zip(panels.flat, SHADES, strict=True):
-        by_particle = name in INTEGRATORS
-        full, corner, words = (
-            (1.0, "lower left", "particle, d$^h$")
-            if by_particle
-            else (2.0, "upper left", "spring, c h / m")
-        )
-        dampings = [full * i / 40.0 for i in range(4 if by_particle else 0, 41)]
+        is_ours = name in INTEGRATORS
+        full, undamped, words = (1.0, 1.0, "d$^h$") if is_ours else (2.0, 0.0, "c h / m")
+        dampings = [full * i / 40.0 for i in range(4 if is_ours else 0, 41)]
         grown = [[growth_at(name, d, kappa) for kappa in KAPPAS] for d in dampings]
-        colored = growth_map(axes, KAPPAS, dampings, grown)
-        axes.set(xscale="log", xlim=(KAPPAS[0], KAPPAS[-1]))
-        axes.set(xlabel="k h$^2$ / m", ylabel=f"damping of the {words}")
+        colored = growth_map(axes, KAPPAS, dampings, grown, in_spring=not is_ours)
         if name in SOLVERS:
             most = max(map(max, grown))
             axes.set_title(f"{name}\nalways stable: at most x {most:.4f}", fontsize=10)
@@ -85,12 +63,9 @@ def draw_maps(png: Path) -> None:
         found = {d: first(partial(growth_at, name, d)) for d in dampings if d in DOTS}
         off += [found[d] / true - 1.0 for d in found if (true := theory_at(name, d))]
         axes.plot([*found.values()], [*found], "o", color="white", mec=BLACK, label="bisection")
-        axes.legend(fontsize=8, loc=corner)
-        free = found[1.0 if by_particle else 0.0]
-        half = "d$^h$" if by_particle else "c h / m"
-        axes.set_title(
-            f"{name}\nlimit {free:.3g} undamped, {found[0.5]:.3g} at {half} = 0.5", fontsize=10
-        )
+        axes.legend(fontsize=8, loc="lower left" if is_ours else "upper left")
+        limits = f"limit {found[undamped]:.3g} undamped, {found[0.5]:.3g} at {words} = 0.5"
+        axes.set_title(f"{name}\n{limits}", fontsize=10)
     growth_bar(figure, panels, colored)
     worst = 100.0 * max(map(abs, off))
     figure.suptitle(
@@ -101,39 +76,27 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Predict and measure how many steps an unstable oscillation takes to grow by a factor of 1e6.
-
-    Return a row for each integrator and stiffness. The prediction follows from the eigenvalues of a
-    time step. The last two columns are the numbers of steps that ``steps_to_loss`` counts in a
-    simulation.
-    """
-    rows = []
+    """Predict and measure in how many steps unstable oscillations grow by a factor of 1e6."""
+    rows: list[Loss] = []
     for name, damping in LOST.items():
         for beyond in BEYOND:
             kappa = theory_at(name, damping) * (1.0 + beyond)
             predicted = math.log(HUGE) / math.log(growth_at(name, damping, kappa))
-            rows.append(
-                (name, damping, beyond, predicted, *steps_to_loss(name, damping, kappa, predicted))
-            )
+            counted = steps_to_loss(name, damping, kappa, predicted)
+            rows.append((name, damping, beyond, predicted, *counted))
     return rows
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the time steps that an unstable oscillation takes to grow by a factor of 1e6.
+    """Count the steps in which the size of an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
 
-    The size of the oscillation is the length of (x, v / sqrt(k / m)), where x is the position and v
-    is the velocity. ``predicted`` is the expected number of steps, which determines how long the
-    simulation runs.
-
-    Returns:
-        The number of steps from the release, and the number of steps after the oscillation has
-        grown by a factor of 1e3. By then, the initial state no longer matters.
+    They are counted from the release, and after the oscillation has grown by a factor of 1e3, when
+    the initial state no longer matters. The ``predicted`` number limits the simulation.
     """
-    integrator, pull, d = stepping(name, kappa, damping)
+    integrator, pull, d = stepping(name, damping, kappa, ALL_SOLVERS)
     chi = math.sqrt(pull.stiffness)
-    run = swing(integrator, pull, FRAME, round(1.6 * predicted) + 50, 1e20, d)
-    pairs = zip(run.places, run.velocities, strict=True)
-    sizes = [math.hypot(x, v / chi) for x, v in pairs]
+    places, speeds = swing(integrator, pull, d, steps=round(1.6 * predicted) + 50, limit=1e20)
+    sizes = [math.hypot(x, v / chi) for x, v in zip(places.values, speeds.values, strict=True)]
 
     def when(size: float) -> int:
         return next(i for i, each in enumerate(sizes) if each >= size)
@@ -144,15 +107,9 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
 def draw_divergence(
     losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
 ) -> None:
-    """Plot how soon simulations of springs diverge, and how the energy of stable ones drifts.
-
-    The left panel shows the number of time steps until a spring diverges. The middle panel shows
-    how far the prediction of that number is off. The right panel shows the energy of stable
-    simulations. The picture is saved as ``png``.
-    """
+    """Plot how soon simulations of springs diverge, and how the energy of stable ones drifts."""
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
-    _draw_steps(left, losses)
-    _draw_errors(middle, losses)
+    _draw_steps(left, middle, losses)
     _draw_energies(right, drifts, swings)
     for axes in (left, middle, right):
         axes.grid(alpha=0.3)
@@ -161,78 +118,66 @@ def draw_divergence(
     pyplot.close(figure)
 
 
-def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
+def _draw_steps(left: Axes, right: Axes, losses: Sequence[Loss]) -> None:
     """Plot how many time steps an oscillation takes to grow by a factor of a million.
 
-    The marks come from simulations that start from rest. The lines show the prediction ln(1e6) /
-    ln(growth), where growth is the factor per time step.
+    In the right panel, the predictions are compared with steady growth (lines) and with
+    oscillations from rest (marks). These are the sum of two eigenvectors, but only one of them
+    grows. Near a limit, the two are almost parallel, so the growing part may be much larger than
+    the sum, or only half as large. The oscillation therefore reaches a million times its size
+    sooner or later than predicted. Far beyond the limit, the difference is caused by rounding to
+    whole steps.
     """
     for name, damping in LOST.items():
-        own = [row[2:] for row in losses if row[0] == name]
+        own = [loss[2:] for loss in losses if loss[0] == name]
+        beyond, predicted, rest, evenly = zip(*own, strict=True)
         color, mark = SHADES[name], MARKS[name]
-        beyond = [row[0] for row in own]
-        axes.plot(beyond, [row[1] for row in own], color=color, lw=1)
-        words = "d$^h$" if name in INTEGRATORS else "c h / m"
-        label = f"{name}, {words} = {damping:g}"
-        axes.plot(beyond, [row[2] for row in own], mark, color=color, mfc="none", label=label)
-    axes.set(xscale="log", yscale="log", xlabel="k / limit - 1")
-    axes.set_ylabel("steps until an oscillation is 1e6 times as large")
-    low, high = (limit(row[4] for row in losses if row[2] == 0.02) for limit in (min, max))
-    axes.set_title(
-        f"2 % outside the limit, an oscillation diverges in {low} to {high} steps\n"
+        label = f"{name}, {'d$^h$' if name in INTEGRATORS else 'c h / m'} = {damping:g}"
+        left.plot(beyond, predicted, color=color, lw=1)
+        left.plot(beyond, rest, mark, color=color, mfc="none", label=label)
+        off = [_percent(*pair) for pair in zip(rest, predicted, strict=True)]
+        right.plot(beyond, off, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
+        off = [_percent(*pair) for pair in zip(evenly, predicted, strict=True)]
+        right.plot(beyond, off, "-", color=color, lw=1.5)
+    left.set(xscale="log", yscale="log", xlabel="k / limit - 1")
+    left.set_ylabel("steps until an oscillation is 1e6 times as large")
+    near = [rest for _, _, beyond, _, rest, _ in losses if beyond == 0.02]
+    left.set_title(
+        f"2 % outside the limit, an oscillation diverges in {min(near)} to {max(near)} steps\n"
         "(lines: ln 1e6 / ln |eigenvalue|; marks: simulated from rest)",
         fontsize=10,
     )
-
-
-def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Plot how far the predicted numbers of steps to divergence are off, in percent.
-
-    Lines are for steady growth, and marks are for oscillations that are released from rest. An
-    oscillation from rest is the sum of two eigenvectors, but only one of them grows. Near a limit,
-    the two are almost parallel, so the growing part may be much larger than the sum, or only half
-    as large. The oscillation therefore reaches a million times its size sooner or later than
-    predicted. Far beyond the limit, the difference is caused by rounding to whole steps.
-    """
-    for name in LOST:
-        own = [row[2:] for row in losses if row[0] == name]
-        color, mark = SHADES[name], MARKS[name]
-        beyond = [row[0] for row in own]
-        from_rest = [100.0 * (row[2] / row[1] - 1.0) for row in own]
-        axes.plot(beyond, from_rest, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
-        evenly = [100.0 * (row[3] / row[1] - 1.0) for row in own]
-        axes.plot(beyond, evenly, "-", color=color, lw=1.5)
-    clear = [row for row in losses if abs(row[5] - row[3]) > 1.0]  # by more than one step
-    most = 100.0 * max((abs(row[5] / row[3] - 1.0) for row in clear), default=0.0)
-    rest = 100.0 * max(abs(row[4] / row[3] - 1.0) for row in losses)
-    axes.axhline(0.0, color=BLACK, lw=0.8)
-    axes.set(xscale="log", xlabel="k / limit - 1", ylabel="steps simulated / predicted - 1, %")
-    axes.set_title(
+    clear = [(found, wanted) for *_, wanted, _, found in losses if abs(found - wanted) > 1.0]
+    most = max((abs(_percent(*pair)) for pair in clear), default=0.0)
+    worst = max(abs(_percent(found, wanted)) for *_, wanted, found, _ in losses)
+    right.axhline(0.0, color=BLACK, lw=0.8)
+    right.set(xscale="log", xlabel="k / limit - 1", ylabel="steps simulated / predicted - 1, %")
+    right.set_title(
         f"In steady growth (lines) the error is within a step, or at most {most:.1g} %;\n"
-        f"from rest (marks) the size of the growing eigenvector adds up to {rest:.2g} %",
+        f"from rest (marks) the size of the growing eigenvector adds up to {worst:.2g} %",
         fontsize=10,
     )
 
 
-def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Plot how the energy of a spring changes over many oscillations with each integrator.
+def _percent(found: float, predicted: float) -> float:
+    return 100.0 * (found / predicted - 1.0)
 
-    A dashed line shows the energy that Runge-Kutta 4 should have in theory.
-    """
+
+def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
+    """Plot how the energy of a spring changes over many oscillations with each method."""
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)
-    kappa = STIFFNESS * FRAME**2
     # The fourth-order series of e^(i a) has the squared magnitude 1 - a^6 / 72 + a^8 / 576.
-    step = math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0)
-    each = 2.0 * math.pi / math.sqrt(kappa)
+    step = math.log1p(-(KAPPA**3) / 72.0 + KAPPA**4 / 576.0)
+    each = 2.0 * math.pi / math.sqrt(KAPPA)
     by_theory = [math.exp(count * each * step) for count in swings]
     axes.plot(swings, by_theory, "--", color=BLACK, lw=1, label="Runge-Kutta 4, theory")
     leaking = ("Runge-Kutta 4", "backward Euler")
     most = max(abs(own[-1] - 1.0) for name, own in drifts.items() if name not in leaking)
     axes.set(xlabel="oscillations", ylabel="energy / initial energy, mean over an oscillation")
     axes.set_title(
-        f"After {swings[-1]:,} oscillations at k h$^2$ / m = {kappa:.3g}, Runge-Kutta 4 keeps "
+        f"After {swings[-1]:,} oscillations at k h$^2$ / m = {KAPPA:.3g}, Runge-Kutta 4 keeps "
         f"{drifts['Runge-Kutta 4'][-1]:.3g}\nof its energy and backward Euler "
         f"{drifts['backward Euler'][-1]:.1g}. The others are within {100.0 * most:.1g} %",
         fontsize=10,

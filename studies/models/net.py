@@ -9,7 +9,6 @@ This file is complete, so there is nothing to fill in.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
@@ -17,6 +16,7 @@ from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from scenes.links import Strut
 from studies.models.elimination import Elimination
 
 ROD, CABLE, STRUT = 0, 1, -1  # keeps its length; must not be longer; must not be shorter
@@ -30,15 +30,6 @@ CHANGES = 30  # sets of taut cables that are tried at once; after that, one cabl
 Limit = tuple[Particle, Particle | Vector3, float, int]
 Way = tuple[float, float, float]
 Row = tuple[int, int, float, int]  # the two ends, the length squared in m^2, and the kind
-
-
-@dataclass(frozen=True)
-class Strut:
-    """A link that keeps two particles at least ``min_length`` m apart, like touching balls."""
-
-    a: Particle
-    b: Particle
-    min_length: float
 
 
 def limits_of(link: Any) -> list[Limit]:

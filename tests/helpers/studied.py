@@ -10,6 +10,7 @@ This file is also the program of the waiting process, which reads one request pe
 from __future__ import annotations
 
 import atexit
+import importlib
 import json
 import os
 import subprocess
@@ -93,7 +94,7 @@ def _run(request: dict) -> int:
         draw = plots.draw
         plots.draw = lambda plot, folder: plot.__name__ not in only or draw(plot, folder)
     try:
-        status = sys.modules[f"{request['package']}.__main__"].main()
+        status = importlib.import_module(f"{request['package']}.__main__").main()
     except SystemExit as end:
         status = end.code
     except BaseException:

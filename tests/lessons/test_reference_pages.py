@@ -26,10 +26,13 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.going_further.sequential_impulses import SequentialImpulses
 from ch07_constraints.links import Rod, TwoSidedRod
 from lessons.lesson import agrees
-from scenes.constraints import Link, Resolve, by_resolver, chain, no_forces, pendulum, without_rule
-from scenes.piles import stack
+from plots.ch07_constraints.bounces import without_rule
+from plots.ch07_constraints.contacts import sinking
+from plots.ch07_constraints.rods import energy, stretch
+from scenes.chain import Chain, Link
+from scenes.resolving import Resolve, no_forces
 from scenes.track import track
-from studies.accuracy.scenes.links import double_pendulum
+from studies.accuracy.scenes.chains import double_pendulum
 from studies.accuracy.scenes.nets import swinging
 from studies.models.rod_tensions import RodTensions
 
@@ -78,18 +81,18 @@ def moves_until(gravity: float) -> float:
 
 def sinks(count: int, iterations: int | None) -> float:
     """Return how deep the spheres of a stack overlap within 2 s, in percent of a diameter."""
-    return 100 * max(stack(count, iterations, 120)[1].values)
+    return 100 * max(sinking(count, iterations)[1].values)
 
 
 def wrong_by(count: int, link: Link, substeps: int = 1) -> float:
     """Return the largest error in mm of the rods of a hanging chain within 2 s."""
-    _, worst = chain(count, link, by_resolver(), 120, substeps=substeps)
+    _, worst = stretch(Chain([1.0] * count, 0.1), link, 120, substeps=substeps)
     return 1000 * max(worst.values)
 
 
 def loses(step: Integrator | None, rate: int) -> float:
     """Return the energy that a pendulum loses in 10 s, in percent."""
-    energies = pendulum(step, rate, 10).values
+    energies = energy(step, rate).values
     return 100 * (1 - energies[-1] / energies[0])
 
 

@@ -28,7 +28,8 @@ def plot(
 ) -> CompletedProcess[str]:
     """Draw the plots of a chapter with an engine, or only those that ``only`` names."""
     number = str(int(chapter[2:4]))
-    return study("plot", "--chapter", number, "--engine", str(engine), "--out", str(out), only=only)
+    options = ("--chapter", number, "--engine", str(engine), "--out", str(out))
+    return study("draw", *options, package="plots", only=only)
 
 
 def engine_with(chapter: str, added: dict[str, str], at: Path) -> Path:

@@ -297,7 +297,7 @@ def test_what_a_cloth_is_compared_with_falls_in_the_same_way() -> None:
 
 def test_what_a_chain_is_compared_with_hangs_from_the_same_place() -> None:
     """Pymunk's tip approaches ours: with four times the frames it is a quarter as far away."""
-    ours = constraints.by_direct_solve(constraints.RATE)
+    ours = constraints.by_direct_chain(constraints.RATE)
     off = [math.dist(constraints.by_pymunk(rate), ours) for rate in (960, 3840)]
     assert off[1] == pytest.approx(0.25 * off[0], rel=0.3)  # order 1, apart from our own error
     assert off[1] < 2e-3

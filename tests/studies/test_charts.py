@@ -14,17 +14,19 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from ch07_constraints.going_further.angle_pendulum import AnglePendulum
+from plots import drawing
 from plots.drawing import COLORS, slope
 from scenes.clock import RATE
+from scenes.dropped_balls import DroppedBalls
 from studies import charts, choose
 from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with
-from studies.accuracy.chart import styles_of, told, told_ratio
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
 from studies.accuracy.measure import Measured, Point, load, save
 from studies.accuracy.results import front, stalls, table, time_to
 from studies.accuracy.scene import Model, Outcome, Scene
-from studies.accuracy.scenes import impacts
+from studies.charts.page import looks
+from studies.charts.ratios import figures_of, precise, told, told_ratio
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
 G = 9.81
@@ -95,16 +97,16 @@ def test_the_truth_of_a_scene_is_that_of_its_equation(name: str) -> None:
 
 
 def test_the_truth_of_bounces_is_that_of_drops_and_of_momentum() -> None:
-    balls = impacts.Balls((2.0 + impacts.RADIUS,), (1.0,), 0.8, 1.0)
+    balls = DroppedBalls((2.1,), 0.8, radius=0.1)
     first = math.sqrt(2.0 * 2.0 / 10.0)
     # The ball rises for 0.8 of the time of the fall, to 0.64 of its height.
-    (top,), (down,) = balls.places_at([1.8 * first, 2.6 * first])
-    assert top == pytest.approx(0.64 * 2.0 + impacts.RADIUS, abs=1e-12)
-    assert down == pytest.approx(impacts.RADIUS, abs=1e-12)
-    two = impacts.Balls((1.1, 1.3 + 1e-9), (1.0, 0.1), 0.9, 0.8)
+    (top,), (down,) = balls.heights_at([1.8 * first, 2.6 * first])
+    assert top == pytest.approx(0.64 * 2.0 + 0.1, abs=1e-12)
+    assert down == pytest.approx(0.1, abs=1e-12)
+    two = DroppedBalls((1.1, 1.3 + 1e-9), 0.9, (1.0, 0.1), 0.8, 0.1)
     speed = math.sqrt(2.0 * 10.0)
     after = 0.01
-    _, upper = two.places_at([speed / 10.0 + after])[0]
+    _, upper = two.heights_at([speed / 10.0 + after])[0]
     # Exercise 7.3: 0.9 of the speed upward meets the speed downward, in their common frame.
     gone = (1.0 * 0.9 - 0.1) / 1.1 + 0.8 * 1.0 / 1.1 * 1.9
     # A gap of 1e-9 m closes in 1e-10 s.
@@ -249,9 +251,11 @@ def test_the_best_and_the_front_are_the_fastest_at_each_error() -> None:
     # Pymunk took 8 s without reaching 1e-6. Ours took 9 s, minus what it did not need for 1e-6.
     assert tight.ours.time is not None
     assert tight.bounds == (8.0 / tight.ours.time, math.inf)
-    assert [told_ratio(found) for found in (loose, tight)] == ["4", f"> {tight.bounds[0]:.3g}"]
+    assert [told_ratio(figure, precise) for figure in figures_of([loose, tight])] == [
+        *("4", f"> {tight.bounds[0]:.3g}")
+    ]
     ahead = table([*points([1e-1, 1e-2], [1.0, 8.0]), *points([1e-9], [0.5], "b", "pymunk")])[2]
-    assert told_ratio(ahead) == "< 0.0625"
+    assert told_ratio(figures_of([ahead])[0], precise) == "< 0.0625"
     assert told(ahead.ours) == "not within 8,000 ms"
 
 
@@ -267,11 +271,12 @@ def test_what_was_measured_is_kept_unless_the_code_changed(tmp_path: Path) -> No
 
 @pytest.mark.parametrize("name", SCENES)
 def test_no_two_models_of_a_scene_are_drawn_alike(name: str) -> None:
-    models = SCENES[name].models
-    styles = styles_of([Point(name, m.name, m.by, n, 0.1, 1) for m in models for n in m.steps])
-    assert [*styles] == [m.name for m in models]
-    assert len({(style["color"], style["marker"]) for style in styles.values()}) == len(models)
-    assert all(styles[step]["color"] == COLORS[step] for step in COLORS.keys() & styles)
+    models = {model.name for model in SCENES[name].models}
+    assert len({looks()[model] for model in models}) == len(models)
+    for step in COLORS.keys() & models:
+        color, symbol = looks()[step]
+        assert getattr(drawing, color.upper()) == COLORS[step], "as in the other pictures"
+        assert symbol == "circle"
 
 
 def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
@@ -281,13 +286,11 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     arguments = ["--quick", "--scene", "k = 100 ", "--out", str(tmp_path)]
     assert charts.main(arguments) == 0
     first = (tmp_path / "measured.json").read_bytes()
-    assert (tmp_path / "spring_k_100_n_m_c_2_n_s_m.png").stat().st_size > 40_000
-    with (tmp_path / "spring_k_100_n_m_c_2_n_s_m.csv").open(encoding="utf-8") as file:
-        rows = [*csv.reader(file)]
-    assert rows[0][:4] == ["model", "by", "steps, or 1 / tolerance", "per frames"]
-    assert {row[0] for row in rows[1:]} == {
-        m.name for m in SCENES[SPRING.format("100", "2")].models
-    }
+    with (tmp_path / "points.csv").open(encoding="utf-8") as file:
+        rows = [*csv.DictReader(file)]
+    names = {model.name for model in SCENES[SPRING.format("100", "2")].models}
+    assert {row["model"] for row in rows} == names
+    assert not [*tmp_path.glob("spring*")]
     with (tmp_path / "table.csv").open(encoding="utf-8") as file:
         assert len([*csv.reader(file)]) == 1 + 2 * 3  # for steps and for better models
     assert (tmp_path / "overview.png").stat().st_size > 10_000

@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 
 from studies import charts
-from studies.accuracy import chart, measure
+from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with
-from studies.accuracy.chart import draw, draw_overview, said, told, told_ratio
 from studies.accuracy.in_pymunk import EXAMPLES, at_best
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Side, order_of, table
-from studies.accuracy.scene import Model, Outcome, Scene
 from studies.benchmarks import accuracy
+from studies.charts.overview import draw_overview
+from studies.charts.ratios import figures_of, said, told, told_ratio
 
 ERRORS, TIMES = [0.08, 0.04, 0.02, 0.01], [1.0, 2.0, 4.0, 8.0]
 
@@ -24,10 +24,6 @@ ERRORS, TIMES = [0.08, 0.04, 0.02, 0.01], [1.0, 2.0, 4.0, 8.0]
 def points(errors: list[float], model: str = "ours", by: str = "ours") -> list[Point]:
     """Return points whose steps double and whose times double, starting at 1 s."""
     return [Point("s", model, by, 2**i, error, 2**i, [2.0**i]) for i, error in enumerate(errors)]
-
-
-def run(_: int) -> Outcome:
-    return Outcome([(0.0,)], 1)
 
 
 THEIRS = points(ERRORS, "theirs", "pymunk")
@@ -56,7 +52,7 @@ def test_a_time_is_extrapolated_by_the_order_and_marked() -> None:
     assert middle.pymunk.time == pytest.approx(800.0)
     assert middle.ratio == pytest.approx(800.0)
     assert told(middle.pymunk) == "theirs, 800,000 ms (extrapolated, order 1.00)"
-    assert told_ratio(middle) == "~ 800"
+    assert told_ratio(figures_of([middle])[0]) == "~800"
     (sentence,) = said([*OURS, *THEIRS], 1e-4)
     assert sentence.endswith("pymunk 800 times as long, extrapolated (theirs)")
     assert not tight.is_extrapolated  # a ten-thousandth is too far
@@ -75,16 +71,10 @@ def test_the_least_time_of_pymunk_s_models_counts() -> None:
     assert (side.model, side.time) == ("near", pytest.approx(400.0))
 
 
-def test_what_is_extrapolated_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    looks = {"ours": ("#0072b2", "o"), "theirs": ("#000000", "x")}
-    monkeypatch.setattr(chart, "looks", lambda: looks)
-    scene = Scene("s", 1, 1.0, lambda _: (0.0,), [Model("ours", run), Model("theirs", run)])
-    measured = [*OURS, *THEIRS]
-    draw(measured, scene, tmp_path / "with.png")
-    draw([*OURS, *THEIRS[:3]], scene, tmp_path / "without.png")
-    draw_overview(table(measured), tmp_path / "overview.png")
+def test_what_is_extrapolated_is_drawn(tmp_path: Path) -> None:
+    draw_overview(table([*OURS, *THEIRS]), tmp_path / "with.png")
+    draw_overview(table([*OURS, *THEIRS[:3]]), tmp_path / "without.png")
     assert (tmp_path / "with.png").read_bytes() != (tmp_path / "without.png").read_bytes()
-    assert (tmp_path / "overview.png").stat().st_size > 10_000
 
 
 def test_a_line_of_the_benchmarks_is_extrapolated_by_the_order(
@@ -117,6 +107,6 @@ def test_make_charts_says_what_the_sign_means(
     assert charts.main(["--quick", "--scene", name, "--out", str(tmp_path)]) == 0
     assert "~: pymunk's time is extrapolated" in capsys.readouterr().out
     with (tmp_path / "table.csv").open(encoding="utf-8") as file:
-        (extrapolated,) = [row for row in csv.reader(file) if row[-1].startswith("~ ")]
+        (extrapolated,) = [row for row in csv.reader(file) if row[-1].startswith("~")]
     assert extrapolated[1] == "0.0001"
     assert "(extrapolated, order 1.00)" in extrapolated[-2]

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 
 import pytest
 from matplotlib import pyplot
 
+from plots.ch07_constraints.solvers import STYLES, contact_solvers
 from plots.drawing import slope
 from studies import contacts
 from studies.accuracy.measure import Point
-from studies.contacts import chart, kept, scenes
+from studies.contacts import kept, scenes
 from studies.contacts.scenes import BOOK, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
 
 SCENES = {scene.name: scene for scene in scenes.scenes()}
@@ -23,28 +25,28 @@ def error_of(scene: str, solver: str, steps: int) -> float:
 
 
 def test_scenes_start_without_an_error_and_measure_what_is_made_wrong() -> None:
-    spheres = scenes.stack(10)
-    assert spheres.error(0.1) == 0.0
+    spheres, error = scenes.stack(10)
+    assert error(0.1) == 0.0
     spheres.particles[3].position.y -= 0.25  # a quarter of a diameter into the one below
-    assert spheres.error(0.1) == pytest.approx(0.25)
-    joints = scenes.rope(10)
-    assert joints.error(0.1) == pytest.approx(0.0, abs=1e-15)
+    assert error(0.1) == pytest.approx(0.25)
+    joints, error = scenes.rope(10)
+    assert error(0.1) == pytest.approx(0.0, abs=1e-15)
     joints.particles[-1].position.y -= 0.05  # of 1 m
-    assert joints.error(0.1) == pytest.approx(0.05)
-    swing = scenes.swinging()
+    assert error(0.1) == pytest.approx(0.05)
+    swing, error = scenes.swinging()
     # Ten joints of 1 kg, the i-th at i * 0.1 m (1 - cos 60) above its lowest point.
     fallen = 10.0 * sum(0.1 * i * 0.5 for i in range(1, 11))
     swing.particles[-1].velocity.x = 2.0  # 2 J
-    assert swing.error(0.0) == pytest.approx(2.0 / fallen)
+    assert error(0.0) == pytest.approx(2.0 / fallen)
 
 
 def test_free_fall_keeps_the_energy_that_is_read_halfway() -> None:
     """After n steps v = g n h, and the middle of the last step is v^2 / 2g below the start."""
-    swing, h, n = scenes.swinging(), 0.01, 30
-    for particle in swing.particles[1:]:
+    (swing, error), h, n = scenes.swinging(), 0.01, 30
+    for particle in swing.particles:
         particle.velocity.y = -10.0 * n * h
         particle.position.y -= 10.0 * h * h * n * (n + 1) / 2
-    assert swing.error(h) == pytest.approx(0.0, abs=1e-12)
+    assert error(h) == pytest.approx(0.0, abs=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -69,7 +71,8 @@ def test_a_net_keeps_a_rope_at_any_mass_ratio() -> None:
 
 def test_the_committed_points_are_those_of_this_code() -> None:
     """The errors, which are the same on every machine; those above 1 may depend on rounding."""
-    points = {(point.scene, point.model, point.steps): point.error for point in kept.kept()}
+    stored = json.loads(kept.FILE.read_text(encoding="utf-8"))["points"]
+    points = {(scene, model, steps): error for scene, model, _, steps, error, _ in stored}
     for scene in SCENES.values():
         for model in scene.models:
             wanted = points[scene.name, model.name, 1]
@@ -77,26 +80,26 @@ def test_the_committed_points_are_those_of_this_code() -> None:
                 assert error_of(scene.name, model.name, 1) == pytest.approx(wanted, rel=6e-3)
 
 
-def test_the_table_has_the_time_that_is_needed_or_a_dash() -> None:
-    """Interpolated on logarithmic axes: 1e-2 lies halfway from 1e-1 to 1e-3."""
-    scene = named(STACK, 1)
+def test_the_table_has_the_time_that_is_needed_or_a_dash(tmp_path: Path) -> None:
+    """Interpolated on logarithmic axes: 1e-2 lies halfway from 1e-1 to 1e-3.
+
+    The times are medians in ms per frame, of runs with 60 frames.
+    """
+    scene, file = named(STACK, 1), tmp_path / "points.json"
     points = [
-        Point(scene, BOOK, "the book", 1, 1e-1, 0, [2.0]),
-        Point(scene, BOOK, "the book", 2, 1e-3, 0, [8.0]),
-        Point(scene, IMPULSES, "ours", 1, 5e-3, 0, [1.0]),
+        Point(scene, BOOK, "the book", 1, 1e-1, 0, [0.12]),
+        Point(scene, BOOK, "the book", 2, 1e-3, 0, [0.06, 0.48, 6.0]),
+        Point(scene, IMPULSES, "ours", 1, 5.4321e-3, 0, [0.06]),
     ]
-    rows = {row[1]: row[2:] for row in chart.table(points)}
-    assert rows["0.01"] == ["4", "-", "1", "-", "-"]
-    assert rows["0.001"] == ["8", "-", "-", "-", "-"]
-
-
-def test_points_are_kept_as_medians_in_ms_per_frame(tmp_path: Path) -> None:
-    taken = [0.06, 0.12, 6.0]  # s for 60 frames
-    rounded = kept.rounded([Point("a", "b", "ours", 4, 1.23456e-5, 7, taken)])
-    kept.keep(rounded, tmp_path / "points.json")
-    (found,) = kept.kept(tmp_path / "points.json")
-    assert (found.scene, found.model, found.steps) == ("a", "b", 4)
-    assert (found.error, found.time) == (1.23e-5, 2.0)
+    kept.keep(points, file)
+    picture = contact_solvers(file)
+    assert picture.columns == ("scene", "error", *scenes.SOLVERS)
+    rows = {row[1]: row[2:] for row in picture.rows}
+    assert rows["0.01"] == ("4", "-", "1", "-", "-")
+    assert rows["0.001"] == ("8", "-", "-", "-", "-")
+    stored = json.loads(file.read_text(encoding="utf-8"))["points"]
+    assert stored[2] == [scene, IMPULSES, "ours", 1, 5.43e-3, 1.0]
+    pyplot.close(picture.figure)
 
 
 def test_the_command_prints_a_table_and_draws(
@@ -109,16 +112,18 @@ def test_the_command_prints_a_table_and_draws(
     assert contacts.main(["--quick", "--out", str(tmp_path)]) == 0
     told = capsys.readouterr().out
     assert "Time in ms per frame" in told
-    assert told.count("stack, ratio 1 ") == len(chart.TOLERANCES)
+    assert told.count("stack, ratio 1 ") == len(kept.TOLERANCES)
     assert "contact_solvers.png" in told
     assert (tmp_path / "contact_solvers.png").stat().st_size > 20_000
-    assert {point.model for point in kept.kept(tmp_path / "points.json")} == {*scenes.SOLVERS}
+    stored = json.loads((tmp_path / "points.json").read_text(encoding="utf-8"))["points"]
+    assert {solver for _, solver, *_ in stored} == {*scenes.SOLVERS}
     assert not (tmp_path / "not stored.json").exists()
     pyplot.close("all")
 
 
 def test_the_picture_shows_every_solver_and_the_error_of_the_table() -> None:
-    figure = chart.contact_solvers().figure
+    assert [*STYLES] == [*scenes.SOLVERS]
+    figure = contact_solvers().figure
     assert {text.get_text() for text in figure.legends[0].get_texts()} == {*scenes.SOLVERS}
     errors, energies, *_ = figure.axes
     assert len(errors.lines) == len(energies.lines) == 4 + 1  # a line at 1 % too

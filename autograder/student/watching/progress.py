@@ -9,9 +9,10 @@ from autograder.checks.verdict import asked_for
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result
 from autograder.student.check import report_on
+from autograder.student.checked import Report
 from autograder.student.memory import Memory
 from autograder.student.points import bar
-from autograder.student.screen import ProgressBar, Report
+from autograder.student.screen import ProgressBar
 
 
 class Progress:

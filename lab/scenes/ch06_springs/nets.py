@@ -1,4 +1,4 @@
-"""Interactive scenes for chapter 6 with many springs: a bridge and a cloth that may explode."""
+"""Interactive scenes for chapter 6 with many springs, which may explode: a bridge and a cloth."""
 
 from __future__ import annotations
 
@@ -11,14 +11,12 @@ from ch06_springs.going_further.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
 from lab.stepped import Stepped
+from scenes.clock import RATE
 from scenes.parameters import Choice, Slider
 
 
 class SpringBridge(Stepped):
-    """A scene of a person walking across a bridge whose planks hang from springs (exercise G6.2).
-
-    If the springs are too stiff for the time step, the bridge explodes.
-    """
+    """A person walks across a bridge whose planks hang from springs (exercise G6.2)."""
 
     chapter = 6
     title = "A bridge on springs"
@@ -37,24 +35,23 @@ class SpringBridge(Stepped):
 
     def build(self) -> None:
         down = Vector3(0.0, -G, 0.0)
+        places = [Vector3(float(i)) for i in range(self.PLANKS)]
         self.particles = [
-            Particle(Vector3(float(i)), acceleration=down, mass=self.PLANK_MASS)
-            for i in range(self.PLANKS)
+            Particle(place, acceleration=down, mass=self.PLANK_MASS) for place in places
         ]
         self.registry = ForceRegistry()
         hang_bridge(self.registry, self.particles, self.HEIGHT, self.stiffness, self.DAMPING)
         self.x = 0.5
 
     def step(self, duration: float) -> None:
-        """Add the person's weight to the nearest planks, and advance the bridge by one step."""
         load_bridge(self.particles, self.x, self.WEIGHT)
         super().step(duration)
 
     def draw(self, pen: Pen) -> None:
         places = [plank.position for plank in self.particles]
         tops = [(float(i), self.HEIGHT) for i in range(self.PLANKS)]
-        for top, place in zip(tops, places, strict=True):
-            pen.spring(top, place)
+        for ends in zip(tops, places, strict=True):
+            pen.spring(*ends)
         pen.dots(tops, "black", 5.0)
         pen.line(places, "wood", 5.0)
         ground = self.ground()
@@ -84,38 +81,33 @@ class SpringBridge(Stepped):
         plank then moves as if it hung from a single spring with stiffness 4 k and damping 4 c. With
         steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
-        limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
-        return limit
+        rate: float = self.rate
+        return self.PLANK_MASS * rate * rate - 2.0 * self.DAMPING * rate
 
     def say(self) -> str:
         return f"The walker stands at x = {self.x:.1f} m, {self.ground():.2f} m high."
 
     def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            pace = self.PACE if key == "right" else -self.PACE
-            self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
+        pace = {"left": -self.PACE, "right": self.PACE}.get(key, 0.0)
+        self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """Simulate a player who walks to the right end of the bridge and back.
-
-        Recordings and tests use this script in place of a human player.
-        """
-        frame = round(60.0 * time)
+        """Walk to the right end of the bridge and back."""
+        frame = round(RATE * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
 
 
 class Cloth(Stepped):
-    """A scene of a cloth that hangs from two corners, which the reader can drag."""
+    """A cloth hangs from two corners, which the reader can drag."""
 
     chapter = 6
     title = "A cloth of 180 springs"
     question = "How many steps per second does each integrator need for a cloth?"
     view = (-1.7, 2.6, -2.1, 0.9)
     seconds = 8.0
-    rate = Choice(
-        240.0, "steps per second", [30.0, 60.0, 90.0, 120.0, 240.0, 480.0], "Hz", live=True
-    )
+    rates = [30.0, 60.0, 90.0, 120.0, 240.0, 480.0]
+    rate = Choice(240.0, "steps per second", rates, "Hz", live=True)
     damping = Slider(0.2, "damping c", "N s/m", 0.0, 1.0, step=0.05)
     HELD = (("left", 0), ("right", KNOTS - 1))
 
@@ -129,12 +121,9 @@ class Cloth(Stepped):
             pen.circle(places[i], 0.05, "red", grab=name)
 
     def chart(self) -> dict[str, float]:
-        energy = sum(
-            knot.kinetic_energy() + knot.mass * G * knot.position.y
-            for knot in self.particles
-            if knot.has_finite_mass
-        )
-        return {"kinetic + gravitational energy, J": energy}
+        movable = [knot for knot in self.particles if knot.has_finite_mass]
+        energies = [knot.kinetic_energy() + knot.mass * G * knot.position.y for knot in movable]
+        return {"kinetic + gravitational energy, J": sum(energies)}
 
     def facts(self) -> str:
         return f"{len(neighbors())} springs, evaluated at least {self.rate:g} times per second"
@@ -148,10 +137,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Simulate a player who pulls a corner of the cloth aside and up, and then moves it back.
-
-        Recordings and tests use this script in place of a human player.
-        """
+        """Pull a corner of the cloth aside and up, and then move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:

@@ -4,31 +4,19 @@ from __future__ import annotations
 
 import math
 
-from ch02_vectors.vector import Vector3
-from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.closed_form import damped_spring_state
-from ch06_springs.springs import AnchoredSpring
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
 from lab.stepped import RATES
-from scenes.integrators import INTEGRATORS, SOLVERS
 from scenes.parameters import Choice, Slider
+from scenes.spring_on_a_wall import SpringOnAWall
 
-COLORS = {
-    "explicit Euler": "red",
-    "semi-implicit Euler": "blue",
-    "leapfrog": "violet",
-    "velocity Verlet": "sky",
-    "Runge-Kutta 4": "green",
-    "backward Euler": "orange",
-    "trapezoidal rule": "pink",
-}
+COLORS = ("red", "blue", "violet", "sky", "green", "orange", "pink")  # one for each integrator
 FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """A scene of seven balls on identical springs, each moved by a different integrator.
+    """Seven balls on identical springs, each moved by a different integrator.
 
     The axes are position and velocity, scaled so that the exact motion is a circle. A ball that
     gains energy spirals out, and one that loses energy spirals in.
@@ -50,48 +38,39 @@ class IntegratorRace(Scene):
     )
     stiffness = Slider(40.0, "stiffness k", "N/m", 1.0, 2_000.0, log=True)
     rate = Choice(30.0, "steps per second", RATES, "Hz")
-    MASS = 1.0  # kg
 
     def build(self) -> None:
-        self.balls = {name: Particle(Vector3(1.0), mass=self.MASS) for name in COLORS}
-        self.registries = {name: ForceRegistry() for name in INTEGRATORS}
-        for name, registry in self.registries.items():
-            registry.add(self.balls[name], AnchoredSpring(Vector3(), self.stiffness, 0.0))
-        self.trails: dict[str, list[tuple[float, float]]] = {name: [] for name in COLORS}
+        self.wall = SpringOnAWall(self.stiffness)
+        self.balls, self.moves = {}, {}
+        for name, method in self.wall.methods().items():
+            setup = self.wall.setup()
+            (self.balls[name],) = setup.particles
+            self.moves[name] = setup.moved_by(method)
+        self.trails: dict[str, list[tuple[float, float]]] = {name: [] for name in self.balls}
 
     def step(self, duration: float) -> None:
         for name, ball in self.balls.items():
-            if abs(ball.position.x) > 100.0:
-                continue  # it has exploded, and the other balls continue
-            if name in INTEGRATORS:
-                INTEGRATORS[name]([ball], self.registries[name].update_forces, duration)
-            else:
-                solve = SOLVERS[name]
-                ball.position.x, ball.velocity.x = solve(
-                    ball.position.x, ball.velocity.x, self.stiffness, 0.0, self.MASS, duration
-                )
-            self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
+            if abs(ball.position.x) <= 100.0:  # otherwise it has exploded, and the others continue
+                self.moves[name](duration)
+                self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return the position and the scaled velocity of a ball.
-
-        In the exact motion, these are the coordinates of a point that moves on a circle.
-        """
-        return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
+        """Return the position and the scaled velocity, which move on a circle in exact motion."""
+        return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness)
 
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
         pen.text((-1.9, 2.1), "velocity / ω against position", "gray", 13.0)
-        exact = self.exact(self.simulated)
-        pen.circle((exact[0], exact[1]), 0.1, "gray", fill=False)
-        for i, (name, ball) in enumerate(self.balls.items()):
-            place = self.phase(ball)
-            if math.hypot(*place) < FAR:
-                pen.line(self.trails[name], COLORS[name], 1.0)
-                pen.circle(place, 0.06, COLORS[name])
-            percent = 100.0 * (place[0] ** 2 + place[1] ** 2)
+        x, y = self.exact(self.simulated)
+        pen.circle((x, y), 0.1, "gray", fill=False)
+        for i, ((name, ball), color) in enumerate(zip(self.balls.items(), COLORS, strict=True)):
+            x, y = self.phase(ball)
+            if math.hypot(x, y) < FAR:
+                pen.line(self.trails[name], color, 1.0)
+                pen.circle((x, y), 0.06, color)
+            percent = 100.0 * (x * x + y * y)
             words = f"{name}: {percent:.0f} %" if percent < 1e4 else f"{name}: exploded"
-            pen.text((3.4, 1.8 - 0.35 * i), words, COLORS[name], 13.0)
+            pen.text((3.4, 1.8 - 0.35 * i), words, color, 13.0)
         pen.text((3.4, 2.15), "energy", "black", 13.0)
 
     def chart(self) -> dict[str, float]:
@@ -105,12 +84,12 @@ class IntegratorRace(Scene):
         return [*self.phase(self.balls["Runge-Kutta 4"])]
 
     def exact(self, time: float) -> list[float]:
-        x, v = damped_spring_state(1.0, 0.0, self.stiffness, 0.0, self.MASS, time)
-        return [x, v / math.sqrt(self.stiffness / self.MASS)]
+        x, v = self.wall.state(time)
+        return [x, v / math.sqrt(self.stiffness)]
 
     def facts(self) -> str:
-        number = self.stiffness / self.rate**2 / self.MASS
-        return f"k h²/m = {number:.4g}; the error shown is that of Runge-Kutta 4"
+        kappa, _ = self.wall.per_step(1.0 / self.rate)
+        return f"k h²/m = {kappa:.4g}; the error shown is that of Runge-Kutta 4"
 
     def say(self) -> str:
         x, y = self.phase(self.balls["explicit Euler"])

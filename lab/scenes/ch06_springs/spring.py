@@ -9,13 +9,13 @@ from lab.drawing.pen import Pen
 from lab.scene import Question
 from lab.stepped import Stepped
 from scenes.spring_on_a_wall import DAMPING, MASS, START, STIFFNESS, SpringOnAWall
+from scenes.twin import twin_of
 
 
 def is_stable(integrator: str, kappa: float, drag: float) -> bool:
-    """Return True if an integrator is stable for a damped spring.
+    """Return True if an integrator is stable for a spring with ``kappa`` = k h^2 / m.
 
-    ``kappa`` is k h^2 / m and ``drag`` is c h / m, for a stiffness k, a damping c, a mass m and a
-    time step h. These are the limits in the docstrings of the integrators.
+    The damping is given by ``drag`` = c h / m.
     """
     if integrator == "explicit Euler":
         return kappa < drag and 2.0 * drag < 4.0 + kappa
@@ -23,20 +23,15 @@ def is_stable(integrator: str, kappa: float, drag: float) -> bool:
         return drag < 2.0 and kappa < 4.0 - 2.0 * drag + drag * drag
     if integrator == "Runge-Kutta 4":
         root = cmath.sqrt(0.25 * drag * drag - kappa)
-        return all(grown_by_runge_kutta(-0.5 * drag + sign * root) <= 1.0 for sign in (1, -1))
+        ends = (-0.5 * drag + root, -0.5 * drag - root)
+        # A step multiplies by the series of e^z, whose rounding errors do not count.
+        grown = [1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))) for z in ends]
+        return round(max(map(abs, grown)), 13) <= 1.0
     return kappa + 2.0 * drag < 4.0
 
 
-def grown_by_runge_kutta(z: complex) -> float:
-    """Return the growth factor of one Runge-Kutta 4 step of length h for x' = z x / h.
-
-    The factor is rounded, so that a difference from 1 by rounding errors disappears.
-    """
-    return round(abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))), 13)
-
-
 class OneSpring(Stepped):
-    """A scene of a ball on a spring, confined to a line so that its exact motion is known."""
+    """A ball on a spring, confined to a line so that its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
@@ -66,13 +61,14 @@ class OneSpring(Stepped):
         self.since, self.x0, self.v0 = 0.0, START, 0.0
 
     def draw(self, pen: Pen) -> None:
+        place, speed = self.ball.position, self.ball.velocity.x
         pen.line([(0.0, -0.3), (0.0, 0.3)], "gray", 1.0, dashed=True)
         pen.segments([((self.WALL, -0.8), (self.WALL, 0.8))], "black", 4.0)
-        pen.spring((self.WALL, 0.0), self.ball.position)
-        pen.circle(self.ball.position, 0.15, "blue", grab="ball")
-        pen.arrow(self.ball.position, (0.1 * self.ball.velocity.x, 0.0), "green", "velocity")
-        force = -self.stiffness * self.ball.position.x / max(self.stiffness, 1e-9)
-        pen.arrow(self.ball.position, (force, 0.0), "orange", "force")
+        pen.spring((self.WALL, 0.0), place)
+        pen.circle(place, 0.15, "blue", grab="ball")
+        pen.arrow(place, (0.1 * speed, 0.0), "green", "velocity")
+        force = -self.stiffness * place.x / max(self.stiffness, 1e-9)
+        pen.arrow(place, (force, 0.0), "orange", "force")
 
     def chart(self) -> dict[str, float]:
         x = self.ball.position.x
@@ -94,9 +90,8 @@ class OneSpring(Stepped):
 
     def facts(self) -> str:
         kappa, drag = self.per_step()
-        judged = "stable" if self.is_stable() else "unstable"
-        period = self.wall.period
-        return f"k h²/m = {kappa:.4g} and c h/m = {drag:.3g}: {judged}; period {period:.3g} s"
+        words = f"{'stable' if self.is_stable() else 'unstable'}; period {self.wall.period:.3g} s"
+        return f"k h²/m = {kappa:.4g} and c h/m = {drag:.3g}: {words}"
 
     def say(self) -> str:
         x, v = self.ball.position.x, self.ball.velocity.x
@@ -116,11 +111,10 @@ class OneSpring(Stepped):
 
 
 class ExactSpring(OneSpring):
-    """A version of the ``OneSpring`` scene in which the ball follows the exact solution."""
+    """The ball follows the exact solution."""
 
     def step(self, duration: float) -> None:
-        passed = self.simulated - self.since
-        state = self.wall.state(passed, self.x0, self.v0)
+        state = self.wall.state(self.simulated - self.since, self.x0, self.v0)
         self.ball.position.x, self.ball.velocity.x = state
 
     def is_stable(self) -> bool:
@@ -128,32 +122,18 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """A version of the ``OneSpring`` scene in which pymunk simulates the ball and its spring."""
+    """Pymunk simulates the ball and its spring."""
 
     def build(self) -> None:
-        import pymunk  # not needed by the other scenes
-
         super().build()
-        self.space = pymunk.Space()
-        self.body = pymunk.Body(self.mass, 1.0)
-        groove = pymunk.GrooveJoint(self.space.static_body, self.body, (-5, 0), (5, 0), (0, 0))
-        # The spring begins so far away that the ball cannot pass its fixed end.
-        far, k, c = 10.0, self.stiffness, self.damping
-        ends = ((-far, 0.0), (0.0, 0.0))
-        spring = pymunk.DampedSpring(self.space.static_body, self.body, *ends, far, k, c)
-        self.space.add(self.body, groove, spring)
-        self.body.position, self.body.velocity = (self.x0, 0.0), (0.0, 0.0)
+        self.space, (self.body,) = twin_of(self.wall.setup())
 
     def step(self, duration: float) -> None:
         self.space.step(duration)
         self.ball.position.x, self.ball.velocity.x = self.body.position.x, self.body.velocity.x
 
     def is_stable(self) -> bool:
-        """Predict whether pymunk's spring is stable.
-
-        Pymunk's step is that of semi-implicit Euler, and its damper multiplies the velocity by
-        D = exp(-c h / m). The limit of k h^2 / m is therefore 2 (1 + D) / D.
-        """
+        """Compare k h^2 / m with its limit if a step keeps exp(-c h / m) of the velocity."""
         kappa, drag = self.per_step()
         return kappa < 2.0 * (1.0 + math.exp(drag))
 

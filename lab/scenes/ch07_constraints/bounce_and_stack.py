@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
-from itertools import pairwise
 
-from ch02_vectors.vector import Vector3
-from ch05_forces.particle import Particle
-from ch06_springs.integrators import explicit_euler, semi_implicit_euler
+from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
 from scenes.clock import FRAME
+from scenes.dropped_balls import DroppedBalls
+from scenes.integrators import INTEGRATORS
 from scenes.parameters import Choice, Slider
+from scenes.resolving import no_forces
+from scenes.spheres import RADIUS, overlap, stack
+from scenes.twin import twin_of
 
 G = 9.81  # m/s^2
-STEPS = {"semi-implicit Euler": semi_implicit_euler, "explicit Euler": explicit_euler}
+METHODS = ["semi-implicit Euler", "explicit Euler", "time division"]
 RATES = [30, 60, 120, 240, 480]
-
-
-def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is already part of each particle's acceleration."""
 
 
 class OneContact(ContactResolver):
@@ -37,17 +33,13 @@ class OneContact(ContactResolver):
 
 
 def rises(scene: Bounce) -> int:
-    """Compare the height of the last bounces with the height of the drop.
-
-    The result is 0 if they are equal to within 2 %, 1 if the bounces are higher, or 2 if they are
-    lower.
-    """
+    """Return 1 if the last bounces are over 2 % higher than the drop, 2 if lower, and else 0."""
     share = max(scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
 class Bounce(Scene):
-    """A scene of a ball that bounces on the ground and keeps some or all of its speed."""
+    """A ball that bounces on the ground and keeps some or all of its speed."""
 
     chapter = 7
     title = "A ball that bounces"
@@ -65,15 +57,17 @@ class Bounce(Scene):
         "finds the time of the impact.",
         10.0,
     )
-    method = Choice("semi-implicit Euler", "method", [*STEPS, "time division"])
+    method = Choice(METHODS[0], "method", METHODS)
     rate = Choice(60, "steps per second", RATES, "Hz")
     restitution = Slider(1.0, "restitution", "", 0.0, 1.0, step=0.05)
     HEIGHT, RADIUS = 2.0, 0.15  # m
     LONGEST = 1800  # frames for which the exact heights are calculated
 
     def build(self) -> None:
-        self.ball = Particle(Vector3(0.0, self.HEIGHT), acceleration=Vector3(0.0, -G))
-        self.ground = GroundPlane([self.ball], restitution=self.restitution)
+        self.balls = DroppedBalls([self.HEIGHT], self.restitution, gravity=G)
+        self.setup = self.balls.setup()
+        (self.ball,) = self.setup.particles
+        (self.ground,) = self.balls.detectors([self.ball])
         self.view_of_contacts = ContactView(OneContact())
         rest = heights_in_frames(self.HEIGHT, 0.0, self.restitution, FRAME, self.LONGEST, G)
         self.heights = [self.HEIGHT, *rest]
@@ -85,7 +79,6 @@ class Bounce(Scene):
         self.path = [*self.path[-240:], self.ball.position.y]
 
     def step(self, duration: float) -> None:
-        """Advance the ball by one step of ``duration`` s with the method that the reader chose."""
         if self.ended:
             return
         if self.method == "time division":
@@ -94,22 +87,17 @@ class Bounce(Scene):
             except TooManyImpacts:
                 self.ended = "The bounces become ever shorter: the ball has come to rest."
             return
-        STEPS[self.method]([self.ball], no_forces, duration)
+        INTEGRATORS[self.method]([self.ball], no_forces, duration)
         self.view_of_contacts.forget()
         if contacts := self.ground.contacts():
             self.view_of_contacts.resolve_contacts(contacts, duration)
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
-        last = len(self.path) - 1
-        trail = [
-            (0.25 + 2.3 * (i - last) / 240.0 + 2.2, self.RADIUS + y)
-            for i, y in enumerate(self.path)
-        ]
-        pen.line(trail, "blue", 1.0)
-        pen.segments(
-            [((-2.6, self.HEIGHT + self.RADIUS), (2.6, self.HEIGHT + self.RADIUS))], "gray"
-        )
+        last, top = len(self.path) - 1, self.HEIGHT + self.RADIUS
+        xs = [0.25 + 2.3 * (i - last) / 240.0 + 2.2 for i in range(last + 1)]
+        pen.line([(x, self.RADIUS + y) for x, y in zip(xs, self.path, strict=True)], "blue", 1.0)
+        pen.segments([((-2.6, top), (2.6, top))], "gray")
         exact = self.exact(self.simulated)
         if exact is not None:
             pen.circle((0.0, exact[0] + self.RADIUS), self.RADIUS, "gray", fill=False)
@@ -132,48 +120,30 @@ class Bounce(Scene):
 
     def facts(self) -> str:
         if self.restitution == 1.0:
-            return f"each flight takes {2.0 * math.sqrt(2.0 * self.HEIGHT / G):.3f} s"
-        c = self.restitution
-        end = math.sqrt(2.0 * self.HEIGHT / G) * (1.0 + c) / (1.0 - c)
-        return f"in theory the bounces end after {end:.3f} s"
+            return f"each flight takes {2.0 * self.balls.fall_time():.3f} s"
+        return f"in theory the bounces end after {self.balls.end():.3f} s"
 
     def say(self) -> str:
         return self.ended or f"The ball is {self.ball.position.y:.2f} m high."
 
 
 class PymunkBounce(Bounce):
-    """A version of the ``Bounce`` scene in which pymunk simulates the ball.
-
-    A pymunk segment acts as the ground.
-    """
+    """The same ball, simulated by pymunk."""
 
     def build(self) -> None:
-        import pymunk  # not needed without this peer
-
         super().build()
-        self.space = pymunk.Space()
-        self.space.gravity = (0.0, -G)
-        self.body = pymunk.Body(1.0, math.inf)
-        self.body.position = (0.0, self.HEIGHT + self.RADIUS)
-        circle = pymunk.Circle(self.body, self.RADIUS)
-        floor = pymunk.Segment(self.space.static_body, (-9.0, -1.0), (9.0, -1.0), 1.0)
-        circle.elasticity, floor.elasticity = self.restitution, 1.0
-        self.space.add(self.body, circle, floor)
+        self.space, (self.body,) = twin_of(self.setup)
 
     def step(self, duration: float) -> None:
         self.space.step(duration)
-        self.ball.position.y = self.body.position.y - self.RADIUS
-        self.ball.velocity.y = self.body.velocity.y
+        self.ball.position.y, self.ball.velocity.y = self.body.position.y, self.body.velocity.y
 
 
 Bounce.peers = {"pymunk": PymunkBounce}
 
 
 class Stack(Scene):
-    """A scene of a stack of spheres, which shows how well the contact resolver supports them.
-
-    The reader can drag the top sphere.
-    """
+    """A stack of spheres that the resolver has to carry, and whose top sphere can be dragged."""
 
     chapter = 7
     title = "A stack of spheres"
@@ -191,16 +161,10 @@ class Stack(Scene):
     count = Choice(10, "spheres", [2, 3, 5, 8, 10])
     per_contact = Choice(2, "iterations per contact", [1, 2, 4, 8, 16], live=True)
     substeps = Choice(1, "substeps per frame", [1, 2, 4, 8], live=True)
-    RADIUS = 0.5  # m
 
     def build(self) -> None:
-        size = 2.0 * self.RADIUS
-        self.spheres = [
-            Particle(Vector3(0.0, (i + 0.5) * size), acceleration=Vector3(0.0, -G))
-            for i in range(self.count)
-        ]
-        ground = GroundPlane(self.spheres, radius=self.RADIUS)
-        self.detector = Detectors(ground, ParticlePairs(self.spheres, self.RADIUS))
+        self.setup = stack(self.count, gravity=G)
+        self.spheres = self.setup.particles
         self.view_of_contacts = ContactView(ContactResolver())
 
     def step(self, duration: float) -> None:
@@ -208,7 +172,8 @@ class Stack(Scene):
         for _ in range(self.substeps):
             semi_implicit_euler(self.spheres, no_forces, part)
             self.view_of_contacts.forget()
-            if contacts := self.detector.contacts():
+            contacts = [one for generator in self.setup.contacts for one in generator.contacts()]
+            if contacts:
                 self.view_of_contacts.iterations = self.per_contact * len(contacts)
                 self.view_of_contacts.resolve_contacts(contacts, part)
 
@@ -216,18 +181,13 @@ class Stack(Scene):
         pen.ground()
         for i, sphere in enumerate(self.spheres):
             top = i == self.count - 1
-            pen.circle(sphere.position, self.RADIUS, "sky" if i % 2 else "blue", grab="top" * top)
+            pen.circle(sphere.position, RADIUS, "sky" if i % 2 else "blue", grab="top" * top)
             pen.arrow(sphere.position, sphere.velocity * 0.3, "green", "velocity")
         self.view_of_contacts.draw(pen, 1.0)
 
     def overlap(self) -> float:
-        """Find the largest overlap of two spheres, or of a sphere and the ground.
-
-        The result is in % of a sphere's diameter.
-        """
-        heights = [-self.RADIUS, *(sphere.position.y for sphere in self.spheres)]
-        gaps = [(high - low) / (2.0 * self.RADIUS) for low, high in pairwise(heights)]
-        return 100.0 * max(0.0, 1.0 - min(gaps))
+        """Return the largest overlap of spheres and the ground, in % of a diameter."""
+        return 100.0 * max(0.0, overlap(sphere.position.y for sphere in self.spheres))
 
     def chart(self) -> dict[str, float]:
         used = float(self.view_of_contacts.iterations_used)
@@ -241,30 +201,16 @@ class Stack(Scene):
 
     def drag(self, name: str, x: float, y: float) -> None:
         top = self.spheres[-1]
-        top.position.x, top.position.y = x, max(self.RADIUS, y)
+        top.position.x, top.position.y = x, max(RADIUS, y)
         top.velocity.clear()
 
 
 class PymunkStack(Stack):
-    """A version of the ``Stack`` scene in which pymunk simulates the spheres.
-
-    Pymunk circles act as the spheres, and a segment acts as the ground.
-    """
+    """The same spheres, simulated by pymunk."""
 
     def build(self) -> None:
-        import pymunk  # not needed without this peer
-
         super().build()
-        self.space = pymunk.Space()
-        self.space.gravity = (0.0, -G)
-        floor = pymunk.Segment(self.space.static_body, (-9.0, -1.0), (9.0, -1.0), 1.0)
-        self.space.add(floor)
-        self.bodies = []
-        for sphere in self.spheres:
-            body = pymunk.Body(1.0, math.inf)
-            body.position = (sphere.position.x, sphere.position.y)
-            self.space.add(body, pymunk.Circle(body, self.RADIUS))
-            self.bodies.append(body)
+        self.space, self.bodies = twin_of(self.setup)
 
     def step(self, duration: float) -> None:
         self.space.iterations = 10 * self.per_contact
@@ -274,7 +220,7 @@ class PymunkStack(Stack):
             sphere.position.x, sphere.position.y = body.position.x, body.position.y
 
     def drag(self, name: str, x: float, y: float) -> None:
-        self.bodies[-1].position, self.bodies[-1].velocity = (x, max(self.RADIUS, y)), (0.0, 0.0)
+        self.bodies[-1].position, self.bodies[-1].velocity = (x, max(RADIUS, y)), (0.0, 0.0)
 
 
 Stack.peers = {"pymunk": PymunkStack}

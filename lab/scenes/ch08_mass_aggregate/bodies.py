@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from ch02_vectors.vector import Vector3
-from ch07_constraints.links import Rod
 from ch08_mass_aggregate import blob, tilting_platform
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen
@@ -15,21 +14,19 @@ from scenes.links import ends_of
 from scenes.parameters import Choice, Slider
 from scenes.readings import is_written
 
+# kg m, the torque of the unloaded platform divided by g
+ENDS = 2.0 * tilting_platform.MASS * (tilting_platform.LEFT + tilting_platform.RIGHT)
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 
 
 def lower_end(scene: Platform) -> int:
     """Predict which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
-    ends = tilting_platform.LEFT + tilting_platform.RIGHT
-    torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
+    torque = ENDS + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
 
 
 class Platform(WorldScene):
-    """A scene of a platform that tilts on a pivot under a weight (mini-project 8.1).
-
-    The reader can move the weight and free the pivot.
-    """
+    """A platform that tilts on a pivot, under a weight that the reader moves (mini-project 8.1)."""
 
     chapter = 8
     title = "A platform that tips"
@@ -51,7 +48,7 @@ class Platform(WorldScene):
     )
     mass = Slider(4.0, "weight", "kg", 0.0, 32.0, step=0.5, live=True)
     x = Slider(-1.0, "position of the weight", "m", -3.0, 4.0, step=0.25, live=True)
-    PACE = 0.5  # m
+    PACES = {"left": -0.5, "right": 0.5}  # m
 
     def build(self) -> None:
         self.platform = tilting_platform.TiltingPlatform()
@@ -62,14 +59,15 @@ class Platform(WorldScene):
     def step(self, duration: float) -> None:
         if self.put != (self.mass, self.x):
             self.platform.put_weight(self.mass, self.x)
-            self.put = (self.mass, self.x)
+            self.put = self.mass, self.x
         super().step(duration)
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
         corners = [particle.position for particle in self.platform.particles]
         pen.area([flat(corners[i]) for i in (2, 3, 5, 4)], "wood")
-        pen.segments([ends_on_screen(rod) for rod in self.platform.rods], "blue", 1.5)
+        rods = [(flat(a), flat(b)) for a, b in map(ends_of, self.platform.rods)]
+        pen.segments(rods, "blue", 1.5)
         pen.dots(map(flat, corners[:2]), "green" if self.free else "red", 9.0)
         share = (self.x - tilting_platform.LEFT) / (tilting_platform.RIGHT - tilting_platform.LEFT)
         place = (corners[2] + corners[3]) * (0.5 - 0.5 * share)
@@ -83,9 +81,8 @@ class Platform(WorldScene):
         return {"tilt, degrees": math.degrees(self.platform.tilt()), **self.used()}
 
     def facts(self) -> str:
-        ends = 2.0 * tilting_platform.MASS * (tilting_platform.LEFT + tilting_platform.RIGHT)
-        balance = f"{-ends / self.x:.2f} kg" if self.x * ends < 0.0 else "no weight"
-        torque = ends + self.mass * self.x
+        balance = f"{-ENDS / self.x:.2f} kg" if self.x * ENDS < 0.0 else "no weight"
+        torque = ENDS + self.mass * self.x
         return f"torque / g = {torque:+.2f} kg m; {balance} would balance it here"
 
     def say(self) -> str:
@@ -94,8 +91,8 @@ class Platform(WorldScene):
         return f"The platform is tilted by {tilt:.0f}°. The pivot is {pivot}."
 
     def press(self, key: str) -> None:
-        if key in ("left", "right"):
-            self.drag("weight", self.x + (self.PACE if key == "right" else -self.PACE), 0.0)
+        if key in self.PACES:
+            self.drag("weight", self.x + self.PACES[key], 0.0)
         elif key == "f" and not self.free:
             self.platform.free_pivot()
             self.free = True
@@ -104,24 +101,15 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Simulate a player who moves the weight back and forth, and frees the pivot.
-
-        Nothing is moved for the first 3 s, so that the platform has time to tip. Recordings and
-        tests use this script in place of a human player.
-        """
+        """Let the platform tip for 3 s. Then move the weight back and forth, and free the pivot."""
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")
-        if key := orders.get(round(60.0 * time)):
-            self.press(key)
+        self.press(orders.get(round(60.0 * time), ""))
 
 
 class Blob(WorldScene):
-    """A scene of a blob of particles that are held together by bonds.
-
-    The bonds can break and heal. The reader can push the blob around, and use cables to keep it
-    together.
-    """
+    """A blob of particles with bonds that can break and heal, which the reader pushes around."""
 
     chapter = 8
     title = "A blob that tears"
@@ -129,10 +117,10 @@ class Blob(WorldScene):
     view = (-4.1, 4.1, -0.4, 4.1)
     seconds = 12.0
     keys = {
-        key: f"push {words}"
-        for key, words in zip(
-            DIRECTIONS, ("to the left", "to the right", "down", "up"), strict=True
-        )
+        "left": "push to the left",
+        "right": "push to the right",
+        "down": "push down",
+        "up": "push up",
     }
     rate = Choice(120, "steps per second", [60, 120, 240], "Hz", live=True)
     cables = Choice("none", "cables", ["none", "along each bond"])
@@ -152,31 +140,26 @@ class Blob(WorldScene):
         super().step(duration)
         self.pushed -= duration
 
-    def middle(self) -> Vector3:
-        """Compute the mean position of the blob's particles."""
-        places = [particle.position for particle in self.blob.particles]
-        return sum(places[1:], places[0]) / len(places)
-
     def draw(self, pen: Pen) -> None:
-        middle = self.middle()
+        places = [particle.position for particle in self.blob.particles]
+        middle = sum(places[1:], places[0]) / len(places)
         if abs(middle.x - self.eye) > 3.0:  # follow the blob, which slides without friction
             self.eye = middle.x + math.copysign(3.0, self.eye - middle.x)
         away = Vector3(-self.eye)
         pen.ground()
         first = math.floor(self.eye - 4.0)
-        pen.segments(
-            [((x - self.eye, 0.0), (x - self.eye, -0.1)) for x in range(first, first + 10)]
-        )
+        marks = [x - self.eye for x in range(first, first + 10)]
+        pen.segments([((x, 0.0), (x, -0.1)) for x in marks])
         well: list[tuple[Vector3, Vector3]] = []
         over: list[tuple[Vector3, Vector3]] = []
         for bond in self.blob.bonds:
             if bond.holds:
                 a, b = bond.a.position, bond.b.position
-                over_limit = (b - a).magnitude() > blob.LIMIT * bond.rest_length
-                (over if over_limit else well).append((a + away, b + away))
+                is_over = (b - a).magnitude() > blob.LIMIT * bond.rest_length
+                (over if is_over else well).append((a + away, b + away))
         pen.segments(well, "blue", 1.5)
         pen.segments(over, "red", 1.5)
-        pen.dots([particle.position + away for particle in self.blob.particles], "black", 7.0)
+        pen.dots([place + away for place in places], "black", 7.0)
         pen.arrow(middle + away, self.blob.push * 0.15, "orange", "force")
         self.contacts.draw(pen, 2.0)
 
@@ -191,8 +174,9 @@ class Blob(WorldScene):
         return found
 
     def facts(self) -> str:
-        limit, break_length = blob.LIMIT, blob.BREAK
-        return f"a bond turns red beyond {limit:g} and breaks at {break_length:g} times its length"
+        return (
+            f"a bond turns red beyond {blob.LIMIT:g} and breaks at {blob.BREAK:g} times its length"
+        )
 
     def say(self) -> str:
         return f"{self.holding()} of {len(self.blob.bonds)} bonds are intact."
@@ -203,19 +187,9 @@ class Blob(WorldScene):
             self.pushed = self.MOMENT
 
     def play(self, time: float) -> None:
-        """Simulate a player who pushes the blob upward, downward and to both sides.
-
-        Recordings and tests use this script in place of a human player.
-        """
+        """Push the blob upward, downward and to both sides."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
-        if key := orders.get(round(60.0 * time) % 360):
-            self.press(key)
-
-
-def ends_on_screen(rod: Rod) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the picture coordinates of both ends of a rod."""
-    a, b = ends_of(rod)
-    return flat(a), flat(b)
+        self.press(orders.get(round(60.0 * time) % 360, ""))
 
 
 SCENES = (Platform, Blob)

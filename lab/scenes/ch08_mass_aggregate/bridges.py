@@ -14,14 +14,10 @@ from scenes.links import over_length
 from scenes.parameters import Choice, Slider
 
 VIEW = (-8.0, 8.0, -1.0, 7.6)
-LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A scene of a rope bridge that has to carry a heavy ball.
-
-    The reader can move the ball across the bridge, and choose to delay some of the frames.
-    """
+    """A rope bridge and a heavy ball, which the reader moves across. Some frames may be late."""
 
     chapter = 8
     title = "A rope bridge"
@@ -40,9 +36,9 @@ class Bridge(WorldScene):
     iterations = Choice(300, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
     mass = Slider(5.0, "mass of the ball", "kg", 1.0, 50.0, step=1.0)
     frames = Choice("all on time", "frames", ["all on time", "every 60th late"], live=True)
-    PACE = 1.5  # m/s
+    PACES = {"left": -1.5, "right": 1.5, "s": 0.0}  # m/s
+    EVERY, LATE = 60, 0.5  # one frame in this many is late, and lasts this long in s
     MAX_STEPS = 6  # per frame, if some frames are late
-    EVERY = 60  # one frame in this many is late
 
     def build(self) -> None:
         self.bridge = bridge.Bridge(self.mass)
@@ -60,11 +56,11 @@ class Bridge(WorldScene):
         if self.stepper is None or self.stepper.duration != 1.0 / self.rate:
             self.stepper = FixedStep(self.step, 1.0 / self.rate, self.MAX_STEPS)
         self.count += 1
-        self.stepper.advance(duration if self.count % self.EVERY else LATE)
+        self.stepper.advance(duration if self.count % self.EVERY else self.LATE)
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
-        draw_cables(pen, self.bridge.world.contact_generators)
+        draw_cables(pen, self.bridge.links)
         pen.segments([(flat(a.position), flat(b.position)) for a, b in self.bridge.rows], "wood", 5)
         pen.circle(self.bridge.ball.position, bridge.RADIUS, "orange")
         pen.arrow(self.bridge.ball.position, self.bridge.ball.velocity, "green", "velocity")
@@ -72,7 +68,7 @@ class Bridge(WorldScene):
 
     def too_long(self) -> float:
         """Return the largest excess length of a cable, in percent of its maximum length."""
-        return over_length(self.bridge.world.contact_generators)
+        return over_length(self.bridge.links)
 
     def chart(self) -> dict[str, float]:
         return {"excess length of the worst cable, %": self.too_long(), **self.used()}
@@ -89,20 +85,14 @@ class Bridge(WorldScene):
         )
 
     def press(self, key: str) -> None:
-        paces = {"left": -self.PACE, "right": self.PACE, "s": 0.0}
-        self.bridge.pace = paces.get(key, self.bridge.pace)
+        self.bridge.pace = self.PACES.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """Simulate a player who moves the ball across the bridge, and finally off it.
-
-        From 4 s on, some of the frames are late. Recordings and tests use this script in place of a
-        human player.
-        """
+        """Move the ball across the bridge, with late frames after 4 s, and finally off it."""
         frame = round(60.0 * time)
         if frame == 240:
             self.values["frames"] = "every 60th late"
-        if key := {60: "left", 200: "s", 250: "right", 645: "s"}.get(frame):
-            self.press(key)
+        self.press({60: "left", 200: "s", 250: "right", 645: "s"}.get(frame, ""))
 
 
 class BallGame(Scene):
@@ -141,8 +131,8 @@ class BallGame(Scene):
         pen.arrow(game.ball.position, Vector3(game.direction), "green", "force")
         pen.dots([(-7.5 + 0.5 * i, 6.9) for i in range(rules.lives)], "orange", 12.0)
         if rules.over:
-            won = rules.won
-            pen.text((0.0, 2.2), "won" if won else "lost", "green" if won else "red", 28.0)
+            words, color = ("won", "green") if rules.won else ("lost", "red")
+            pen.text((0.0, 2.2), words, color, 28.0)
 
     def chart(self) -> dict[str, float]:
         return {"score": float(self.game.rules.score)}
@@ -151,8 +141,7 @@ class BallGame(Scene):
         return f"{ball_game.POINTS} points per row, and {ball_game.BONUS} for each ball left"
 
     def say(self) -> str:
-        rules = self.game.rules
-        return f"Score {rules.score}, {rules.lives} balls left."
+        return f"Score {self.game.rules.score}, {self.game.rules.lives} balls left."
 
     def press(self, key: str) -> None:
         if key == "n":
@@ -161,11 +150,7 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Simulate a player who wins one game and loses the next.
-
-        To win, the player always steers the ball to the next row of planks that it has not visited.
-        Recordings and tests use this script in place of a human player.
-        """
+        """Win one game, by always steering to the next row of planks, and lose another one."""
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")
@@ -176,13 +161,12 @@ class BallGame(Scene):
 
     def next_key(self) -> str:
         """Choose the key that steers the ball toward the first unvisited row of planks."""
-        ball = self.game.ball
-        for row, (a, b) in enumerate(self.game.rows):
-            if row not in self.game.rules.visited:
-                there = 0.5 * (a.position.x + b.position.x)
-                foreseen = ball.position.x + self.FORESIGHT * ball.velocity.x
-                return "right" if there > foreseen else "left"
-        return "down"
+        ball, rules = self.game.ball, self.game.rules
+        left = [row for i, row in enumerate(self.game.rows) if i not in rules.visited]
+        if not left:
+            return "down"
+        there = 0.5 * (left[0][0].position.x + left[0][1].position.x)
+        return "right" if there > ball.position.x + self.FORESIGHT * ball.velocity.x else "left"
 
 
 SCENES = (Bridge, BallGame)

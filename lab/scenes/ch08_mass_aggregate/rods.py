@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from ch02_vectors.vector import Vector3
+from ch07_constraints.links import Rod
 from ch08_mass_aggregate import cube, wheel
 from lab.drawing.pen import Pen
 from lab.scene import Question
@@ -13,13 +14,12 @@ from lab.world_scene import WorldScene
 from scenes.links import ends_of
 from scenes.parameters import Choice, Slider
 from scenes.readings import is_written
+from scenes.setup import Setup
+from scenes.twin import twin_of
 
 
 class Wheel(WorldScene):
-    """A scene of a wheel made of rods and driven at its rim (mini-project 8.3).
-
-    Its spin is compared with that of a rigid wheel.
-    """
+    """A wheel of rods that is driven at its rim (mini-project 8.3), beside a rigid wheel."""
 
     chapter = 8
     title = "A wheel of rods"
@@ -58,7 +58,6 @@ class Wheel(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def spin(self) -> float:
-        """Compute the angular velocity of the wheel in rad/s."""
         return wheel.spin(self.wheel.hub, self.wheel.rim)
 
     def chart(self) -> dict[str, float]:
@@ -83,38 +82,22 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """Simulate a player who drives the rim of the wheel harder, and then brakes it.
-
-        Recordings and tests use this script in place of a human player.
-        """
+        """Drive the rim of the wheel harder, and then brake it."""
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 
 class PymunkWheel(Wheel):
-    """A version of the ``Wheel`` scene in which pymunk simulates the wheel.
-
-    Pin joints act as the rods.
-    """
+    """A version of the ``Wheel`` scene in which pymunk simulates the wheel, with pin joints."""
 
     def build(self) -> None:
-        import pymunk  # not needed without this peer
-
         super().build()
-        self.space = pymunk.Space()
-        self.bodies = []
-        for particle in self.wheel.rim:
-            body = pymunk.Body(particle.mass, math.inf)
-            body.position = (particle.position.x, particle.position.y)
-            self.bodies.append(body)
-            self.space.add(body)
-        hub, count = self.space.static_body, wheel.COUNT
-        for i, body in enumerate(self.bodies):
-            for other in (hub, self.bodies[(i + 1) % count]):
-                self.space.add(pymunk.PinJoint(other, body))
+        hub, rim = self.wheel.hub, self.wheel.rim
+        ends = [(a, b) for a, after in pairwise([*rim, rim[0]]) for b in (hub, after)]
+        joints = [Rod(b, a, (b.position - a.position).magnitude()) for a, b in ends]
+        self.space, (*self.bodies, _) = twin_of(Setup([*rim, hub], contacts=joints))
         self.make_step = self.step_space
 
     def step_space(self, duration: float) -> None:
-        """Advance the wheel by one time step of ``duration`` s with pymunk."""
         for body in self.bodies[: self.driven]:
             x, y = body.position
             share = self.force / math.hypot(x, y)
@@ -127,10 +110,7 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A scene of a cube made of rods, which falls on one of its corners (mini-project 8.2).
-
-    The reader can remove rods until the cube collapses.
-    """
+    """A cube of rods that falls on one of its corners (mini-project 8.2)."""
 
     chapter = 8
     title = "A cube of rods"
@@ -158,12 +138,11 @@ class Cube(WorldScene):
         self.run(self.cube.step, self.cube.world)
 
     def distances(self) -> list[float]:
-        """Compute the distances between all pairs of the cube's corners."""
         places = [particle.position for particle in self.cube.particles]
         return [(b - a).magnitude() for a, b in combinations(places, 2)]
 
     def changed(self) -> float:
-        """Find the largest change in the distance between two corners of the cube, in percent."""
+        """Find the largest change in the distance between two corners, in percent."""
         pairs = zip(self.distances(), self.first, strict=True)
         return 100.0 * max(abs(now / then - 1.0) for now, then in pairs)
 

@@ -14,14 +14,9 @@ from scenes.parameters import Choice, Slider
 LARGER, MACHINE = 2.2, (27.0, 33.0)
 DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # used if my_design is not written
 
-Point = tuple[float, float]
-
 
 class Trebuchet(WorldScene):
-    """A scene of the trebuchet that the student has designed.
-
-    The reader can change the counterweight and the release angle.
-    """
+    """The student's trebuchet, whose counterweight and release angle the reader can change."""
 
     chapter = 8
     title = "A trebuchet"
@@ -48,36 +43,26 @@ class Trebuchet(WorldScene):
         angle = max(-80.0, min(80.0, own.release_angle + self.earlier))
         self.design = replace(own, counterweight=self.counterweight, release_angle=angle)
         self.engine = trebuchet.Trebuchet(self.design)
-        self.way: list[Point] = []
-        self.end = ""
+        self.way: list[tuple[float, float]] = []  # of the projectile
+        self.end = ""  # says where the projectile landed
         self.lost = self.gained = 0.0  # J
         self.heights = (self.engine.weight.position.y, self.engine.projectile.position.y)
         self.run(self.engine.step, self.engine.world)
 
     def step(self, duration: float) -> None:
-        if not self.end:
-            super().step(duration)
-            self.look()
-
-    def look(self) -> None:
-        """Record the position of the projectile and the changes in energy after a time step.
-
-        Once the projectile has reached the ground, also record a message that says where it landed.
-        """
-        engine = self.engine
-        weight, projectile = engine.weight, engine.projectile
-        self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
+        if self.end:
+            return
+        super().step(duration)
+        engine, weight, projectile = self.engine, self.engine.weight, self.engine.projectile
+        place = projectile.position
+        self.way.append((place.x, max(0.0, place.y)))
         if not engine.flies:
-            fallen = self.heights[0] - weight.position.y
-            risen = projectile.position.y - self.heights[1]
-            self.lost = weight.mass * trebuchet.G * fallen
-            self.gained = projectile.mass * trebuchet.G * risen + projectile.kinetic_energy()
-        if projectile.position.y <= 0.0:
-            self.end = (
-                f"It lands {projectile.position.x:.1f} m from the pivot."
-                if engine.flies
-                else "It touches the ground in the sling."
-            )
+            self.lost = weight.mass * trebuchet.G * (self.heights[0] - weight.position.y)
+            risen = projectile.mass * trebuchet.G * (place.y - self.heights[1])
+            self.gained = risen + projectile.kinetic_energy()
+        if place.y <= 0.0:
+            landed = f"It lands {place.x:.1f} m from the pivot."
+            self.end = landed if engine.flies else "It touches the ground in the sling."
 
     def share(self) -> float:
         """Compute what fraction of the energy lost by the counterweight went to the projectile."""
@@ -85,9 +70,9 @@ class Trebuchet(WorldScene):
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
-        for scale, (x, y) in ((1.0, (0.0, 0.0)), (LARGER, MACHINE)):
-            self.draw_machine(pen, scale, x, y)
         x, y = MACHINE
+        self.draw_machine(pen, 1.0, 0.0, 0.0)
+        self.draw_machine(pen, LARGER, x, y)
         pen.text((x, y - 3.0), f"the machine, enlarged {LARGER:g} times", "gray", 12.0)
         pen.segments([((x - 20.0, y), (x + 20.0, y))], "gray")
         pen.line(self.way, "orange", 1.5)
@@ -97,18 +82,14 @@ class Trebuchet(WorldScene):
         pen.text((88.0, 58.0), self.end, "black", 14.0)
 
     def draw_machine(self, pen: Pen, scale: float, x0: float, y0: float) -> None:
-        """Draw the frame, the beam, the counterweight and the sling of the trebuchet.
-
-        ``scale`` enlarges the drawing, and (x0, y0) is the position of its origin.
-        """
+        """Draw the trebuchet, enlarged by ``scale``, with its origin at (x0, y0)."""
         engine = self.engine
         pivot, weight, tip, stone = (
             (x0 + scale * one.position.x, y0 + scale * max(0.0, one.position.y))
             for one in (engine.pivot, engine.weight, engine.tip, engine.projectile)
         )
         width = 1.0 + scale
-        feet = [(x0 - 1.5 * scale, y0), pivot, (x0 + 1.5 * scale, y0)]
-        pen.line(feet, "gray", width)
+        pen.line([(x0 - 1.5 * scale, y0), pivot, (x0 + 1.5 * scale, y0)], "gray", width)
         pen.line([weight, pivot, tip], "wood", 1.5 * width)
         pen.circle(weight, scale * 0.09 * self.design.counterweight ** (1.0 / 3.0), "blue")
         if not engine.flies:

@@ -20,11 +20,11 @@ from ch06_springs.springs import Buoyancy
 from scenes.clock import RATE
 from scenes.drag_flight import PROJECTILE, make_particle, make_space
 from scenes.setup import Setup, alone
+from scenes.twin import InSpace
 from studies.accuracy.in_plane import in_plane, on_all
 from studies.accuracy.in_pymunk import (
     BEST,
     EXAMPLES,
-    InSpace,
     by_pymunk,
     from_two_runs,
     lone,

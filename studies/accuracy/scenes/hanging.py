@@ -26,16 +26,13 @@ HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
 
 
 def truth(_: float) -> Place:
-    """Return the exact positions of the planks' ends in the resting bridge, seen from the side.
-
-    Since the planks do not move, the positions do not depend on the time.
-    """
+    """Return the exact positions of all ends, seen from the side. They do not depend on time."""
     return tuple(part for place in hanging() for part in place) * 2
 
 
 @cache
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """List the cables on one side of the rope bridge as tuples of start, end and length.
+    """List the start, the end and the length of the cables on one side of the bridge.
 
     The end is the index of a plank. The start is the index of another plank, or the position of an
     anchor. The length is in m, as seen from the side.
@@ -50,22 +47,17 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute where the planks' ends on one side of the rope bridge come to rest, using SciPy.
+    """Compute where the planks' ends on one side come to rest if all cables are ``extra`` m longer.
 
-    At rest, all cables are taut, and their tensions balance the weights. Every cable is made longer
-    by ``extra``, in m.
+    At rest, all cables are taut, and their tensions balance the weights.
     """
-    held = cables()
 
     def off(state: Any) -> Any:
-        """Compute the errors of a state, all of which are 0 when the bridge is at rest.
-
-        The errors are the net force on each plank's end in N, and each cable's excess length in m.
-        """
+        """Compute the net force on each end in N, and the excess length of each cable in m."""
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
         too_long = []
-        for (start, end, length), pull in zip(held, pulls, strict=True):
+        for (start, end, length), pull in zip(cables(), pulls, strict=True):
             way = rows[end] - (rows[start] if isinstance(start, int) else start)
             now = numpy.hypot(*way)
             too_long.append(now - length - extra)
@@ -75,7 +67,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
         return numpy.concatenate([forces.ravel(), too_long])
 
     start = [part for end, _ in make_rows() for part in (end.position.x, 0.75 * HEIGHT)]
-    found = root(off, [*start, *(10.0 for _ in held)], tol=1e-12)
+    found = root(off, [*start, *(10.0 for _ in cables())], tol=1e-12)
     if not found.success:
         raise ArithmeticError(f"SciPy did not find where the bridge hangs: {found.message}")
     return [(float(x), float(y)) for x, y in found.x[: 2 * ROWS].reshape(ROWS, 2)]

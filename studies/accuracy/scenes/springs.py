@@ -1,8 +1,4 @@
-"""Measure a body on a spring, along a line or as an elastic pendulum, beside pymunk.
-
-In five scenes, the body oscillates along a line, each time on a spring of a different stiffness or
-damping. In another scene, it swings as an elastic pendulum.
-"""
+"""Measure a body on a spring, along a line or as an elastic pendulum, beside pymunk."""
 
 from __future__ import annotations
 
@@ -44,11 +40,7 @@ def spring(stiffness: float, damping: float) -> Scene:
     wall = SpringOnAWall(stiffness, damping)
 
     def truth(time: float) -> Place:
-        """Compute the exact position of the body as the sum of two complex exponentials.
-
-        The formula is not valid at critical damping, but no spring in these scenes is critically
-        damped.
-        """
+        """Compute the exact position as the sum of two exponentials, without critical damping."""
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
         a, b = -0.5 * damping + root, -0.5 * damping - root
         return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
@@ -58,8 +50,8 @@ def spring(stiffness: float, damping: float) -> Scene:
         return Outcome([(x, 0.0) for x in places], FRAMES)
 
     def faked() -> Setup:
-        body = Particle(Vector3(START))
-        return alone(body, FakeStiffSpring(Vector3(), stiffness, damping))
+        fake = FakeStiffSpring(Vector3(), stiffness, damping)
+        return alone(Particle(Vector3(START)), fake)
 
     def acceleration(position: complex, velocity: complex) -> complex:
         return -stiffness * position - damping * velocity
@@ -108,10 +100,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, wall: SpringOnAWall, steps: int) -> Outcome:
-    """Simulate a body on a spring with a solver for linear springs, such as backward Euler.
-
-    The work is the number of steps, because each step counts as one evaluation.
-    """
+    """Simulate a body on a spring with a solver, of which each step counts as one evaluation."""
     x, v = START, 0.0
 
     def step(duration: float) -> None:

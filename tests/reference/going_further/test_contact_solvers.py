@@ -20,7 +20,7 @@ from ch07_constraints.going_further.sequential_impulses import SequentialImpulse
 from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, AnchoredRod, TwoSidedRod
 from ch08_mass_aggregate.world import mechanical_energy
-from scenes.piles import pile
+from plots.ch07_constraints.contacts import falling_pile
 
 DOWN = Vector3(0.0, -10.0)
 H = 1.0 / 60.0  # s
@@ -89,7 +89,7 @@ def test_an_impact_conserves_momentum_and_returns_the_restitution_as_in_pymunk(k
 def test_many_visits_find_the_impulses_that_scipy_finds() -> None:
     """Frictionless contacts without bounce: the closest velocities at which nothing closes."""
     draw = random.Random(37)
-    spheres, contacts = pile(4, 0.01, 1.0)
+    spheres, contacts = falling_pile()
     for sphere in spheres:
         sphere.mass = draw.uniform(0.5, 2.0)
         sphere.velocity.x = draw.uniform(-1.0, 1.0)

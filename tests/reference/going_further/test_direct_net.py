@@ -16,10 +16,10 @@ from ch05_forces.particle import Particle
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
 from plots.drawing import slope
+from scenes.links import Strut
 from studies.accuracy.catalog import scenes_with
 from studies.models.direct_net import DirectNet
 from studies.models.elimination import Elimination
-from studies.models.net import Strut
 from studies.models.smooth_net import SmoothNet, hermite
 
 DOWN = Vector3(0.0, -10.0)

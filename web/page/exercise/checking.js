@@ -5,7 +5,7 @@ import {button, el} from "../dom.js";
 import {engines} from "../python/python.js";
 import {failureOf, lineOf, linked} from "./report.js";
 import {chaptersGiven, keep} from "./results.js";
-import {ownerOf, panels} from "./turn.js";
+import {ownerOf, panels} from "./panels.js";
 import {workspace} from "../files/workspace.js";
 
 const SLOW = 700; // ms until the page explains why there is no result yet

@@ -1,17 +1,16 @@
 // Your turn: the panel of one exercise, with its editor and its buttons.
 
-import {functionsOf, namesIn} from "./bodies.js";
+import {namesIn} from "./bodies.js";
 import {check, showTrouble} from "./checking.js";
 import {chapterOf} from "../course.js";
 import {button, el, marked, whenNear} from "../dom.js";
 import {warmUp} from "../python/python.js";
 import {reset} from "./reset.js";
+import {panels} from "./panels.js";
 import {isStale, results} from "./results.js";
 import {workspace} from "../files/workspace.js";
 import {tryBox} from "./trying.js";
 import {writtenPart} from "./written.js";
-
-export const panels = new Map(); // exercise -> Turn
 
 export function startTurns(chapter) {
   for (const section of document.querySelectorAll(".turn")) {
@@ -156,11 +155,4 @@ function showConflict({path, mine}) {
       }),
     );
   }
-}
-
-// Return the exercise whose function contains a line of a file.
-export function ownerOf(path, line, text, exercises) {
-  const at = text.split("\n").slice(0, line).join("\n").length;
-  const found = [...functionsOf(text)].filter(([name, {from, to}]) => !name.startsWith("class ") && from <= at && at <= to + 1);
-  return exercises.find((exercise) => namesIn(exercise, path).some((name) => found.some(([own]) => own === name)))?.id;
 }

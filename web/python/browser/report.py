@@ -8,10 +8,10 @@ from typing import Any
 from autograder.answers import questions_of
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import result_of, total
+from autograder.student.checked import Report
 from autograder.student.failure import Failure, failure_of
 from autograder.student.finish import end_of
 from autograder.student.screen import (
-    Report,
     changed_notes,
     extra_notes,
     first_open,

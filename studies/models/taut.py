@@ -1,9 +1,9 @@
 """Compute the exact motion of a net of cables in a plane, with SciPy.
 
-The computation shares no code with the engine, so it is an independent test. As long as the same
-cables are taut, their tensions keep them at full length, and the motion follows from ordinary
-differential equations. This phase ends when a tension drops to zero, or when a slack cable reaches
-its full length. After that, different cables are taut, and the velocities may have jumped.
+The computation shares no code with the engine. As long as the same cables are taut, their tensions
+keep them at full length, and the motion follows from ordinary differential equations. This phase
+ends when a tension drops to zero, or when a slack cable reaches its full length. After that,
+different cables are taut, and the velocities may have jumped.
 
 To find the taut cables and the new velocities, SciPy solves a least-squares problem for the
 tensions, which must not be negative. This works because an impact without bounce removes as little
@@ -28,15 +28,20 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The exact motion of a net in a plane, whose knots are connected by cables and struts.
+    """The exact motion of a net, whose knots with ``masses`` in kg are connected by ``ties``.
 
-    - ``masses``: the masses of the knots in kg.
-    - ``ties``: the cables and struts.
-    - ``load``: a function that returns the external forces on the knots in N, which may depend on
-      the time and on the positions.
+    The net starts at rest, at the given ``places``. The state is an array of all positions,
+    followed by all velocities.
     """
 
-    def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
+    def __init__(
+        self,
+        masses: Sequence[float],
+        ties: Sequence[Tie],
+        load: Load,
+        places: Sequence[Sequence[float]],
+    ) -> None:
+        self.places = numpy.ravel(numpy.array(places, float))
         self.inverse = 1.0 / numpy.repeat(numpy.asarray(masses, float), 2)
         self.load = load
         self.lengths = numpy.array([length for _, _, length, _ in ties])
@@ -49,24 +54,17 @@ class TautMotion:
                 self.ends[row, start] = -1.0
             else:
                 self.anchors[row] = start
-        self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Compute how far the length of each cable or strut is from its limit, in m.
-
-        For a cable, the gap is how much longer it can get. For a strut, it is how much shorter it
-        can get. The gap is negative once the limit is exceeded.
-        """
+        """Compute how much longer each cable can get, or how much shorter each strut, in m."""
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Compute derivatives of the cable and strut lengths, for use in the equations of motion.
+        """Compute the Jacobian matrix of the lengths, with one row per tie.
 
-        Returns:
-            The first value is the Jacobian matrix of the lengths, with one row per cable or strut.
-            The second value is an array with the part of each second derivative that is due to
-            rotation. Both have the opposite sign for struts.
+        The second array has the part of each length's second derivative that is due to rotation.
+        Both have the opposite sign for struts.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -78,14 +76,11 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the forces that keep all cables and struts of the net within their limits.
+        """Find the forces p that keep all ties within their limits.
 
-        ``matrix`` is the Jacobian J of the lengths. ``wanted`` lists the accelerations toward the
-        limits that the forces have to cancel. Let A = J M^-1 J^T, where M is the matrix of the
-        masses. The forces p satisfy A p >= wanted, and none of them is negative. A cable or strut
-        exerts a force only if equality holds in its row, so p (A p - wanted) = 0.
-
-        For an impact, ``wanted`` contains velocities instead, and the results are impulses.
+        ``wanted`` lists the accelerations toward the limits that the forces have to cancel. With
+        the Jacobian J, the ``matrix``, and A = J M^-1 J^T, they satisfy p >= 0, A p >= wanted and
+        p (A p - wanted) = 0. For an impact, use velocities to get impulses.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
@@ -93,7 +88,7 @@ class TautMotion:
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Compute the accelerations of all knots, and the forces of the taut cables and struts."""
+        """Compute the accelerations of all knots, and the forces of the taut ties."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)
@@ -103,11 +98,7 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve any impacts at ``time``, and find the cables and struts that are taut afterward.
-
-        Return the new state and the indices of the taut cables and struts. A state consists of
-        positions and velocities.
-        """
+        """Resolve any impacts at ``time``. Return the new state, and the indices of taut ties."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         near = numpy.flatnonzero(self.gaps(places) < NEAR)
@@ -118,16 +109,23 @@ class TautMotion:
         still = near[matrix[near] @ speeds > -SLOW]
         free = self.inverse * self.load(time, places)
         pulls = self.least(matrix[still], matrix[still] @ free + bent[still])
-        return numpy.concatenate([places, speeds]), still[
-            pulls > 1e-9 * max(1.0, pulls.max(initial=0.0))
-        ]
+        taut = still[pulls > 1e-9 * max(1.0, pulls.max(initial=0.0))]
+        return numpy.concatenate([places, speeds]), taut
 
-    def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0, and return one row of knot positions for each time."""
-        state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
+    def begun(self) -> tuple[Any, Any]:
+        """Return the state of the net at the start, and the indices of its taut ties."""
+        return self.choose(0.0, numpy.concatenate([self.places, 0.0 * self.places]))
+
+    def first_accelerations(self) -> list[list[float]]:
+        """Compute the accelerations of all knots at the start, in m/s^2."""
+        found = self.accelerations(0.0, *self.begun())[0]
+        return [[float(x), float(y)] for x, y in found.reshape(-1, 2)]
+
+    def run(self, times: Sequence[float]) -> list[tuple[float, ...]]:
+        """Compute the motion from time 0. Return all coordinates for each time."""
         time, found = 0.0, []
+        state, taut = self.begun()
         for _ in range(EVENTS):
-            state, taut = self.choose(time, state)
             slack = numpy.setdiff1d(numpy.arange(len(self.lengths)), taut)
             gaps = self.gaps(state[: len(self.inverse)])[slack]
             spare = numpy.where(gaps < 2.0 * NEAR, 4.0 * NEAR - gaps, 0.0)
@@ -144,19 +142,13 @@ class TautMotion:
 
             event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
             after = [t for t in times if t > time]
+            limits = {"rtol": 1e-12, "atol": 1e-12}
             got = solve_ivp(
-                rates,
-                (time, times[-1]),
-                state,
-                "DOP853",
-                after,
-                events=event,
-                rtol=1e-12,
-                atol=1e-12,
+                rates, (time, times[-1]), state, "DOP853", after, events=event, **limits
             )
             found += [*got.y.T] if len(got.t) else []
             if got.status != 1:
-                return numpy.array(found)[:, : len(self.inverse)]
-            time, state = float(got.t_events[0][0]), got.y_events[0][0]
-            self.events += 1
+                return [tuple(map(float, row[: len(self.inverse)])) for row in found]
+            time = float(got.t_events[0][0])
+            state, taut = self.choose(time, got.y_events[0][0])
         raise ArithmeticError("the impacts do not come to an end")

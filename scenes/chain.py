@@ -1,0 +1,98 @@
+"""A straight chain of rods that hangs from the origin, and is released from rest at an angle.
+
+A pendulum, a double pendulum and a rope of rods are such chains. They swing in the X-Y plane.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Protocol
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import ContactGenerator
+from ch07_constraints.links import AnchoredRod, Rod
+from scenes.readings import numbers
+from scenes.setup import Setup
+
+
+class Link(Protocol):
+    """A class whose instances keep two particles at a given distance, such as TwoSidedRod."""
+
+    def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
+
+
+@dataclass(frozen=True)
+class Chain:
+    """The scene with a particle at the lower end of each rod, listed from the top to the tip.
+
+    The ``masses`` of the particles are in kg, and the ``length`` of every rod is in m. The initial
+    ``angle`` from straight down is in radians, and ``gravity`` is in m/s^2, downward.
+    """
+
+    masses: Sequence[float]
+    length: float
+    angle: float = 0.0
+    gravity: float = 10.0
+
+    def particles(self) -> list[Particle]:
+        """Create the particles at their initial positions."""
+        along = Vector3(math.sin(self.angle), -math.cos(self.angle))
+        down = Vector3(0.0, -self.gravity)
+        return [
+            Particle(along * (self.length * i), acceleration=down, mass=mass)
+            for i, mass in enumerate(self.masses, 1)
+        ]
+
+    def setup(self, link: Link | None = None) -> Setup:
+        """Create the particles and their rods, the first of which is an AnchoredRod.
+
+        With ``link``, all rods are of that class, and the first one hangs from an immovable
+        particle, which is not listed.
+        """
+        particles = self.particles()
+        if link:
+            ends = pairwise([Particle(mass=math.inf), *particles])
+            return Setup(particles, contacts=[link(a, b, self.length) for a, b in ends])
+        first = AnchoredRod(particles[0], Vector3(), self.length)
+        rods = [Rod(a, b, self.length) for a, b in pairwise(particles)]
+        return Setup(particles, contacts=[first, *rods])
+
+    def excess(self, particles: Sequence[Particle]) -> list[float]:
+        """Measure by how much each rod is too long, in m."""
+        places = [(0.0, 0.0, 0.0), *(numbers(particle.position) for particle in particles)]
+        return [math.dist(a, b) - self.length for a, b in pairwise(places)]
+
+    def place(self, angles: Sequence[Any]) -> tuple[float, ...]:
+        """Compute x and y of all particles, one after the other, from the angles of the rods."""
+        parts, x, y = [], 0.0, 0.0
+        for angle in angles:
+            x += self.length * math.sin(angle)
+            y -= self.length * math.cos(angle)
+            parts.append(x)
+            parts.append(y)
+        return tuple(parts)
+
+    def rates(self, _: float, state: Any) -> Any:
+        """Return the rates of all angles and angular velocities, the equations that SciPy solves.
+
+        Rod i is at the angle a_i, and its angular velocity is w_i. Every rod has length l, and g is
+        gravity. Lagrange's equation for rod i is
+
+            sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
+
+        M_i is the total mass from rod i out to the tip. M_ij is M_i or M_j, whichever belongs to
+        the rod farther from the anchor.
+        """
+        import numpy  # here, because a student's scenes do not need it
+
+        count = len(self.masses)
+        below = numpy.cumsum(self.masses[::-1])[::-1]
+        hung = self.length * below[numpy.maximum.outer(range(count), range(count))]
+        a, w = state[:count], state[count:]
+        apart = a[:, None] - a
+        pull = (hung * numpy.sin(apart)) @ w**2 + below * self.gravity * numpy.sin(a)
+        return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))

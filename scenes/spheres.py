@@ -1,0 +1,62 @@
+"""Spheres that rest on one another, or fall: a stack and a pyramid of them.
+
+All spheres have the same radius. Gravity is 10 m/s^2, downward, unless a function takes another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import ContactGenerator
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from scenes.setup import Setup
+
+RADIUS, DIAMETER = 0.5, 1.0  # m
+GRAVITY = 10.0  # m/s^2
+Centers = Sequence[tuple[float, float]]
+
+
+def stack(count: int, top: float = 1.0, gravity: float = GRAVITY) -> Setup:
+    """Create a stack of spheres that just touch, and the ground below it.
+
+    The top sphere has a mass of ``top`` kg, and the others have 1 kg. The contacts are those with
+    the ground, and then those of pairs.
+    """
+    spheres = at([(0.0, (i + 0.5) * DIAMETER) for i in range(count)], gravity)
+    spheres[-1].mass = top
+    return Setup(spheres, contacts=touching(spheres))
+
+
+def overlap(heights: Iterable[float]) -> float:
+    """Compute the largest overlap in a stack, as a fraction of the diameter.
+
+    ``heights`` are those of the centers in m, from the lowest up. The lowest sphere may overlap
+    the ground. The result is negative if nothing touches.
+    """
+    return max(1.0 - (high - low) / DIAMETER for low, high in pairwise([-RADIUS, *heights]))
+
+
+def pyramid(rows: int, size: float = DIAMETER) -> Centers:
+    """List the centers of a flat pyramid of spheres, row by row, the lowest of them at height 0.
+
+    Each row has one sphere fewer than the one below. Neighbors are ``size`` m apart.
+    """
+    return [
+        ((i + 0.5 * row) * size, row * size * 0.75**0.5)
+        for row in range(rows)
+        for i in range(rows - row)
+    ]
+
+
+def at(centers: Centers, gravity: float = GRAVITY) -> list[Particle]:
+    """Create spheres of 1 kg at rest."""
+    down = Vector3(0.0, -gravity)
+    return [Particle(Vector3(x, y), acceleration=down) for x, y in centers]
+
+
+def touching(spheres: list[Particle]) -> list[ContactGenerator]:
+    """Create the detectors of all contacts, with the ground and between spheres."""
+    return [GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS)]

@@ -34,14 +34,13 @@ TAKES_python := CH GIVEN ENGINE
 TAKES_hint := EX N GIVEN
 TAKES_reset := EX WHOLE GIVEN ENGINE
 TAKES_plot := CH GIVEN ENGINE
-TAKES_demo := DEMO SET GIVEN ENGINE
 TAKES_lab := CH SCENE SET OPEN GIVEN ENGINE
 TAKES_setup :=
 TAKES_help :=
 TAKES_help-all :=
 
 .DEFAULT_GOAL := help
-.PHONY: help help-all watch check debug python hint reset lab plot demo setup
+.PHONY: help help-all watch check debug python hint reset lab plot setup
 
 LIST := -e 's/^\([a-z-]*\): .*\#\# /  make \1|/p'
 ALIGN := awk -F'|' 'NF == 1 {print "\n" $$0} NF > 1 {printf "%-17s  %s\n", $$1, $$2}'
@@ -83,9 +82,6 @@ lab: $(READY) ## run scenes with your engine in the browser (SCENE=one-spring)
 plot: .venv/pictures ## draw the pictures of a chapter with your engine (CH=2)
 	@$(RUN) -m plots draw $(call option,--engine,ENGINE) $(call option,--chapter,CH) $(call option,--given,GIVEN) $(DIAGNOSIS)
 
-demo: .venv/pictures ## run a scene of the lab in its own window (DEMO=fireworks)
-	@$(RUN) -m lab play $(call typed,DEMO) $(call option,--engine,ENGINE) $(call option,--given,GIVEN) $(SETTINGS) $(DIAGNOSIS)
-
 setup: $(READY) ## create .venv (the other commands do this when needed)
 	@echo "Set up: .venv is ready."
 
@@ -102,6 +98,7 @@ $(READY): requirements.lock autograder/make_venv.py
 # The rest looks at the command line.
 COMMANDS := $(patsubst TAKES_%,%,$(filter TAKES_%,$(.VARIABLES)))
 GOALS := $(or $(MAKECMDGOALS),help)
+$(if $(filter demo,$(GOALS)),$(error make demo is gone: run make lab SCENE=$(or $(value DEMO),fireworks), which opens the scene in your browser))
 $(foreach goal,$(filter-out $(COMMANDS) .venv/%,$(GOALS)),$(error there is no command "make $(goal)"; the commands are $(sort $(COMMANDS))))
 TAKEN := PYTHON $(foreach goal,$(GOALS),$(TAKES_$(goal)))
 GIVEN_BY_USER := $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))

@@ -40,7 +40,7 @@ PACKAGES = {
     "everything": "jinja2 matplotlib scipy yaml",
 }
 TUNED = "studies/tuned"  # the fast engine
-MODULES = {"plot": "plots draw", "demo": "lab play", "lab": "lab serve"}  # of other packages
+MODULES = {"plot": "plots draw", "lab": "lab serve"}  # of other packages
 
 
 class LackingError(Exception):
@@ -140,7 +140,7 @@ def command(name: str, **variables: str) -> str:
 
     words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
     for key, value in variables.items():
-        if key not in ("DEMO", "SCENE") and (key != "EX" or name == "check"):
+        if key != "SCENE" and (key != "EX" or name == "check"):
             words.append(OPTIONS[key])
         if key != "WHOLE":
             words.append(value)

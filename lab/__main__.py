@@ -1,4 +1,4 @@
-"""Open the interactive scenes in a browser, play one in a window, or record one to files."""
+"""Open the interactive scenes in a browser, or record one to files."""
 
 from __future__ import annotations
 
@@ -20,26 +20,22 @@ from scenes.reason import reason, shown
 
 
 def main() -> int:
-    """Run the ``serve``, ``play`` or ``record`` command, and return its exit status."""
+    """Run the ``serve`` or ``record`` command, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     serve = commands.add_parser("serve", help="serve the page on this machine")
-    serve.add_argument("scene", nargs="?", default="", help="the scene to open first")
     serve.add_argument("--chapter", type=int, help="open the first scene of this chapter")
     serve.add_argument("--port", type=int, default=0, help="the port (default: any free port)")
     serve.add_argument(
         "--no-browser", action="store_true", help="print the address instead of opening a browser"
     )
-    play = commands.add_parser("play", help="play a scene in a window, or record it to files")
-    play.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
     record = commands.add_parser("record", help="record a scripted run of a scene to files")
-    record.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
-    for command in (play, record):
-        command.add_argument("--seconds", type=float, help="length of the recording in seconds")
-        command.add_argument(
-            "--out", type=Path, default=ROOT / "build" / "lab", help="the folder for the files"
-        )
-    for command in (serve, play, record):
+    record.add_argument("--seconds", type=float, help="length of the recording in seconds")
+    record.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "lab", help="the folder for the files"
+    )
+    for command in (serve, record):
+        command.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
         add_engine_options(command)
         command.add_argument(
             "--set",
@@ -51,8 +47,9 @@ def main() -> int:
     options = parser.parse_args()
     if not prepare("requirements" if options.command == "serve" else "pictures"):
         return 2
+    settings = dict(setting.partition("=")[::2] for setting in options.set)
     try:
-        return {"serve": _serve, "play": _play, "record": _play}[options.command](options)
+        return (_serve if options.command == "serve" else _record)(options, settings)
     except ValueError as error:
         parser.error(str(error))
     except OSError as error:
@@ -60,14 +57,14 @@ def main() -> int:
         return 2
 
 
-def _serve(options: argparse.Namespace) -> int:
+def _serve(options: argparse.Namespace, settings: dict[str, str]) -> int:
     """Open the lab's web page in a browser, and serve it until the user presses Ctrl-C."""
     from lab.server import Lab, serve  # only this command needs a server
 
     find_engine(options.engine)
     if not entries():
         raise ValueError("this folder has no scenes for its chapters")
-    query = first_query(options.scene, options.chapter, settings_of(options))
+    query = first_query(options.scene, options.chapter, settings)
 
     def ready(address: str) -> None:
         address = f"{address}?{query}" if query else address
@@ -80,65 +77,37 @@ def _serve(options: argparse.Namespace) -> int:
     return 0
 
 
-def _play(options: argparse.Namespace) -> int:
-    """Play a scene in a window, or record it to files.
-
-    The scene is recorded if the command is ``record``, or if the computer has no display.
-    """
+def _record(options: argparse.Namespace, settings: dict[str, str]) -> int:
+    """Record a scene to files, and print their names. Return 1 if the engine failed."""
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
         raise ValueError(f"--seconds must be positive and finite, got {options.seconds!r}")
-    if options.command == "record":
-        import matplotlib
+    import matplotlib
 
-        matplotlib.use("agg")
-    from matplotlib import pyplot
-
-    from lab.play import TIME_LIMIT, record, show
+    matplotlib.use("agg")  # draws to files even if there is a display
+    from lab.record import TIME_LIMIT, record
 
     use_engine(argparse.ArgumentParser(prog="python -m lab"), options.engine, options.given)
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
-        scene = load(options.scene)(**settings_of(options))
-        if pyplot.get_backend().lower() != "agg":
-            keys = [f"{key}: {words}" for key, words in scene.keys.items()]
-            print("; ".join([*keys, "q: quit"]))
-            show(scene)
-            return 0
-        files = record(scene, options.out, options.seconds)
-        print(f"{options.scene}: {', '.join(str(shown(file)) for file in files)}")
+        files = record(load(options.scene)(**settings), options.out, options.seconds)
     except (Exception, SystemExit) as error:
-        print(f"{options.scene}: cannot be played, {reason(error)}")
+        print(f"{options.scene}: cannot be recorded, {reason(error)}")
         return 1
     finally:
         faulthandler.cancel_dump_traceback_later()
+    print(f"{options.scene}: {', '.join(str(shown(file)) for file in files)}")
     return 0
 
 
-def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Return the parameter values given by ``--set NAME=VALUE`` options.
-
-    For ``--set mass=2``, the result is {"mass": "2"}.
-    """
-    return dict(setting.partition("=")[::2] for setting in options.set)
-
-
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Build the query string that makes the lab's page open with a certain scene.
-
-    For example, the scene "one-spring" with mass=2 gives "scene=one-spring&mass=2". If ``scene`` is
-    empty, the page opens with the first scene of ``chapter``.
-
-    Raises:
-        ValueError: The scene does not exist, or the chapter has no scenes.
-    """
+    """Build the query with which the lab's page opens, such as "scene=one-spring&mass=2"."""
     if scene:
         find(scene)
     elif chapter is not None:
-        names = [entry.name for entry in entries() if entry.chapter == chapter]
-        if not names:
+        scene = next((entry.name for entry in entries() if entry.chapter == chapter), "")
+        if not scene:
             raise ValueError(f"chapter {chapter} has no scenes")
-        scene = names[0]
     return urlencode(({"scene": scene} if scene else {}) | settings)
 
 

@@ -15,8 +15,7 @@ FIRST_LIMIT = 8.0  # s
 def why_it_broke_off(stack: str, engine: list[Path], limit: float = TIME_LIMIT) -> str:
     """Explain to a student why the process that runs their engine stopped during a scene.
 
-    If the process exceeded its time limit of ``limit`` seconds, it wrote a stack trace that shows
-    where the code got stuck. ``stack`` is this trace, or "" if the process ended on its own.
+    ``stack`` is the stack trace that it wrote if it exceeded its limit of ``limit`` s, or else "".
     """
     if stack:
         return str(explain_hang(stack, limit, engine))

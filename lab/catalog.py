@@ -19,11 +19,7 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """A scene in the lab's catalog, with the module and the class that define it.
-
-    Entries are read from the source code of the scene modules, so listing them does not import an
-    engine.
-    """
+    """A scene in the lab's catalog, with the module and the class that define it."""
 
     name: str
     title: str
@@ -34,21 +30,20 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """List all scenes of the lab by chapter, in the order in which their modules list them."""
+    """List all scenes of the lab by chapter, in the order in which their modules list them.
+
+    They are read from the source code of the modules, so that no engine is imported.
+    """
     found = []
     for file in sorted(FOLDER.glob("ch??_*/*.py")):
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        titles = {node.name: _title(node) for node in tree.body if isinstance(node, ast.ClassDef)}
-        for kind in _listed(tree):
-            found.append(
-                Entry(
-                    name_of(type(kind, (), {})),
-                    titles[kind],
-                    int(file.parent.name[2:4]),
-                    f"lab.scenes.{file.parent.name}.{file.stem}",
-                    kind,
-                )
-            )
+        chapter, module = file.parent.name, f"lab.scenes.{file.parent.name}.{file.stem}"
+        body = ast.parse(file.read_text(encoding="utf-8")).body
+        classes = {node.name: node for node in body if isinstance(node, ast.ClassDef)}
+        listed = _assigned(body, "SCENES")
+        for kind in map(ast.unparse, listed.elts if isinstance(listed, ast.Tuple) else ()):
+            title = _assigned(classes[kind].body, "title")
+            words = ast.literal_eval(title) if title else kind
+            found.append(Entry(name_of(type(kind, (), {})), words, int(chapter[2:4]), module, kind))
     return tuple(found)
 
 
@@ -67,29 +62,15 @@ def find(name: str) -> Entry:
 
 
 def load(name: str) -> type[Scene]:
-    """Import a scene by its name, such as "one-spring", and return its class.
-
-    This also imports the chapters of the engine that the scene uses.
-    """
+    """Import a scene by its name, and the chapters of the engine that it uses."""
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene
 
 
-def _listed(tree: ast.Module) -> list[str]:
-    """Read the names listed in SCENES from the syntax tree of a module, without importing it."""
-    for node in tree.body:
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SCENES":
-            return [ast.unparse(name) for name in node.value.elts]  # type: ignore[attr-defined]
-    return []
-
-
-def _title(node: ast.ClassDef) -> str:
-    """Read the title of a scene from the syntax tree of its class.
-
-    If the class does not define a title, return the name of the class.
-    """
-    for line in node.body:
-        if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
-            return str(ast.literal_eval(line.value))
-    return node.name
+def _assigned(body: list[ast.stmt], name: str) -> ast.expr | None:
+    """Return what a module or a class assigns to a name, if it does."""
+    for node in body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == name:
+            return node.value
+    return None

@@ -1,8 +1,7 @@
 """Run a student's engine in a separate process that exchanges messages with the lab's server.
 
-Each message is one line of JSON. If the engine takes longer than its time limit, the process
-writes a stack trace to the file given by ``--stack`` and exits. The server reads that file to tell
-the student where the engine got stuck.
+Each message is one line of JSON. If the engine takes longer than its time limit, the process writes
+a stack trace to the file given by ``--stack`` and exits, so that the server can explain where.
 """
 
 from __future__ import annotations
@@ -48,10 +47,7 @@ def main() -> None:
 
 
 def answered(host: Host, line: bytes) -> list[str]:
-    """Answer one message from the lab's server, and return the answers as lines of JSON.
-
-    If the message is not valid JSON, the only answer is an error message.
-    """
+    """Answer one message from the lab's server, and return the answers as lines of JSON."""
     try:
         message = json.loads(line)
     except (ValueError, RecursionError):
@@ -63,11 +59,10 @@ def answered(host: Host, line: bytes) -> list[str]:
 
 
 def as_json(answer: Message) -> str:
-    """Encode a message to the lab's page as one line of JSON.
+    """Encode a message as one line of JSON.
 
     Raises:
-        ValueError: The message contains NaN or an infinite number, which JSON does not allow.
-        TypeError: The message contains a value of a type that JSON cannot represent.
+        ValueError or TypeError: The message has a value, such as NaN, that JSON does not have.
     """
     return json.dumps(answer, separators=(",", ":"), allow_nan=False)
 

@@ -1,10 +1,9 @@
 """Measure the time that a scene takes per frame, even if the clock is coarse.
 
-Browsers round their clocks, some of them to a millisecond. Many frames take less time than that, so
-the readings before and after one frame are usually equal. But the longer a frame takes, the more
-often the clock advances during it. The sum over many frames is therefore right on average, if
-frames start at random moments. Since a page asks for frames in a steady rhythm, each measurement
-begins with a random delay of less than one tick of the clock.
+Browsers round their clocks, some of them to a millisecond. Most frames take less time than that,
+but the longer they take, the more often the clock advances during one. The sum over many frames is
+therefore right on average, if frames start at random moments. Since a page asks for frames in a
+steady rhythm, each measurement begins with a random delay of less than one tick of the clock.
 """
 
 from __future__ import annotations
@@ -37,8 +36,6 @@ def tick() -> tuple[float, int]:
 
 
 class Cost:
-    """Measures the time that a scene takes per frame."""
-
     def __init__(self) -> None:
         self.random = random.Random()
         self.forget()

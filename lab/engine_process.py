@@ -23,8 +23,7 @@ LONGEST_RECORDING = 120.0  # s
 class EngineProcess:
     """The process that runs a student's engine for one page of the lab.
 
-    The process starts when the page sends its first message. If the student's code never ends, the
-    process can be killed while the server keeps running.
+    It starts when the page sends its first message. If the student's code never ends, it is killed.
     """
 
     def __init__(self, engine: str, given: str = "") -> None:
@@ -37,8 +36,8 @@ class EngineProcess:
     async def ask(self, message: str) -> AsyncIterator[str]:
         """Send a message from the page to the process, and yield its answers as lines of JSON.
 
-        A process that takes too long is killed. If that happens, or if the process exits early, the
-        last answer explains to the student what went wrong.
+        If the process exits early, or is killed because it takes too long, the last answer explains
+        to the student what went wrong.
         """
         limit, extra = TIME_LIMIT, GRACE
         if self.process is None:
@@ -57,7 +56,9 @@ class EngineProcess:
                     yield line.decode().rstrip("\n")
         except (TimeoutError, EOFError, ConnectionError):
             await self.end()
-            yield json.dumps({"kind": "stopped", "why": self._why(limit)})
+            stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
+            why = why_it_broke_off(stack, [ROOT / self.engine], limit)
+            yield json.dumps({"kind": "stopped", "why": why})
         except ValueError:  # a line is longer than LONGEST_LINE
             await self.end()
             yield json.dumps({"kind": "stopped", "why": TOO_MUCH})
@@ -83,29 +84,21 @@ class EngineProcess:
         self.folder.cleanup()
 
     async def _start(self) -> asyncio.subprocess.Process:
-        arguments = ["--engine", self.engine, "--given", self.given, "--stack", str(self.stack)]
         return await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            "lab.child",
-            *arguments,
+            *(sys.executable, "-m", "lab.child", "--stack", self.stack),
+            *("--engine", self.engine, "--given", self.given),
             cwd=ROOT,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             limit=LONGEST_LINE,
         )
 
-    def _why(self, limit: float) -> str:
-        """Explain to the student why the process that ran their engine has stopped."""
-        stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
-        return why_it_broke_off(stack, [ROOT / self.engine], limit)
-
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record an animation of a scene in a separate process, and return the contents of the GIF.
+    """Record a scene in a separate process, and return the contents of the animated GIF.
 
     Raises:
-        ValueError: The recording failed. The message is the last line that the process printed.
+        ValueError: The recording failed, with the last line that the process printed.
     """
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:

@@ -1,7 +1,7 @@
 """Run one interactive scene, controlled by messages from a web page.
 
-The host does not depend on web pages, sockets or processes. The lab's local server and the course's
-website can therefore share it. A message is a dict with a ``kind``. It contains only numbers,
+The host does not depend on web pages, sockets or processes, so that the lab's local server and the
+course's website can share it. A message is a dict with a ``kind``. It contains only numbers,
 strings, lists and dicts, so that it can be sent as JSON.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 
 from lab.catalog import load
 from lab.cost import Cost, clock
-from lab.drawing.pen import Pen
+from lab.drawing.pen import Item, Pen
 from lab.scene import Scene, described, parameters_of
 
 Message = dict[str, Any]
@@ -24,13 +24,12 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 class Host:
     """Runs a scene, and responds to messages from the page, such as a key press.
 
-    ``explain`` is a function that turns an exception from the student's code into a message for the
-    student.
+    ``explain`` turns an exception from the student's code into a message for the student.
     """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
         self.explain = explain
-        self.kind: type[Scene] | None = None
+        self.kind: type[Scene] = Scene  # until a scene is loaded
         self.scene: Scene | None = None
         self.values: dict[str, object] = {}
         self.cost = Cost()
@@ -52,78 +51,70 @@ class Host:
             case {"kind": "load", "scene": str(name), "values": dict(values), "peer": str(peer)}:
                 return self._load(name, values, peer)
             case {"kind": "restart"}:
-                return self._restart()
+                return [self._restart()]
             case {"kind": "set", "name": str(name), "value": value}:
                 return self._set(name, value)
-        if self.scene is None:
+        if (scene := self.scene) is None:
             return []  # the page already knows that the scene has stopped
         match message:
             case {"kind": "run", "frames": int(frames)}:
-                return self._run(min(frames, MOST_FRAMES))
+                start = clock()
+                for _ in range(min(frames, MOST_FRAMES)):
+                    self.cost.measure(scene.advance)
+                frame = self._frame(scene)
+                return [frame | {"took": round(1e3 * (clock() - start), 1)}]  # ms
             case {"kind": "press", "key": str(key)}:
-                self.scene.press(key)
-            case {"kind": "click", "x": (int() | float()) as x, "y": (int() | float()) as y}:
-                self.scene.click(float(x), float(y))
+                scene.press(key)
+            case {"kind": "click", "x": int() | float() as x, "y": int() | float() as y}:
+                scene.click(float(x), float(y))
             case {
                 "kind": "drag",
                 "name": str(name),
-                "x": (int() | float()) as x,
-                "y": (int() | float()) as y,
+                "x": int() | float() as x,
+                "y": int() | float() as y,
             }:
-                self.scene.drag(name, float(x), float(y))
-            case {"kind": "predict", "option": int(option)}:
-                return [self._judge(option)]
+                scene.drag(name, float(x), float(y))
+            case {"kind": "predict", "option": int(option)} if scene.predict:
+                right = scene.predict.answer(scene)
+                verdict = {"right": option == right, "answer": right, "why": scene.predict.why}
+                return [{"kind": "judged"} | verdict]
             case _:
                 raise ValueError(f"unknown kind of message: {message!r:.200}")
-        return [self._frame()]
+        return [self._frame(scene)]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Load the scene called ``name``, and return its description and its first frame.
+        """Load a scene, and return its description and its first frame.
 
-        ``peer`` names an alternative simulation of the scene, such as "exact" or "pymunk". If the
-        value of a parameter is invalid, the scene uses the default, and one of the returned
-        messages says so.
+        ``peer`` names an alternative simulation, such as "exact" or "pymunk". For an invalid value
+        of a parameter, the scene uses the default, and one of the messages says so.
         """
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
             raise ValueError(f"{peer} cannot run {name}")
         self.kind, self.values = kind.peers.get(peer, kind), {}
-        refused = [
-            answer for parameter, value in values.items() for answer in self._keep(parameter, value)
-        ]
+        refused = [answer for pair in values.items() for answer in self._keep(*pair)]
         answer = {"kind": "scene", **described(self.kind), "values": dict(self.values)}
-        return [answer, *refused, *self._restart()]
+        return [answer, *refused, self._restart()]
 
-    def _restart(self) -> list[Message]:
-        assert self.kind is not None, "a scene must be loaded first"
+    def _restart(self) -> Message:
         self.scene = None
         self.scene = self.kind(**self.values)
         self.cost.forget()
-        return [self._frame()]
+        return self._frame(self.scene)
 
     def _set(self, name: str, value: object) -> list[Message]:
-        """Set a parameter of the scene to the value that the reader has chosen.
-
-        If the parameter is live, the scene keeps running with the new value. Otherwise the scene is
-        rebuilt and starts over.
-        """
-        assert self.kind is not None, "a scene must be loaded first"
+        """Set a parameter. Unless it is live, the scene is rebuilt and starts over."""
         if refused := self._keep(name, value):
             return refused
         if self.scene is None or not parameters_of(self.kind)[name].live:
-            return self._restart()
+            return [self._restart()]
         self.scene.values[name] = self.values[name]
         self.cost.forget()
-        return [self._frame()]
+        return [self._frame(self.scene)]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Check and store the value of a parameter.
-
-        If the value is rejected, return a list with one message that says why. Otherwise return an
-        empty list.
-        """
-        assert self.kind is not None
+        """Store the value of a parameter, or return a message that says why it is refused."""
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
             return [{"kind": "refused", "why": f"This scene has no parameter {name}."}]
@@ -133,27 +124,17 @@ class Host:
             return [{"kind": "refused", "why": str(error)}]
         return []
 
-    def _run(self, frames: int) -> list[Message]:
-        assert self.scene is not None
-        start = clock()
-        for _ in range(frames):
-            self.cost.measure(self.scene.advance)
-        answer = self._frame()
-        return [answer | {"took": round(1e3 * (clock() - start), 1)}]  # ms
-
-    def _frame(self) -> Message:
+    def _frame(self, scene: Scene) -> Message:
         """Collect the data that the page shows for the current frame, such as the drawing.
 
         Raises:
             ArithmeticError: The scene has exploded, so a number is far too large or not finite.
         """
-        scene = self.scene
-        assert scene is not None
         pen = Pen()
         scene.draw(pen)
         error = scene.error()
         charted = scene.chart()
-        if not all(map(_is_near, _numbers(pen.items))) or not all(map(_is_near, charted.values())):
+        if not all(abs(value) < FAR for value in (*_numbers(pen.items), *charted.values())):
             raise ArithmeticError(
                 "The scene exploded: a position or an energy has become far too large. "
                 "Restart it with a lower stiffness or a shorter time step."
@@ -174,29 +155,13 @@ class Host:
             "say": scene.say(),
         }
 
-    def _judge(self, option: int) -> Message:
-        assert self.scene is not None
-        question = self.scene.predict
-        if question is None:
-            raise ValueError("this scene has no question")
-        right = question.answer(self.scene)
-        return {"kind": "judged", "right": option == right, "answer": right, "why": question.why}
 
-
-def _numbers(items: list[list[Any]]) -> list[float]:
-    """Collect all numbers in a drawing, such as coordinates and sizes.
-
-    They show whether the scene has exploded. In that case, one of them is huge or not finite.
-    """
+def _numbers(items: list[Item]) -> list[float]:
+    """Collect all numbers in a drawing, such as coordinates and sizes."""
     found: list[float] = []
-    for item in items:
-        for value in item:
-            if isinstance(value, list):
-                found += value
-            elif isinstance(value, float):
-                found.append(value)
+    for value in (value for item in items for value in item):
+        if isinstance(value, list):
+            found += value
+        elif isinstance(value, float):
+            found.append(value)
     return found
-
-
-def _is_near(value: float) -> bool:
-    return abs(value) < FAR  # also false for NaN

@@ -13,16 +13,12 @@ from scenes.parameters import Parameter
 
 @dataclass(frozen=True)
 class Question:
-    """A question that asks the reader to predict what a scene will do before it runs.
-
-    ``answer`` is a function that takes the scene and returns the index of the correct option.
-    ``why`` is an explanation to show when the scene has run for ``seconds``.
-    """
+    """A question that asks the reader to predict what a scene will do before it runs."""
 
     words: str
     options: Sequence[str]
-    answer: Callable[[Any], int]
-    why: str
+    answer: Callable[[Any], int]  # from the scene to the index of the correct option
+    why: str  # an explanation to show when the scene has run for ``seconds``
     seconds: float = 5.0
 
 
@@ -30,9 +26,7 @@ class Scene:
     """The base class of the lab's interactive scenes.
 
     Lengths are in meters unless a scene says otherwise. A subclass sets the class attributes,
-    defines parameters, and overrides ``build``, ``step``, ``draw`` and whichever other methods it
-    needs. ``peers`` maps names such as "exact" or "pymunk" to subclasses that run the same scene by
-    another method.
+    defines parameters, and overrides ``build``, ``step``, ``draw`` and the other methods it needs.
     """
 
     chapter: ClassVar[int]
@@ -42,6 +36,7 @@ class Scene:
     seconds: ClassVar[float] = 6.0  # length of the scripted run
     keys: ClassVar[dict[str, str]] = {}  # what a key does, such as {"left": "walk to the left"}
     predict: ClassVar[Question | None] = None
+    # Subclasses that run the same scene by another method, such as "exact" or "pymunk".
     peers: ClassVar[dict[str, type[Scene]]] = {}
     exact_from: ClassVar[str] = ""  # the source of the exact state, if the scene has one
     error_unit: ClassVar[str] = "m"
@@ -78,10 +73,7 @@ class Scene:
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return the values to plot over time, such as {"energy, J": 2.5}.
-
-        Each key is the name of a quantity, followed by its unit.
-        """
+        """Return the values to plot over time, such as {"energy, J": 2.5}."""
         return {}
 
     def state(self) -> list[float]:
@@ -89,11 +81,7 @@ class Scene:
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact values of ``state`` at ``time``, or None if no exact solution exists.
-
-        ``time`` is a simulated time, because below 60 steps per second the state lags behind the
-        frame.
-        """
+        """Return the exact values of ``state`` at a simulated time, or None if there are none."""
         return None
 
     def say(self) -> str:
@@ -114,17 +102,10 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Do what a player would do at ``time``, in s, such as aiming or firing.
-
-        Recordings and tests call this before each frame, because they have no human player.
-        """
+        """Do what a player would do at ``time``, in s, before each frame of a recording or test."""
 
     def advance(self, duration: float = FRAME) -> None:
-        """Advance the scene by one frame, which lasts ``duration`` s.
-
-        This makes every time step that ends by the end of the frame. A frame may need several
-        steps, or none.
-        """
+        """Make every time step that ends by the end of the next frame, which may be none."""
         self.clock.advance(self.step, self.rate, duration)
 
     @property
@@ -138,21 +119,13 @@ class Scene:
         return self.clock.simulated
 
     def error(self) -> float | None:
-        """Compute the largest difference between a simulated coordinate and its exact value.
-
-        If the scene has no exact solution, return None.
-        """
+        """Compute the largest difference between a coordinate and its exact value, if known."""
         exact = self.exact(self.simulated)
-        if exact is None:
-            return None
-        return deviation(self.state(), exact)
+        return None if exact is None else deviation(self.state(), exact)
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Collect the parameters of a scene class and of its base classes, by name.
-
-    The parameters of the class itself come first.
-    """
+    """Collect the parameters of a scene class, then those of its base classes, by name."""
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():
@@ -169,7 +142,7 @@ def name_of(scene: type[Scene]) -> str:
 
 def described(scene: type[Scene]) -> dict[str, Any]:
     """Return the data that the page needs to show a scene and its controls before it runs."""
-    question = scene.predict
+    ask = scene.predict
     return {
         "name": name_of(scene),
         "chapter": scene.chapter,
@@ -182,10 +155,6 @@ def described(scene: type[Scene]) -> dict[str, Any]:
         "errorUnit": scene.error_unit,
         "compare": list(scene.compare),
         "parameters": [parameter.described() for parameter in parameters_of(scene).values()],
-        "predict": question
-        and {
-            "words": question.words,
-            "options": list(question.options),
-            "seconds": question.seconds,
-        },
+        "predict": ask
+        and {"words": ask.words, "options": list(ask.options), "seconds": ask.seconds},
     }

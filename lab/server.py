@@ -55,10 +55,7 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """A request handler that returns the scenes and engines for the page's menus as JSON.
-
-    It does not import any engine.
-    """
+    """A request handler that returns the scenes and engines for the page's menus as JSON."""
 
     site: Lab
 
@@ -68,10 +65,7 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """A request handler that returns a recording of a scene as an animated GIF.
-
-    The query names the scene and sets its parameters.
-    """
+    """A request handler that returns an animation of the scene and parameters of the query."""
 
     site: Lab
 
@@ -128,10 +122,7 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """Stop the engine process, and tell the page which files the student has saved.
-
-        The page then reloads its scene, which starts a new process with the saved files.
-        """
+        """Stop the engine process, and tell the page to reload its scene with the saved files."""
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()
@@ -145,10 +136,7 @@ class EngineSocket(WebSocketHandler):
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
-    """Serve the lab's page until the user presses Ctrl-C.
-
-    ``ready`` is called once with the page's address, as soon as the server accepts connections.
-    """
+    """Serve the lab's page, and call ``ready`` with its address as soon as it can be opened."""
     lab.listen(lab.application(), port)
     ready(lab.address)
     await lab.watch()

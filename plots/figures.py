@@ -1,8 +1,7 @@
 """Draw the pictures of all lessons with the reference solution, for `make figures`.
 
-They are the plots of `make plot` and animations of scenes in the lab. To make pages load quickly,
-all pictures are saved with only a few colors. The animations are also scaled down, and have fewer
-frames per second.
+They are the plots of `make plot`, and animations that the lab records. To make pages load quickly,
+all have only a few colors, and the animations are scaled down and have fewer frames per second.
 """
 
 from __future__ import annotations
@@ -11,14 +10,14 @@ import argparse
 import bisect
 import functools
 import importlib
+import subprocess
+import sys
 from pathlib import Path
 
 from matplotlib import pyplot
 from PIL import Image, ImageChops, ImageSequence, ImageStat
 
 from autograder.manifest import ROOT
-from lab.catalog import load
-from lab.play import record
 from plots import draw
 from scenes.engine import use_engine
 from scenes.reason import shown
@@ -49,8 +48,8 @@ PLOTS = (
     "ch09_rotations/drift_of_first_order",
     "ch09_rotations/gimbal_lock",
 )
-# The length of each animation in s, and the time of its still picture. Pages show the still picture
-# and link to the animation, so that nothing moves unless the reader wants it to.
+# The length of each animation in s, and the time of the still picture that a page shows instead, so
+# that nothing moves unless the reader wants it to.
 ANIMATIONS = {
     "ch04_particle_engine/fireworks": (6.0, 2.5),
     "ch05_forces/sniper": (11.0, 3.0),
@@ -68,10 +67,7 @@ TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but mac
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the pictures of all lessons, and save them in the chapters' folders.
-
-    Return 1 if a picture could not be drawn, and 0 otherwise.
-    """
+    """Draw the pictures of all lessons, and return 1 if one of them could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m plots figures", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the engine to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
@@ -90,10 +86,13 @@ def main(arguments: list[str]) -> int:
                 _write([_few_colors(drawn)], _file(options.out, f"{name}.png"))
         pyplot.close("all")
     for name, (seconds, still) in ANIMATIONS.items():
-        animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
-        _write(_shrunk(animation), _file(options.out, f"{name}.gif"))
-        _write([_still(animation, still)], _file(options.out, f"{name}_still.png"))
-        done.append(True)
+        animation = work / f"{name}.gif"
+        how = ("--engine", options.engine, "--seconds", str(seconds), "--out", animation.parent)
+        command = [sys.executable, "-m", "lab", "record", animation.stem, *map(str, how)]
+        done.append(not subprocess.run(command, check=False).returncode)
+        if done[-1]:
+            _write(_shrunk(animation), _file(options.out, f"{name}.gif"))
+            _write([_still(animation, still)], _file(options.out, f"{name}_still.png"))
     print(f"{sum(done)} of {len(done)} pictures drawn with {options.engine}")
     return 0 if all(done) else 1
 
@@ -104,11 +103,7 @@ def _file(out: Path, name: str) -> Path:
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Scale an animation down, and reduce its colors. Return a frame for every PICTURE_TIME ms.
-
-    The frames are WIDTH px wide. They share one small palette, because with separate palettes the
-    parts that do not move would flicker.
-    """
+    """Return smaller frames of an animation in few colors, one for every PICTURE_TIME ms."""
     pictures: list[Image.Image] = []
     time = 0.0
     with Image.open(animation) as frames:
@@ -127,10 +122,7 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the frame that an animation shows after ``seconds`` seconds, in full size.
-
-    A lesson shows this frame as a still picture that links to the animation.
-    """
+    """Return the frame that an animation shows after ``seconds`` seconds, in full size."""
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
         for frame in ImageSequence.Iterator(frames):
@@ -141,10 +133,7 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _few_colors(picture: Image.Image) -> Image.Image:
-    """Reduce the colors of a picture as far as possible without a visible change.
-
-    With fewer colors, the file is smaller.
-    """
+    """Reduce the colors of a picture as far as possible without a visible change."""
     full = picture.convert("RGB")
     reduced = functools.cache(functools.partial(_palette, full))
 
@@ -159,8 +148,8 @@ def _few_colors(picture: Image.Image) -> Image.Image:
 def _palette(picture: Image.Image, count: int) -> Image.Image:
     """Reduce ``picture`` to ``count`` colors that are as different from one another as possible.
 
-    The most frequent colors would be a bad choice. Most of them are grays along the edges of
-    letters, so the few colored lines of a plot would turn gray.
+    Most of the frequent colors are grays along the edges of letters. With them, the few colored
+    lines of a plot would turn gray.
     """
     few = picture.quantize(
         count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=3

@@ -9,20 +9,28 @@ outcome.
 from __future__ import annotations
 
 import argparse
+import io
 import json
 import re
 from pathlib import Path
 
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
 from autograder.handouts.handout import CHARTS
 from autograder.manifest import ROOT
 from lab.catalog import Entry, entries, load
-from lab.drawing.pen import Pen
+from lab.drawing.pen import COLORS, Item, Pen
+from lab.drawing.picture import DARK, HEIGHT, LIGHT, WIDTH, Painter
 from scenes.clock import FRAME
 from scenes.engine import use_engine
-from web.svg import svg
 
 COMMAND = re.compile(r'make lab SCENE=([\w-]+)(?:\s+SET="([^"]*)")?')
 MOMENT = 0.4  # s
+HIDDEN = ("force", "contact")  # arrows that a page shows only on request
+# A color that stands for each name until the name itself is written into a picture.
+MARKS = {name: f"#0000{number:02x}" for number, name in enumerate(COLORS, 1)}
+WITHOUT = dict.fromkeys(("Date", "Creator", "Type", "Format"))  # no notes about its making
 
 
 def main() -> None:
@@ -86,6 +94,47 @@ def still(name: str, settings: str) -> str:
     pen = Pen()
     scene.draw(pen)
     return svg(pen.items, scene.view)
+
+
+def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
+    """Turn the shapes that a scene's pen has recorded into an SVG picture of the scene.
+
+    The view is centered, as on the lab's page. The picture has the colors of that page, dark ones
+    for readers who prefer them.
+    """
+    left, right, bottom, top = view
+    scale = max((right - left) / WIDTH, (top - bottom) / HEIGHT)
+    x, y = (left + right) / 2.0, (bottom + top) / 2.0
+    figure = Figure(figsize=(WIDTH / 72.0, HEIGHT / 72.0))
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_axis_off()
+    axes.set_xlim(x - 0.5 * scale * WIDTH, x + 0.5 * scale * WIDTH)
+    axes.set_ylim(y - 0.5 * scale * HEIGHT, y + 0.5 * scale * HEIGHT)
+    shown = [item for item in items if item[0] != "arrow" or item[-1] not in HIDDEN]
+    Painter(axes, MARKS, 1.0).draw(shown)
+    file = io.StringIO()
+    with rc_context({"svg.fonttype": "none", "svg.hashsalt": "still"}):
+        figure.savefig(file, format="svg", metadata=WITHOUT, transparent=True)
+    return _slim(file.getvalue())
+
+
+def _slim(drawn: str) -> str:
+    """Shorten matplotlib's SVG, and let its colors and letters be those of the page."""
+    names = [*MARKS]
+    light, dark = ("".join(f"--{n}:{sheet[n]};" for n in names) for sheet in (LIGHT, DARK))
+    rules = f"svg{{{light}}}@media (prefers-color-scheme:dark){{svg{{{dark}}}}}</style>"
+    for pattern, replacement in (
+        (r"(?s)^.*?(?=<svg)", ""),
+        (r' (clip-path="url|transform="rotate|id="[A-Za-z0-9]+_\d+(?="))[^"]*"', ""),
+        (r"(?s)<clipPath.*?</clipPath>", ""),
+        (r'="(\d+)pt"', r'="\1"'),
+        (r"font-family: [^;]*", "font-family: system-ui, sans-serif"),
+        (r"\d+\.\d+", lambda number: f"{float(number[0]):.4g}"),
+        (r"#0000([0-9a-f]{2})", lambda mark: f"var(--{names[int(mark[1], 16) - 1]})"),
+        (r"\s*\n\s*", "\n"),
+    ):
+        drawn = re.sub(pattern, replacement, drawn)
+    return drawn.replace("</style>", rules, 1)
 
 
 if __name__ == "__main__":

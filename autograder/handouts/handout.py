@@ -52,7 +52,6 @@ Python commands in [chapters/README.md](chapters/README.md).
     make reset EX={example}  restore its stub, and keep a copy of your work
     make lab            run scenes with your own engine in the browser
     make plot           draw pictures with your own engine, into build/plots/
-    make demo DEMO=...  run a scene in a window (without a display: write files)
 
 The README of each chapter is the lesson. The page `reference.md` beside it lists the exercises, and
 shows which functions belong to which section of the book. Write your answers to written questions

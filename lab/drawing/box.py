@@ -1,11 +1,9 @@
-"""Draw a box in 3D, with only the faces that the viewer can see.
-
-Opposite faces have the same color, so that the reader can tell the three axes of the box apart.
-"""
+"""Draw a box in 3D, with only the faces that the viewer can see."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import product
 
 from ch02_vectors.vector import Vector3
 from lab.drawing.camera import TOWARD, flat
@@ -21,33 +19,19 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a rotated box in 3D.
+    """Draw a rotated box with sides of these lengths in m.
 
-    ``sides`` are the lengths of its sides in m. ``turn`` is a function that converts a vector from
-    the box's own axes to those of the world. ``center`` is the position of the box's center in the
-    picture.
+    ``turn`` converts a vector from the box's own axes to those of the world, and ``center`` is the
+    position of the box's center in the picture.
     """
     x0, y0 = center
-    for face, axis in _faces(sides):
-        corners = [turn(corner) for corner in face]
-        normal = (corners[1] - corners[0]).cross(corners[2] - corners[1])
+    around = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # counter-clockwise, if seen from outside
+    for axis, sign in product(range(3), (-1, 1)):
+        signs = [(sign, *pair) for pair in around[::sign]]  # along this axis and the next two
+        own = [Vector3(*(0.5 * sides[i] * s[i - axis] for i in range(3))) for s in signs]
+        corners = [turn(corner) for corner in own]
+        normal = (corners[1] - corners[0]).cross(corners[2] - corners[1])  # points outward
         if normal.dot(VIEWER) > 0.0:
             seen = [(x0 + x, y0 + y) for x, y in map(flat, corners)]
             pen.area(seen, COLORS[axis])
             pen.line([*seen, seen[0]], COLORS[axis], 3.0)
-
-
-def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """List the six faces of a box, each with its corners and the axis perpendicular to it.
-
-    The axis is 0 for X, 1 for Y or 2 for Z. The corners run counter-clockwise as seen from outside
-    the box, so the cross product of two successive edges points outward.
-    """
-    around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    faces = []
-    for axis in range(3):
-        for sign in (-1, 1):
-            signs = [(sign, *pair) for pair in around[::sign]]  # along this axis and the next two
-            corners = [Vector3(*(0.5 * sides[i] * s[i - axis] for i in range(3))) for s in signs]
-            faces.append((corners, axis))
-    return faces

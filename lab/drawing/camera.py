@@ -16,10 +16,6 @@ def flat(v: Vector3) -> tuple[float, float]:
 
 
 def on_the_ground(x: float, y: float) -> tuple[float, float]:
-    """Find the point on the ground (y = 0) that appears at (x, y) in the picture.
-
-    Returns:
-        The coordinates x and z of the point.
-    """
+    """Return x and z of the point on the ground (y = 0) that appears at (x, y) in the picture."""
     z = -y / TOWARD[1]
     return x + TOWARD[0] * z, z

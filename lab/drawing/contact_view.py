@@ -10,10 +10,7 @@ from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A contact resolver that records its contacts and impulses, so that they can be drawn.
-
-    It wraps the engine's own resolver, which does the actual work. Only the last step is recorded.
-    """
+    """Wraps the engine's own resolver, and records the contacts and impulses of the last step."""
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver
@@ -41,17 +38,11 @@ class ContactView(ContactResolver):
         ]
 
     def forget(self) -> None:
-        """Clear the contacts and impulses recorded in the last step.
-
-        Call this before each step, because a step without contacts never calls the resolver.
-        """
+        """Clear the record before a step, because one without contacts never calls the resolver."""
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw recorded impulses as arrows, and contacts between two particles as dots.
-
-        ``scale`` is the length in m of the arrow for an impulse of 1 N s.
-        """
+        """Draw impulses as arrows of ``scale`` m per N s, and contacts of two particles as dots."""
         for position, impulse in self.impulses:
             pen.arrow(position, impulse * scale, "pink", "contact")
         pen.dots([(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)) for a, b in self.pairs], "pink", 5.0)

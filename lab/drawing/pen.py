@@ -1,8 +1,8 @@
 """Record what a scene draws as plain data, for a web page or matplotlib to draw later.
 
-Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
-Vector3 or a pair (x, y). Colors are stored by name, so that a page can choose shades that suit a
-light or a dark background.
+Coordinates are in the scene's own units, with +x to the right and +y up. Widths and sizes of dots
+and letters are in pixels. Colors are stored by name, so that a page can choose shades for a light
+or a dark background.
 """
 
 from __future__ import annotations
@@ -29,10 +29,9 @@ Item = list[Any]
 
 
 class Pen:
-    """Records the shapes that a scene draws, so that they can be drawn later.
+    """Records the shapes that a scene draws, as lists such as ["ground", "gray", 0.0].
 
-    Each shape is stored as a list that starts with its kind and its color, such as ["ground",
-    "gray", 0.0]. The remaining values depend on the kind.
+    Each list starts with the shape's kind and color. The other values depend on the kind.
     """
 
     def __init__(self) -> None:
@@ -47,18 +46,11 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle.
-
-        To let the reader drag the circle, pass a name as ``grab``. ``Scene.drag`` is called with
-        that name when the circle is dragged.
-        """
+        """Draw a circle. If it has a name to ``grab``, the reader can drag it (see Scene.drag)."""
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots.
-
-        Their ``size`` is in pixels, so it stays the same when the view is zoomed.
-        """
+        """Draw dots."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -79,10 +71,7 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill a polygon with a color.
-
-        The color is translucent, for example for water, unless ``solid`` is true.
-        """
+        """Fill a polygon with a color, which is translucent unless ``solid`` is true."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -92,13 +81,12 @@ class Pen:
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
         """Draw an arrow from ``start`` to ``start + vector``.
 
-        Every arrow has a kind, such as "velocity" or "force". The reader can show or hide all
-        arrows of one kind.
+        The reader can show or hide all arrows of a kind, such as "velocity" or "force".
         """
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
-        """Write ``words`` centered at the point ``at``, in letters of ``size`` pixels."""
+        """Write ``words`` centered at the point ``at``."""
         self._add("text", color, *_xy(at), words, size)
 
     def ground(self, height: float = 0.0) -> None:
@@ -121,8 +109,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to five significant digits.
-
-    This keeps messages short, and is exact enough for drawing.
-    """
+    """Round a value to five significant digits, which keeps messages short."""
     return float(f"{value:.5g}")

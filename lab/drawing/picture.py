@@ -1,137 +1,100 @@
-"""Draw a scene of the lab with matplotlib, for windows and recordings.
-
-A scene only records its shapes with a ``Pen``. This module draws the recorded shapes.
-"""
+"""Draw the shapes that a scene's pen has recorded with matplotlib, for recordings and stills."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any
 
 from matplotlib import patches
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure
 
-from lab.drawing.pen import Item, Pen
-from lab.scene import Scene
+from lab.drawing.pen import Item
 
-# The colors of the light page (page/styles/colors.css).
-PAINT = {
-    "blue": "#0072b2",
-    "orange": "#d08a00",
-    "green": "#008060",
-    "red": "#d55e00",
-    "sky": "#3a9fd8",
-    "pink": "#b8578a",
-    "violet": "#7a00c8",
-    "brown": "#7a4a10",
-    "gray": "#6b7078",
-    "black": "#1a1a1a",
-    "water": "#3a9fd8",
-    "wood": "#9a6324",
-}
+SHEET = Path(__file__).parent.parent / "page" / "styles" / "colors.css"
+LIGHT, DARK = (  # the page's colors by name, on light and on dark paper
+    dict(re.findall(r"--(\w+): (#\w+);", sheet))
+    for sheet in SHEET.read_text(encoding="utf-8").split("@media")
+)
+WIDTH, HEIGHT = 640.0, 400.0  # px, the size of a picture
 TURNS = 24  # corners of a spring
 
 
-class Picture:
-    """A matplotlib figure of an interactive scene, which can be redrawn after every step."""
+class Painter:
+    """Draws recorded shapes into matplotlib's axes, as the lab's page draws them on a canvas.
 
-    def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
-        self.scene = scene
-        self.figure = figure
-        self.arrows = arrows
-        self.axes = figure.subplots()
-        self.title = figure.suptitle("", fontsize=10)
-        self.drawn: list[Any] = []
+    ``paint`` maps names of colors to colors. ``pixel`` is the length in points of a pixel, in which
+    a pen gives the widths of lines and the sizes of letters. There is a method for each kind of
+    shape. It gets the values that the pen recorded.
+    """
 
-    def draw(self) -> None:
-        """Redraw the figure to show the current state of the scene."""
-        for artist in self.drawn:
-            artist.remove()
-        pen = Pen()
-        self.scene.draw(pen)
-        left, right, bottom, top = self.scene.view
-        self.axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
-        self.drawn = [
-            artist
-            for kind, color, *values in pen.items
-            if kind != "arrow" or self.arrows
-            for artist in DRAW[kind](self.axes, PAINT[color], values)
-        ]
-        self.title.set_text(f"{self.scene.title}, {self.scene.time:.2f} s\n{self.scene.facts()}")
+    def __init__(self, axes: Axes, paint: Mapping[str, str], pixel: float) -> None:
+        self.axes = axes
+        self.paint = paint
+        self.pixel = pixel
+        left, right = axes.get_xlim()
+        self.unit = (right - left) / WIDTH  # of the scene, for a pixel
 
+    def draw(self, items: Iterable[Item]) -> list[Any]:
+        """Draw each shape in front of the ones before it, and return matplotlib's artists."""
+        drawn: list[Any] = []
+        for kind, color, *values in items:
+            self.look: Any = {"color": self.paint[color], "zorder": 3.0 + 0.001 * len(drawn)}
+            drawn += getattr(self, kind)(*values)
+        return drawn
 
-def _pairs(flat: list[float]) -> list[tuple[float, float]]:
-    return list(zip(flat[::2], flat[1::2], strict=True))
+    def stroke(self, xs: Iterable[float], ys: Iterable[float], width: float, **more: Any) -> Any:
+        return self.axes.plot([*xs], [*ys], lw=self.pixel * width, **self.look, **more)
 
+    def circle(self, x: float, y: float, radius: float, fill: bool, _: str) -> Any:
+        line = 0.0 if fill else 2.0 * self.pixel
+        circle = patches.Circle((x, y), max(radius, self.unit), fill=fill, lw=line, **self.look)
+        return [self.axes.add_patch(circle)]
 
-def _circle(axes: Axes, paint: str, values: Item) -> list[Any]:
-    x, y, radius, fill, _ = values
-    return [axes.add_patch(patches.Circle((x, y), radius, color=paint, fill=fill, zorder=3))]
+    def dots(self, flat: list[float], size: float) -> Any:
+        return self.stroke(flat[::2], flat[1::2], 0.0, marker="o", ms=self.pixel * size, mew=0.0)
 
+    def line(self, flat: list[float], width: float, dashed: bool) -> Any:
+        style = (0, (6.0 / width, 5.0 / width)) if dashed else "-"
+        return self.stroke(flat[::2], flat[1::2], width, ls=style)
 
-def _dots(axes: Axes, paint: str, values: Item) -> list[Any]:
-    flat, size = values
-    return axes.plot(flat[::2], flat[1::2], "o", color=paint, ms=0.7 * size, zorder=3)
+    def segments(self, flat: list[float], width: float) -> Any:
+        ends = [*zip(flat[::2], flat[1::2], strict=True)]
+        lines = [*zip(ends[::2], ends[1::2], strict=True)]
+        found = LineCollection(lines, linewidths=self.pixel * width, **self.look)
+        return [self.axes.add_collection(found)]
 
+    def area(self, flat: list[float], solid: bool) -> Any:
+        corners, alpha = [*zip(flat[::2], flat[1::2], strict=True)], 1.0 if solid else 0.3
+        return [self.axes.add_patch(patches.Polygon(corners, alpha=alpha, lw=0.0, **self.look))]
 
-def _line(axes: Axes, paint: str, values: Item) -> list[Any]:
-    flat, width, dashed = values
-    style = "--" if dashed else "-"
-    return axes.plot(flat[::2], flat[1::2], style, color=paint, lw=0.7 * width)
+    def spring(self, ax: float, ay: float, bx: float, by: float) -> Any:
+        dx, dy = (bx - ax) / TURNS, (by - ay) / TURNS
+        side = 7.0 * self.unit / (math.hypot(dx, dy) or 1.0)
+        off = [0.0 if i < 3 or i > TURNS - 3 else side * (-1) ** i for i in range(TURNS + 1)]
+        xs = [ax + dx * i - dy * off[i] for i in range(TURNS + 1)]
+        ys = [ay + dy * i + dx * off[i] for i in range(TURNS + 1)]
+        return self.stroke(xs, ys, 1.5)
 
+    def arrow(self, x: float, y: float, dx: float, dy: float, _: str) -> Any:
+        length = math.hypot(dx, dy)
+        if length < 2.0 * self.unit:
+            return []
+        head, angle = min(9.0 * self.unit, length / 2.0), math.atan2(dy, dx)
+        xs, ys = [x, x + dx], [y, y + dy]
+        for side in (2.6, -2.6):  # rad, from the direction of the arrow to a barb
+            xs += [x + dx + head * math.cos(angle + side), x + dx]
+            ys += [y + dy + head * math.sin(angle + side), y + dy]
+        return self.stroke(xs, ys, 2.0, clip_on=False)
 
-def _segments(axes: Axes, paint: str, values: Item) -> list[Any]:
-    flat, width = values
-    ends = _pairs(flat)
-    lines = list(map(list, zip(ends[::2], ends[1::2], strict=True)))
-    return [axes.add_collection(LineCollection(lines, colors=paint, linewidths=0.7 * width))]
+    def text(self, x: float, y: float, words: str, size: float) -> Any:
+        size *= self.pixel
+        return [self.axes.text(x, y, words, size=size, ha="center", va="center", **self.look)]
 
-
-def _area(axes: Axes, paint: str, values: Item) -> list[Any]:
-    flat, solid = values
-    alpha = 1.0 if solid else 0.3
-    return [axes.add_patch(patches.Polygon(_pairs(flat), color=paint, alpha=alpha, lw=0))]
-
-
-def _spring(axes: Axes, paint: str, values: Item) -> list[Any]:
-    ax, ay, bx, by = values
-    dx, dy = bx - ax, by - ay
-    length = math.hypot(dx, dy) or 1.0
-    left, right = axes.get_xlim()
-    side = 0.012 * (right - left)
-    offsets = [0.0 if i < 3 or i > TURNS - 3 else side * (-1) ** i for i in range(TURNS + 1)]
-    xs = [ax + dx * i / TURNS - dy / length * off for i, off in enumerate(offsets)]
-    ys = [ay + dy * i / TURNS + dx / length * off for i, off in enumerate(offsets)]
-    return axes.plot(xs, ys, color=paint, lw=1)
-
-
-def _arrow(axes: Axes, paint: str, values: Item) -> list[Any]:
-    x, y, dx, dy, _ = values
-    style = {"arrowstyle": "->", "color": paint, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
-    return [axes.annotate("", (x + dx, y + dy), (x, y), arrowprops=style, annotation_clip=False)]
-
-
-def _text(axes: Axes, paint: str, values: Item) -> list[Any]:
-    x, y, words, size = values
-    return [axes.text(x, y, words, color=paint, fontsize=0.7 * size, ha="center", va="center")]
-
-
-def _ground(axes: Axes, paint: str, values: Item) -> list[Any]:
-    bottom, _ = axes.get_ylim()
-    return [axes.axhspan(bottom, values[0], color=paint, alpha=0.25, lw=0)]
-
-
-DRAW: dict[str, Callable[[Axes, str, Item], list[Any]]] = {
-    "circle": _circle,
-    "dots": _dots,
-    "line": _line,
-    "segments": _segments,
-    "area": _area,
-    "spring": _spring,
-    "arrow": _arrow,
-    "text": _text,
-    "ground": _ground,
-}
+    def ground(self, height: float) -> Any:
+        bottom, _ = self.axes.get_ylim()
+        earth = self.axes.axhspan(bottom, height, alpha=0.25, lw=0.0, **self.look)
+        return [earth, self.axes.axhline(height, lw=2.0 * self.pixel, **self.look)]

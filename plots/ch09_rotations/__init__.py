@@ -1,18 +1,8 @@
 """The plots for chapter 9."""
 
-from __future__ import annotations
-
-from collections.abc import Callable
-
-from plots.ch09_rotations.rates import drift_of_first_order, gimbal_lock
+from plots.ch09_rotations.gimbal import gimbal_lock
+from plots.ch09_rotations.rates import drift_of_first_order
 from plots.ch09_rotations.stones import balance_lines
 from plots.ch09_rotations.turns import order_of_turns, turning_motion
-from plots.drawing import Picture
 
-PLOTS: tuple[Callable[[], Picture], ...] = (
-    turning_motion,
-    order_of_turns,
-    drift_of_first_order,
-    gimbal_lock,
-    balance_lines,
-)
+PLOTS = (turning_motion, order_of_turns, drift_of_first_order, gimbal_lock, balance_lines)

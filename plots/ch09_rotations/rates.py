@@ -1,9 +1,9 @@
-"""Plots for chapter 9: errors of the book's rotation step, and Euler angles near gimbal lock."""
+"""A plot for chapter 9 that shows the errors of the book's rotation step, Eq. 9.5."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -11,43 +11,75 @@ from matplotlib import pyplot
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import first_order_drift
-from ch09_rotations.euler import euler_rates, rate_map
-from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, slope, tell
-from scenes.readings import is_written, number, numbers, stopped, written
-from scenes.rotations import (
-    END,
-    TAU,
-    Step,
-    Velocity,
-    by_exponential,
-    by_first_order,
-    by_first_order_normalized,
-    coning_orientation,
-    coning_velocity,
+from ch09_rotations.quaternion import Quaternion
+from plots.ch09_rotations.orientations import (
+    Components,
+    Z,
+    components,
     degrees_apart,
     largest,
-    singular_values,
-    steady_orientation,
-    steady_velocity,
-    turn_by_steps,
-    worst_axis,
+    product,
+    rotated,
+    turn,
 )
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, slope, tell
+from scenes.readings import Numbers, is_written, number, numbers, stopped, written
 
 FLOOR = 1e-15  # where zeros and rounding errors are drawn on logarithmic axes
 RATES = [10 * 2**n for n in range(8)]  # steps per second
-WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
-    "steady axis, Eq. 9.5": (by_first_order, steady_velocity, 0.0, "o-", RED),
-    "steady axis, Eq. 9.5, normalized": (
-        *(by_first_order_normalized, steady_velocity, 0.0, "x", BLACK),
-    ),
-    "steady axis, rotate_by": (by_exponential, steady_velocity, 0.0, "D-", GREEN),
-    "moving axis, Eq. 9.5, normalized": (
-        *(by_first_order_normalized, coning_velocity, 0.0, "s-", ORANGE),
-    ),
-    "moving axis, rotate_by": (by_exponential, coning_velocity, 0.0, "^-", SKY),
-    "moving axis, rotate_by, mid-step velocity": (
-        *(by_exponential, coning_velocity, 0.5, "v-", BLUE),
-    ),
+TAU = math.tau
+Step = Callable[[Quaternion, Vector3, float], None]  # takes orientation, velocity, duration
+
+# Two rotations for comparing methods. The first is a steady turn per second about a slanted axis,
+# from an orientation with another slant. In the second, the axis also moves around Z, along a cone,
+# at half a turn per second. The errors are measured at END, because after a whole turn some of them
+# would cancel, and a product in the wrong order would not show.
+END = 0.7  # s
+START = turn((1.0, -2.0, 0.5), 1.0)
+STEADY = (TAU * 2.0 / 3.0, -TAU / 3.0, TAU * 2.0 / 3.0)
+CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
+
+
+def steady(time: float) -> tuple[Numbers, Components]:
+    """Return the angular velocity and the exact orientation in the steady rotation."""
+    return STEADY, product(turn(STEADY, TAU * time), START)
+
+
+def coning(time: float) -> tuple[Numbers, Components]:
+    """Return the angular velocity and the exact orientation if the axis moves along a cone.
+
+    The orientation is that of a rotation about a fixed axis, which then rotates about Z.
+    """
+    around = turn(Z, CONING * time)
+    x, y, z = rotated(around, SLANTING)
+    return (x, y, z + CONING), product(around, product(turn(SLANTING, TAU * time), START))
+
+
+def eq_9_5(q: Quaternion, velocity: Vector3, duration: float) -> None:
+    """Make a step of the book's first-order formula."""
+    q.add_scaled(velocity, duration)
+
+
+def eq_9_5_normalized(q: Quaternion, velocity: Vector3, duration: float) -> None:
+    """Make a step of the book's first-order formula, and normalize the quaternion."""
+    q.add_scaled(velocity, duration)
+    q.normalize()
+
+
+def rotate_by(q: Quaternion, velocity: Vector3, duration: float) -> None:
+    """Make a step with the exponential of the rotation."""
+    q.rotate_by(Vector3(*(component * duration for component in numbers(velocity))))
+
+
+Motion = Callable[[float], tuple[Numbers, Components]]
+# The step, the motion, the fraction of a step at which the velocity is taken, style and color.
+WAYS: dict[str, tuple[Step, Motion, float, str, str]] = {
+    "steady axis, Eq. 9.5": (eq_9_5, steady, 0.0, "o-", RED),
+    "steady axis, Eq. 9.5, normalized": (eq_9_5_normalized, steady, 0.0, "x", BLACK),
+    "steady axis, rotate_by": (rotate_by, steady, 0.0, "D-", GREEN),
+    "moving axis, Eq. 9.5, normalized": (eq_9_5_normalized, coning, 0.0, "s-", ORANGE),
+    "moving axis, rotate_by": (rotate_by, coning, 0.0, "^-", SKY),
+    "moving axis, rotate_by, mid-step velocity": (rotate_by, coning, 0.5, "v-", BLUE),
 }
 
 
@@ -60,33 +92,34 @@ def drift_of_first_order() -> Picture:
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
-    seconds, rates = 3, (30, 60, 120, 240)
-    ways = {("Eq. 9.5", rate): by_first_order for rate in rates} | {
-        ("rotate_by", 30): by_exponential
+    seconds = 3
+    lines: dict[tuple[str, int], tuple[Step, str]] = {
+        ("Eq. 9.5", 30): (eq_9_5, RED),
+        ("Eq. 9.5", 60): (eq_9_5, ORANGE),
+        ("Eq. 9.5", 120): (eq_9_5, PINK),
+        ("Eq. 9.5", 240): (eq_9_5, SKY),
+        ("rotate_by", 30): (rotate_by, BLACK),
     }
-    scenes = {
-        key: partial(turn_by_steps, step, steady_velocity, seconds * key[1], float(key[1]))
-        for key, step in ways.items()
+    runs = {
+        key: partial(_turned, step, steady, seconds, key[1]) for key, (step, _) in lines.items()
     }
-    colors = dict(zip(ways, (RED, ORANGE, PINK, SKY, BLACK), strict=True))
     off, drift_off = [], []
-    for (way, rate), (found, message) in written(scenes).items():
-        color = colors[way, rate]
+    for (way, rate), (found, message) in written(runs).items():
+        color = lines[way, rate][1]
         times = [n / rate for n in range(len(found))]
         lengths = [math.hypot(*q) for q in found]
         growth = math.hypot(1.0, 0.5 * TAU / rate) if way == "Eq. 9.5" else 1.0
-        lines = [growth**n for n in range(len(found))]
-        off += [abs(a - b) for a, b in zip(lengths, lines, strict=True)]
+        theory = [growth**n for n in range(len(found))]
+        off += [abs(a - b) for a, b in zip(lengths, theory, strict=True)]
         if way == "Eq. 9.5":
             drift_off.append(abs(_drift(float(seconds), seconds * rate)[0] - lengths[-1]))
         label = f"{way}, {rate} Hz: {lengths[-1]:.4g} after {times[-1]:.2g} s"
         left.plot(times, lengths, "o", color=color, ms=3, markevery=rate // 15, label=label)
-        left.plot(times, lines, color=color, lw=1)
+        left.plot(times, theory, color=color, lw=1)
         rows += [("length", way, rate, *pair) for pair in zip(times, lengths, strict=True)]
         notes += [f"{way}, {rate} Hz: {message}"] if message else []
-    left.plot(
-        [], [], color=GRAY, lw=1, label="lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps, or 1"
-    )
+    label = "lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps, or 1"
+    left.plot([], [], color=GRAY, lw=1, label=label)
     left.set_title(
         "One turn per second about a steady axis: the length differs from the\n"
         f"closed form (lines) by at most {largest(off):.2g}{_of_drift(drift_off, '')}",
@@ -94,75 +127,16 @@ def drift_of_first_order() -> Picture:
     )
     left.set(xlabel="time, s", ylabel="length of the quaternion")
     left.legend(fontsize=8.5, loc="upper left")
-    _errors_in_angle(right, rows, notes)
+    _plot_errors(right, rows, notes)
     for axes in (left, right):
         axes.grid(alpha=0.3)
     tell(figure, notes)
     return Picture(figure, ("what", "method", "steps per second", "time, s", "value"), rows)
 
 
-def gimbal_lock() -> Picture:
-    """Plot how Euler angles fail near gimbal lock, where the middle angle is 90°.
-
-    In gimbal lock, no change of the angles can rotate a body about a certain axis. Near it, a
-    rotation about that axis makes the angles change faster and faster.
-    """
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
-    x, z = 0.4, 1.1  # rad; any values would do
-    degrees = range(-90, 91, 3)
-    distances = [10.0 ** (-0.25 * n) for n in range(-7, 25)]  # degrees
-    found = written(
-        {
-            "map": lambda: [singular_values(rate_map(x, math.radians(y), z)) for y in degrees],
-            "rates": lambda: [_worst_rate(x, distance, z) for distance in distances],
-        }
-    )
-    rows: list[Sequence[object]] = []
-    if "map" in found:
-        sines = [abs(math.sin(math.radians(y))) for y in degrees]
-        theory = [(math.sqrt(1.0 + s), 1.0, math.sqrt(1.0 - s)) for s in sines]
-        names = ("largest", "middle", "smallest")
-        for i, (name, color) in enumerate(zip(names, (ORANGE, GREEN, BLUE), strict=True)):
-            seen = [triple[i] for triple in found["map"]]
-            left.plot(degrees, [t[i] for t in theory], color=GRAY, lw=4, alpha=0.4)
-            left.plot(degrees, seen, "o", color=color, ms=4, label=f"{name}: {seen[-1]:.2g} at 90°")
-            rows += [(f"{name} singular value", *pair) for pair in zip(degrees, seen, strict=True)]
-        flat = [zip(a, b, strict=True) for a, b in zip(found["map"], theory, strict=True)]
-        off = largest([abs(a - b) for pairs in flat for a, b in pairs])
-        left.set_title(
-            f"Singular values of rate_map: the smallest is {found['map'][-1][2]:.2g} at 90°,\n"
-            f"all differ from sqrt(1 + |sin y|), 1, sqrt(1 - |sin y|) (gray) by at most {off:.2g}",
-            fontsize=11,
-        )
-        left.legend(fontsize=9, loc="lower center")
-    if "rates" in found:
-        theory = [1.0 / (math.sqrt(2.0) * math.sin(math.radians(0.5 * d))) for d in distances]
-        rates = [rate for rate, _ in found["rates"]]
-        right.loglog(distances, theory, color=GRAY, lw=4, alpha=0.4, label="1 / sqrt(1 - sin y)")
-        right.loglog(
-            distances, rates, "o", color=RED, ms=4, label="length of the result of euler_rates"
-        )
-        refused = [_refuses(x, math.radians(angle)) for angle in range(0, 360, 30)]
-        right.set_title(
-            "The Euler rates of 1 rad/s about the worst axis: slope "
-            f"{slope(distances[16:], rates[16:]):.4f};\n"
-            f"at 90° euler_rates raises an error for {sum(refused)} of {len(refused)} angles z",
-            fontsize=11,
-        )
-        right.legend(fontsize=9)
-        tell(figure, [*dict.fromkeys(message for _, message in found["rates"] if message)])
-        rows += [("rates, rad/s", 90.0 - d, rate) for d, rate in zip(distances, rates, strict=True)]
-    left.set(xlabel="middle angle y, degrees", ylabel="singular value of rate_map, no unit")
-    left.set_xticks(range(-90, 91, 30))
-    right.set(xlabel="distance of y from 90°, degrees", ylabel="length of the Euler rates, rad/s")
-    for axes in (left, right):
-        axes.grid(alpha=0.3)
-    return Picture(figure, ("what", "y, degrees", "value"), rows)
-
-
-def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
+def _plot_errors(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
     """Plot the angle error of each integration method against the length of the time step."""
-    found = written({way: partial(_ends, way, notes) for way in WAYS})
+    found = written({way: partial(_errors, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
         *_, style, color = WAYS[way]
@@ -188,12 +162,39 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
     axes.legend(fontsize=8.5, loc="center", bbox_to_anchor=(0.5, 0.4))
 
 
-def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the errors of Eq. 9.5 that the student's function first_order_drift predicts.
+def _errors(way: str, notes: list[str]) -> list[float]:
+    """Measure the error of a method at END in degrees, for each step rate."""
+    step, motion, fraction, *_ = WAYS[way]
+    errors = []
+    for rate in RATES:
+        found, message = _turned(step, motion, END, rate, fraction)
+        errors.append(math.nan if message else degrees_apart(found[-1], motion(END)[1]))
+        notes += [f"{way}, {rate} Hz: {message}"] if message else []
+    return errors
 
-    The errors are reported as two numbers. The first is the final length of the quaternion, which
-    should be 1. The second is how far the rotation lags behind, as an angle in degrees. Both are
-    NaN if the student has not written the function yet.
+
+def _turned(
+    step: Step, motion: Motion, seconds: float, rate: int, fraction: float = 0.0
+) -> tuple[list[Components], str]:
+    """Rotate a quaternion step by step from START, and return all orientations and any error.
+
+    The angular velocity is taken at a ``fraction`` of each step.
+    """
+    q = Quaternion(*START)
+    found = [components(q)]
+
+    def run() -> None:
+        for n in range(round(seconds * rate)):
+            step(q, Vector3(*motion((n + fraction) / rate)[0]), 1.0 / rate)
+            found.append(components(q))
+
+    return found, stopped(run)
+
+
+def _drift(duration: float, steps: int) -> tuple[float, float]:
+    """Return the length of the quaternion, and the angle in degrees by which it lags behind.
+
+    The student's first_order_drift predicts them for Eq. 9.5. They are NaN if it is not written.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
@@ -203,50 +204,7 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return the part of a plot's title that reports the error of first_order_drift.
-
-    ``off`` contains the differences between the predictions of this function and the measured
-    values. If the student has not written the function yet, return an empty string.
-    """
+    """Return the part of a title that reports errors of first_order_drift, if it is written."""
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
-    return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"
-
-
-def _ends(way: str, notes: list[str]) -> list[float]:
-    """Measure the error of an integration method at the end of a rotation, for each step rate.
-
-    ``way`` is the name of the method. The errors are angles in degrees.
-    """
-    step, velocity, share, *_ = WAYS[way]
-    wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
-    errors = []
-    for rate in RATES:
-        steps = round(END * rate)
-        found, message = turn_by_steps(step, velocity, steps, float(rate), share)
-        errors.append(degrees_apart(found[-1], wanted) if not message else math.nan)
-        notes += [f"{way}, {rate} Hz: {message}"] if message else []
-    return errors
-
-
-def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Measure how fast Euler angles change near gimbal lock, in a rotation about the worst axis.
-
-    ``distance`` is the angle to gimbal lock in degrees, and the body rotates at 1 rad/s. Return the
-    magnitude of the Euler rates in rad/s, and the text of any error.
-    """
-    left = math.radians(distance)
-    found: list[float] = []
-
-    def act() -> None:
-        turning = Vector3(*worst_axis(left, z))
-        found.append(math.hypot(*numbers(euler_rates(x, 0.5 * math.pi - left, z, turning))))
-
-    message = stopped(act)
-    return (found[0], "") if found else (math.nan, message)
-
-
-def _refuses(x: float, z: float) -> bool:
-    """Return True if euler_rates raises an error for the axis that is lost in gimbal lock."""
-    lost = worst_axis(0.0, z)
-    return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))
+    return f",\nfirst_order_drift differs from the measurement by {largest(off):.2g}{unit}"

@@ -1,8 +1,7 @@
 """A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7).
 
-The box would balance on each of these lines. The student's code computes the lines, and the mass on
-either side of each line. The plot compares these results with the exact center of mass and the
-exact masses.
+The student's code computes the lines on which the box would balance, and the mass on either side of
+each. The plot compares them with the exact center of mass and the exact masses.
 """
 
 from __future__ import annotations
@@ -10,17 +9,32 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from matplotlib import pyplot
 from matplotlib.patches import Circle
 
-from ch09_rotations.exercises import masses_beside
+from ch09_rotations.exercises import Stone, balance_offset, masses_beside
 from ch09_rotations.stones import own_stones, read_stones
+from plots.ch09_rotations.orientations import largest
 from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, tell
-from scenes.balance import balance_line, center
-from scenes.rotations import largest
+from scenes.readings import number, stopped
 
 SMALL = LABEL | {"fontsize": 9}
+
+
+class Line(NamedTuple):
+    """A balance line in a certain direction, according to the engine, and its errors."""
+
+    angle: int  # degrees
+    offset: float  # m, of the line from the corner of the box
+    left: float  # kg, the mass on this side
+    right: float  # kg
+    miss: float  # m, distance from the center of mass
+    torque: float  # N m, of gravity about the line
+    true_left: float  # kg, the mass on this side of the exact line
+    true_right: float  # kg
+    message: str  # the text of the error that stopped the engine, if there was one
 
 
 def balance_lines() -> Picture:
@@ -47,7 +61,7 @@ def balance_lines() -> Picture:
     left.axvline(0.0, color=BLACK, lw=2)
     left.axhline(0.0, color=BLACK, lw=2, label="sides of the box, left and front")
 
-    lines = [balance_line(stones, angle) for angle in range(0, 181, 3)]
+    lines = [_line(stones, angle) for angle in range(0, 181, 3)]
     uneven = max(lines[:-1:10], key=lambda line: abs(line.left - line.right))
     sides = f"{uneven.left:.3g} kg on the left, {uneven.right:.3g} kg on the right"
     for line in lines[:-1:10]:
@@ -57,15 +71,14 @@ def balance_lines() -> Picture:
             through = (-math.sin(a) * line.offset, math.cos(a) * line.offset)
             beyond = (through[0] + math.cos(a), through[1] + math.sin(a))
             left.axline(through, beyond, color=color, lw=width, zorder=1)
-    x, y = center(stones)
+    x, y = _center(stones)
     label = f"exact center of mass: {x:.3f} m, {y:.3f} m"
     left.plot(x, y, "+", color=BLACK, ms=14, mew=2, label=label)
     left.plot([], [], color=GRAY, lw=1, label="balance_offset, every 30°")
     left.plot([], [], color=RED, lw=2.5, label=f"at {uneven.angle}°: {sides}")
-    left.set(xlabel="x, m", ylabel="y, m")
+    left.set(xlabel="x, m", ylabel="y, m", aspect="equal")
     left.set_xlim(min(xs) - 0.2 * reach, max(xs) + 0.2 * reach)
     left.set_ylim(min(ys) - 0.12 * reach, max(ys) + 0.5 * reach)
-    left.set_aspect("equal")
     left.legend(fontsize=9, loc="upper left")
     left.set_title(
         f"{len(stones)} stones: the lines miss the center of mass by at most "
@@ -75,13 +88,13 @@ def balance_lines() -> Picture:
         fontsize=11,
     )
     angles = [line.angle for line in lines]
+    off = []
     for name, color, marker in (("left", ORANGE, "o"), ("right", BLUE, "s")):
         seen = [getattr(line, name) for line in lines]
         right.plot(angles, seen, marker, color=color, ms=4, label=f"on the {name}, masses_beside")
         wanted = [getattr(line, f"true_{name}") for line in lines]
         right.plot(angles, wanted, drawstyle="steps-mid", color=color, lw=1)
-    off = [abs(line.left - line.true_left) for line in lines]
-    off += [abs(line.right - line.true_right) for line in lines]
+        off += [abs(a - b) for a, b in zip(seen, wanted, strict=True)]
     right.set_title(
         f"At {uneven.angle}°: {sides} (E-32);\n"
         f"the error of masses_beside (exact: lines) is at most {largest(off):.2g} kg",
@@ -94,10 +107,38 @@ def balance_lines() -> Picture:
     right.grid(alpha=0.3)
     tell(figure, [*dict.fromkeys(line.message for line in lines if line.message)])
     rows: list[Sequence[object]] = [("stone", *stone) for stone in stones]
-    rows += [
-        ("line", line.angle, line.offset, line.left, line.right, line.miss, line.torque)
-        for line in lines
-    ]
+    rows += [("line", *line[:6]) for line in lines]
     head = ("row", "what; angle, degrees", "mass, kg; offset, m", "x, m; mass on the left, kg")
     head = (*head, "y, m; mass on the right, kg", "distance from center, m", "torque, N m")
     return Picture(figure, head, rows)
+
+
+def _center(stones: Sequence[Stone]) -> tuple[float, float]:
+    """Compute the exact center of mass of the stones, as x and y in m."""
+    total = math.fsum(mass for _, mass, _, _ in stones)
+    x = math.fsum(mass * x for _, mass, x, _ in stones) / total
+    return x, math.fsum(mass * y for _, mass, _, y in stones) / total
+
+
+def _line(stones: Sequence[Stone], angle: int) -> Line:
+    """Let the engine compute the balance line in a direction, and measure its errors."""
+    a = math.radians(angle)
+    found: list[object] = []
+    message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))
+    offset, sides = found if found else (None, None)
+    off = number(offset)
+    pair = sides if isinstance(sides, tuple) and len(sides) == 2 else (math.nan, math.nan)
+    x, y = _center(stones)
+    middle = math.cos(a) * y - math.sin(a) * x
+    arms = [(mass, math.cos(a) * y - math.sin(a) * x) for _, mass, x, y in stones]
+    return Line(
+        angle,
+        off,
+        number(pair[0]),
+        number(pair[1]),
+        abs(off - middle),
+        abs(9.81 * math.fsum(mass * (arm - off) for mass, arm in arms)),
+        math.fsum(mass for mass, arm in arms if arm - middle > 1e-9),
+        math.fsum(mass for mass, arm in arms if arm - middle < -1e-9),
+        message,
+    )

@@ -1,29 +1,47 @@
 """Plots for chapter 9: a disc that spins as it flies, and the order of two rotations.
 
-The title of each plot reports errors that are computed without the student's engine, so that they
-reveal bugs in it. A curve is omitted if the student has not yet written the functions that it
-needs. For Eq. 9.5 and gimbal lock, see rates.py. For the box of stones, see stones.py.
+The titles report errors that are computed without the student's engine, so that they reveal bugs in
+it. What needs functions that the student has not written yet is left out.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Sequence
-from itertools import product
 from typing import Any
 
+import numpy
 from matplotlib import pyplot
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3
+from ch09_rotations.angular import integrate_rotation
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
+from plots.ch09_rotations.orientations import (
+    Arrows,
+    X,
+    Y,
+    Z,
+    arrows,
+    arrows_by_engine,
+    components,
+    degrees_between_arrows,
+    entries,
+    largest,
+    off_directions,
+    off_right_angles,
+    off_unit_length,
+    product,
+    rotated,
+    turn,
+)
 from plots.drawing import (
     BLACK,
     BLUE,
     GRAY,
     GREEN,
-    LABEL,
     RED,
     SKY,
     Picture,
@@ -32,39 +50,31 @@ from plots.drawing import (
     slope,
     tell,
 )
-from scenes.readings import Numbers, is_drawable, is_written, stopped
-from scenes.rotations import (
-    FLIGHT,
-    NOWHERE,
-    Arrows,
-    X,
-    Y,
-    Z,
-    arrows,
-    arrows_by_engine,
-    columns,
-    components,
-    degrees_between_arrows,
-    disc_orientation,
-    disc_place,
-    largest,
-    nine,
-    off_directions,
-    off_right_angles,
-    off_unit_length,
-    throw_disc,
-)
+from scenes.readings import Numbers, cross, is_drawable, is_written, stopped
 
 ORIGIN = (0.0, 0.0, 0.0)
+NOWHERE: Arrows = ((math.nan,) * 3, (math.nan,) * 3, (math.nan,) * 3)
 COLORS = (RED, GREEN, BLUE)  # of an object's own axes X, Y and Z
-SMALL = LABEL | {"fontsize": 9}
+PAPER = [2, 0, 1]  # the order of x, y and z in matplotlib, where the third axis points up
+# The corners of a block's faces, if its eight corners are ordered like binary numbers.
+FACES = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
+
+# A thin disc is thrown and wobbles. Its axis is tilted from the vertical by TILT, and rotates about
+# the vertical at PRECESSION. The moment of inertia about a diameter is half of that about the axis.
+# It follows that the disc also spins about its axis at SPIN, against the precession.
+TILT = math.radians(25.0)
+PRECESSION = math.tau * 0.9
+SPIN = -0.5 * PRECESSION * math.cos(TILT)
+FLIGHT = 1.2  # s
+AXIS = (math.sin(TILT), math.cos(TILT), 0.0)
+TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 
 def turning_motion() -> Picture:
     """Draw seven snapshots of a wobbling disc in flight, along with its axes."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
-    shown = throws[240]
+    shown = throws[240][0]
     figure = pyplot.figure(figsize=(13, 6.4))
     figure.subplots_adjust(0.0, 0.08, 1.0, 0.88)
     space = axes_3d(figure, 111, 1.0)
@@ -78,37 +88,77 @@ def turning_motion() -> Picture:
     for i in range(7):
         n = round(i * FLIGHT / 6.0 * 240)
         place = disc_place(n / 240)
-        for truth in arrows(disc_orientation(n / 240)):
-            tip = _along(place, truth, 0.95)
-            space.plot(*_on_paper([place, tip]), color=GRAY, lw=1.0, ls="--")
-        if n < len(shown.found):
-            found = shown.found[n]
-            _disc(space, place, found)
-            for name, color, v in zip("XYZ", COLORS, found, strict=True):
+        for truth in disc_arrows(n / 240):
+            ends = _on_paper([place, _along(place, truth, 0.95)])
+            space.plot(*ends, color=GRAY, lw=1.0, ls="--")
+        if n < len(shown):
+            _disc(space, place, shown[n])
+            for name, color, v in zip("XYZ", COLORS, shown[n], strict=True):
                 label = name if i in (0, 6) else ""
                 arrow_3d(space, _along(place, v, 0.75), label, color, tail=place)
     for artist in (*space.collections, *space.lines, *space.texts):
         artist.set_clip_on(False)  # the picture extends beyond matplotlib's axes
-    off = [throws[rate].worst_direction() for rate in rates]
+
+    rows: list[Sequence[object]] = []
+    worst = []
+    for rate, (found, _) in throws.items():
+        off = [off_directions(v, disc_arrows(n / rate)) for n, v in enumerate(found)]
+        worst.append(largest(off))
+        for n, (axes, error) in enumerate(zip(found, off, strict=True)):
+            flat = [value for v in axes for value in v]
+            rows.append((rate, n / rate, *disc_place(n / rate), *flat, error))
     space.set_title(
         "A thrown disc that wobbles, by integrate_rotation: its axes X, Y, Z,"
         " and the exact axes (dashed)\n"
-        f"240 steps per second: right angles off by up to {shown.worst(off_right_angles):.2g}°, "
-        f"lengths by {shown.worst(off_unit_length):.2g},\n"
-        f"errors of the directions at most {off[0]:.3g}°, {off[1]:.3g}° and {off[2]:.3g}° "
+        "240 steps per second: right angles off by up to "
+        f"{largest([*map(off_right_angles, shown)]):.2g}°, "
+        f"lengths by {largest([*map(off_unit_length, shown)]):.2g},\n"
+        f"errors of the directions at most {worst[0]:.3g}°, {worst[1]:.3g}° and {worst[2]:.3g}° "
         f"with {rates[0]}, {rates[1]} and {rates[2]} steps per second: "
-        f"order {-slope(rates, off):.2f} in the step",
+        f"order {-slope(rates, worst):.2f} in the step",
         fontsize=11,
     )
-    tell(figure, [f"{rate} Hz: {throw.message}" for rate, throw in throws.items() if throw.message])
-    rows: list[Sequence[object]] = []
-    for rate, throw in throws.items():
-        for time, found, wanted in zip(throw.times, throw.found, throw.wanted, strict=True):
-            flat = [value for v in found for value in v]
-            rows.append((rate, time, *disc_place(time), *flat, off_directions(found, wanted)))
+    tell(figure, [f"{rate} Hz: {message}" for rate, (_, message) in throws.items() if message])
     names = [f"{axis}.{name}" for axis in "XYZ" for name in "xyz"]
     head = ("steps per second", "time, s", "x, m", "y, m", "z, m", *names, "error, degrees")
     return Picture(figure, head, rows)
+
+
+def disc_place(time: float) -> Numbers:
+    """Compute the position of the disc, which flies along a parabola and lands 6 m away."""
+    return 6.0 * time / FLIGHT, 0.5 * 9.81 * time * (FLIGHT - time), 0.0
+
+
+def disc_arrows(time: float) -> Arrows:
+    """Compute the exact directions of the disc's axes."""
+    spun = product(turn(AXIS, SPIN * time), TILTED)
+    return arrows(product(turn(Y, PRECESSION * time), spun))
+
+
+def disc_acceleration(time: float) -> Numbers:
+    """Compute the angular acceleration: the precession keeps changing the spin's direction."""
+    x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
+    return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
+
+
+def throw_disc(rate: int) -> tuple[list[Arrows], str]:
+    """Simulate the rotation with the engine's integrate_rotation, in ``rate`` steps per second.
+
+    Return the directions of the axes at the start and after each step, and the text of the error
+    that ended the flight early, if there was one.
+    """
+    orientation = Quaternion(*TILTED)
+    velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
+    found: list[Arrows] = []
+
+    def run() -> None:
+        found.append(arrows_by_engine(orientation))
+        for n in range(round(FLIGHT * rate)):
+            now = Vector3(*disc_acceleration(n / rate))
+            integrate_rotation(orientation, velocity, now, 1.0 / rate)
+            found.append(arrows_by_engine(orientation))
+
+    return found, stopped(run)
 
 
 def order_of_turns() -> Picture:
@@ -139,7 +189,7 @@ def order_of_turns() -> Picture:
             space.set_box_aspect((1, 1, 1), zoom=1.15)
             for axis, label in ((X, "x"), (Y, "y"), (Z, "z")):
                 space.plot(*_on_paper([ORIGIN, _along(ORIGIN, axis, 1.3)]), color=GRAY, lw=1)
-                space.text(*_point(_along(ORIGIN, axis, 1.45)), label, color=GRAY)
+                space.text(*_on_paper([_along(ORIGIN, axis, 1.45)])[:, 0], label, color=GRAY)
             _letter(space, by_quaternions[column])
             for label, color, v in zip("XYZ", COLORS, by_quaternions[column], strict=True):
                 arrow_3d(space, v, label, color)
@@ -154,8 +204,7 @@ def order_of_turns() -> Picture:
     told = [f"by {how} {angle:.7g}°" for how, angle in angles.items()]
     lines = [f"The angle between the upper and the lower result: {', '.join(told)}"]
     if "matrices" in angles:
-        pairs = zip(*ends.values(), strict=True)
-        off = largest([off_directions(*pair) for pair in pairs])
+        off = largest([off_directions(*pair) for pair in zip(*ends.values(), strict=True)])
         lines.append(f"Results by matrices (dashed) and by quaternions differ by {off:.3g}°")
     figure.suptitle("\n".join(lines), fontsize=12)
     tell(figure, notes)
@@ -163,28 +212,24 @@ def order_of_turns() -> Picture:
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Rotate the vectors X, Y and Z with a quaternion from the student's engine.
-
-    If the engine raises an exception, add its message to ``notes`` and return NOWHERE, in which
-    every component is NaN.
-    """
-    found: list[Arrows] = []
+    """Let the engine rotate X, Y and Z. If it fails, add the reason to ``notes``."""
+    found = [NOWHERE]
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
         notes.append(message)
-    return found[0] if found else NOWHERE
+    return found[-1]
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Rotate the vectors X, Y and Z twice with matrices from the student's engine.
+    """Let the engine rotate X, Y and Z with two matrices.
 
-    Return the vectors before the rotations, after the first one, and after both. If the engine
-    fails or its matrices are not written yet, return an empty list.
+    Return their directions before, after the first rotation, and after both. If the engine fails or
+    its matrices are not written yet, return an empty list.
     """
     found: list[Arrows] = []
 
     def act() -> None:
-        a, b = (Matrix3(*nine(Matrix3.from_quaternion(q))) for q in (first, second))
-        found.extend([(X, Y, Z), columns(a), columns(b.product(a))])
+        a, b = (Matrix3(*entries(Matrix3.from_quaternion(q))) for q in (first, second))
+        found.extend([(X, Y, Z), _columns(a), _columns(b.product(a))])
 
     messages: list[str] = []
     if is_written(lambda: messages.append(stopped(act))):
@@ -192,67 +237,35 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
     return found
 
 
-def _letter(space: Any, found: Arrows) -> None:
-    """Draw a letter L that has been rotated.
+def _columns(matrix: Any) -> Arrows:
+    """Return the columns of an engine's Matrix3, which are the axes of a rotated body."""
+    a, b, c, d, e, f, g, h, i = entries(matrix)
+    return (a, d, g), (b, e, h), (c, f, i)
 
-    Before the rotation, it stands upright and faces along Z. ``found`` contains the directions of
-    its X, Y and Z axes after the rotation.
-    """
+
+def _letter(space: Any, found: Arrows) -> None:
+    """Draw a rotated letter L, which stands upright and faces along Z before the rotation."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
-            _block(space, found, (x, y, (-0.1, 0.1)))
-
-
-def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a rectangular block that has been rotated.
-
-    ``sides`` are the intervals that the block covers along its own X, Y and Z axes. ``found``
-    contains the directions of these axes after the rotation.
-    """
-    corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
-    faces = []
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        for end in sides[i]:
-            face = [c for c in corners if c[i] == end]
-            face.sort(key=lambda c: (c[j], c[k] if c[j] == sides[j][0] else -c[k]))  # in order
-            faces.append([_point(corners[c]) for c in face])
-    space.add_collection3d(Poly3DCollection(faces, alpha=0.3, facecolor=GRAY, edgecolor=BLACK))
+            corners = numpy.array([*itertools.product(x, y, (-0.1, 0.1))]) @ numpy.array(found)
+            faces = corners[:, PAPER][FACES]
+            look = {"alpha": 0.3, "facecolor": GRAY, "edgecolor": BLACK}
+            space.add_collection3d(Poly3DCollection(faces, **look))
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a rotated disc at ``place``, with a radius of 0.45 m.
-
-    ``found`` contains the directions of its X, Y and Z axes. The Y axis is perpendicular to the
-    disc.
-    """
+    """Draw a rotated disc with a radius of 0.45 m, which is perpendicular to its Y axis."""
     if is_drawable(*found):
-        around = [math.radians(angle) for angle in range(0, 360, 10)]
-        rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
-        face = [_point(_beyond(place, found, own)) for own in rim]
+        around = numpy.radians(range(0, 360, 10))
+        rim = numpy.outer(numpy.cos(around), found[0]) + numpy.outer(numpy.sin(around), found[2])
+        face = (place + 0.45 * rim)[:, PAPER]
         space.add_collection3d(Poly3DCollection([face], alpha=0.35, facecolor=SKY, edgecolor=GRAY))
-
-
-def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Convert a point from a rotated object's local coordinates to world coordinates.
-
-    ``own`` is the point in local coordinates. ``place`` is the position of the object, and
-    ``found`` contains the directions of its local X, Y and Z axes in world coordinates.
-    """
-    x, y, z = (
-        at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))
-        for i, at in enumerate(place)
-    )
-    return x, y, z
 
 
 def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
     return place[0] + length * v[0], place[1] + length * v[1], place[2] + length * v[2]
 
 
-def _point(v: Numbers) -> Numbers:
-    """Reorder a vector's components for matplotlib, where the third axis points up."""
-    return v[2], v[0], v[1]
-
-
-def _on_paper(points: Iterable[Numbers]) -> list[tuple[float, ...]]:
-    return [*zip(*map(_point, points), strict=True)]
+def _on_paper(points: Iterable[Numbers]) -> Any:
+    """Return the coordinates of points for matplotlib, one array for each of its axes."""
+    return numpy.array([*points]).T[PAPER]

@@ -60,14 +60,46 @@ RIVALS = (  # two statements, the description of their ratio, and its target
         Target("at most", 2),
     ),
 )
+SETUPS = {
+    "ours": SETUP,
+    "pyglet": "from pyglet.math import Mat3, Mat4, Quaternion as Q, Vec3, Vec4\n"
+    "q, p = Q(0.5, 0.5, 0.5, 0.5), Q(0.6, 0.0, 0.8, 0.0)\n"
+    "v, w = Vec3(1.5, 2.5, 3.5), Vec4(1.5, 2.5, 3.5, 1.0)\n"
+    "m, n = q.to_mat3(), p.to_mat3()\n"
+    "t, u = (Mat4.from_translation(v) @ a.to_mat4() for a in (q, p))",
+    "numpy": "import numpy\n"
+    "m = numpy.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])\n"
+    "n = numpy.array([[-0.28, 0.0, 0.96], [0.0, 1.0, 0.0], [-0.96, 0.0, -0.28]])\n"
+    "v = numpy.array([1.5, 2.5, 3.5])",
+}
+NUMBERS = "1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0"
+ROWS = "numpy.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 10.0]])"
+OPERATIONS = {  # in our engine, in pyglet and in NumPy, as far as they have it
+    "a quaternion": ("Q(0.5, 0.5, 0.5, 0.5)", "Q(0.5, 0.5, 0.5, 0.5)", ""),
+    "product of quaternions": ("q * p", "q @ p", ""),
+    "conjugate": ("q.conjugate()", "q.conjugate()", ""),
+    "length": ("q.magnitude()", "q.length()", ""),
+    "normalized": ("c = q.copy(); c.normalize()", "q.normalize()", ""),
+    "quaternion to matrix": ("M3.from_quaternion(q)", "q.to_mat3()", ""),
+    "a matrix": (f"M3({NUMBERS})", f"Mat3({NUMBERS})", ROWS),
+    "product": ("m @ n", "m @ n", "m @ n"),
+    "transform": ("m @ v", "m @ v", "m @ v"),
+    "transpose": ("m.transpose()", "", "m.T"),
+    "determinant": ("m.determinant()", "", "numpy.linalg.det(m)"),
+    "inverse": ("m.inverse()", "~m", "numpy.linalg.inv(m)"),
+    "product with translation": ("t @ u", "t @ u", ""),
+    "transform with translation": ("t @ v", "t @ w", ""),
+    "inverse with translation": ("t.inverse()", "~t", ""),
+}
+STATEMENTS: Statements = {
+    library: {"setup": setup} | {name: each[i] for name, each in OPERATIONS.items() if each[i]}
+    for i, (library, setup) in enumerate(SETUPS.items())
+}
+PEERS = (("pyglet", "pyglet Quaternion, Mat3 and Mat4", None), ("numpy", "NumPy 3x3 arrays", None))
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Set up the benchmarks for quaternions and matrices.
-
-    If pyglet or NumPy is not installed, its benchmarks are skipped, and a message on ``console``
-    shows how to install it.
-    """
+    """Set up the benchmarks, but skip those of libraries that are not installed."""
     found = [
         Measurement(what, versus(_timer(first), _timer(second)), ROUNDS, target)
         for first, second, what, target in RIVALS
@@ -75,66 +107,8 @@ def lines(console: Console) -> list[Measurement]:
     form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
     what = "number of vectors above which converting the quaternion to a matrix is faster"
     found.append(Measurement(what, versus(form, lambda: rotate() - transform()), ROUNDS))
-    peers = (
-        ("pyglet", "pyglet Quaternion, Mat3 and Mat4", None),
-        ("numpy", "NumPy 3x3 arrays", None),
-    )
-    return found + against_peers(console, "Quaternion, Matrix3 and Matrix4", STATEMENTS, peers)
+    return found + against_peers(console, "Quaternion, Matrix3 and Matrix4", STATEMENTS, PEERS)
 
 
 def _timer(code: str) -> Timer:
     return statement_timer(code, SETUP)
-
-
-STATEMENTS: Statements = {
-    "ours": {
-        "setup": SETUP,
-        "a quaternion": "Q(0.5, 0.5, 0.5, 0.5)",
-        "product of quaternions": "q * p",
-        "conjugate": "q.conjugate()",
-        "length": "q.magnitude()",
-        "normalized": "c = q.copy(); c.normalize()",
-        "quaternion to matrix": "M3.from_quaternion(q)",
-        "a matrix": "M3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0)",
-        "product": "m @ n",
-        "transform": "m @ v",
-        "transpose": "m.transpose()",
-        "determinant": "m.determinant()",
-        "inverse": "m.inverse()",
-        "product with translation": "t @ u",
-        "transform with translation": "t @ v",
-        "inverse with translation": "t.inverse()",
-    },
-    "pyglet": {
-        "setup": "from pyglet.math import Mat3, Mat4, Quaternion as Q, Vec3, Vec4\n"
-        "q, p = Q(0.5, 0.5, 0.5, 0.5), Q(0.6, 0.0, 0.8, 0.0)\n"
-        "v, w = Vec3(1.5, 2.5, 3.5), Vec4(1.5, 2.5, 3.5, 1.0)\n"
-        "m, n = q.to_mat3(), p.to_mat3()\n"
-        "t, u = (Mat4.from_translation(v) @ a.to_mat4() for a in (q, p))",
-        "a quaternion": "Q(0.5, 0.5, 0.5, 0.5)",
-        "product of quaternions": "q @ p",
-        "conjugate": "q.conjugate()",
-        "length": "q.length()",
-        "normalized": "q.normalize()",
-        "quaternion to matrix": "q.to_mat3()",
-        "a matrix": "Mat3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0)",
-        "product": "m @ n",
-        "transform": "m @ v",
-        "inverse": "~m",
-        "product with translation": "t @ u",
-        "transform with translation": "t @ w",
-        "inverse with translation": "~t",
-    },
-    "numpy": {
-        "setup": "import numpy\n"
-        "m = numpy.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])\n"
-        "n = numpy.array([[-0.28, 0.0, 0.96], [0.0, 1.0, 0.0], [-0.96, 0.0, -0.28]])\n"
-        "v = numpy.array([1.5, 2.5, 3.5])",
-        "a matrix": "numpy.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 10.0]])",
-        "product": "m @ n",
-        "transform": "m @ v",
-        "transpose": "m.T",
-        "determinant": "numpy.linalg.det(m)",
-        "inverse": "numpy.linalg.inv(m)",
-    },
-}

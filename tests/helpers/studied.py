@@ -32,7 +32,7 @@ def study(
 ) -> subprocess.CompletedProcess:
     """Run `python -m` with the package and these arguments.
 
-    ``settings`` replaces constants of the module that plays scenes, as in {"STEPS_A_PICTURE": 6}.
+    ``settings`` replaces constants of the module that records scenes, as in {"STEPS_A_PICTURE": 6}.
     If ``only`` names plots, a chapter's other plots are left out where processes can fork.
     """
     if not hasattr(os, "fork"):
@@ -70,7 +70,7 @@ def _wait() -> None:
     """Import the slow modules, fork for each request, and print the exit code of the copy."""
     sys.path[0] = str(ROOT)
     import lab.__main__
-    import lab.play  # noqa: F401
+    import lab.record  # noqa: F401
     import plots.__main__
     import plots.draw  # noqa: F401
 
@@ -86,7 +86,7 @@ def _run(request: dict) -> int:
     for number, name in ((1, "out"), (2, "err")):
         os.dup2(os.open(request[name], os.O_WRONLY | os.O_CREAT), number)
     sys.argv = [request["package"], *request["arguments"]]
-    module = sys.modules["lab.play"]
+    module = sys.modules["lab.record"]
     for name, value in request["set"].items():
         assert hasattr(module, name), name
         setattr(module, name, value)

@@ -10,7 +10,7 @@ from matplotlib import pyplot
 from PIL import Image, ImageColor, ImageSequence
 
 from autograder.manifest import ROOT, Chapter, load_chapters
-from lab.drawing.picture import PAINT
+from lab.drawing.picture import LIGHT
 from plots import ch02_vectors as plots
 from plots import figures
 from plots.drawing import BLUE, ORANGE
@@ -76,7 +76,7 @@ def test_figures_draws_a_plot_and_an_animation_and_says_where(
 def test_an_animation_in_few_colors_still_tells_its_lines_apart() -> None:
     with Image.open(ROOT / "chapters/ch09_rotations/pictures/spin.gif") as animation:
         for color in ("blue", "orange", "green"):  # the edges of the visible faces
-            assert any(is_in(PAINT[color], frame) for frame in ImageSequence.Iterator(animation))
+            assert any(is_in(LIGHT[color], frame) for frame in ImageSequence.Iterator(animation))
 
 
 def is_in(color: str, picture: Image.Image) -> bool:

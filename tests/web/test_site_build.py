@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-from lab.drawing.pen import ARROWS, COLORS, Pen
+from lab.drawing.pen import ARROWS, Pen
+from lab.drawing.picture import DARK, HEIGHT, LIGHT, WIDTH
 from typed import typed
 from web import __main__ as site
 from web import node
-from web.svg import HEIGHT, WIDTH, svg
+from web.stills import svg
 
 
 def test_without_node_it_says_what_to_install(
@@ -52,16 +54,20 @@ def test_a_picture_has_all_that_a_pen_draws_in_both_colors() -> None:
         pen.arrow((0.0, 0.0), (1.0, 1.0), "orange", kind)
     pen.text((0.0, 1.0), "a < b", "violet")
     pen.ground(-1.0)
-    drawn = ElementTree.fromstring(svg(pen.items, (-2.0, 2.0, -2.0, 2.0)))
+    text = svg(pen.items, (-2.0, 2.0, -2.0, 2.0))
+    drawn = ElementTree.fromstring(text)
     assert drawn.get("viewBox") == f"0 0 {WIDTH:g} {HEIGHT:g}"
-    style, *shapes = drawn
-    assert len(shapes) == 12  # the ground is two shapes, and arrows of two kinds are hidden
-    assert [shape.text for shape in shapes if shape.tag.endswith("text")] == ["a < b"]
-    light, dark = (style.text or "").split("@media")
-    for name in {shape.get("class") for shape in shapes}:
-        assert name in COLORS
-        assert f".{name}{{color:#" in light
-        assert f".{name}{{color:#" in dark
-    circle = shapes[0]  # in the middle, with the scale of the height
-    assert circle.get("cx") == "320"
-    assert circle.get("r") == "100.0"
+    words = [shape for shape in drawn.iter() if shape.tag.endswith("text")]
+    assert [word.text for word in words] == ["a < b"]
+    light, dark = next(s for s in drawn.iter() if s.tag.endswith("style")).text.split("@media")
+    styles = [shape.get("style") or "" for shape in drawn.iter()]
+    for name in ("blue", "red", "green", "black", "gray", "water", "brown", "orange", "violet"):
+        shapes = [style for style in styles if f"var(--{name})" in style]
+        # The ground is two shapes, and the dots also define their shape.
+        assert len(shapes) >= {"gray": 3, "orange": 2}.get(name, 1)
+        assert f"--{name}:{LIGHT[name]};" in light
+        assert f"--{name}:{DARK[name]};" in dark
+    assert len([style for style in styles if "var(--orange)" in style]) == 2, "hidden arrows"
+    circle = next(shape for shape in drawn.iter() if "fill: var(--blue)" in shape.get("style", ""))
+    xs = [float(x) for x in re.findall(r"[MLC ]([\d.]+) [\d.]+", circle.get("d"))]
+    assert (min(xs), max(xs)) == (220.0, 420.0)  # in the middle, with the scale of the height

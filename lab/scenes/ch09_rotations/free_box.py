@@ -17,10 +17,10 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A scene of a box shaped like a thick book, which spins freely about one of its axes.
+    """A box shaped like a thick book, which spins freely about one of its axes.
 
-    A small spin about another axis is added as a disturbance. If the box spins about its middle
-    axis, the disturbance makes it flip over again and again.
+    It also spins a little about another axis. About the middle axis, this disturbance makes it flip
+    over again and again.
     """
 
     chapter = 9
@@ -40,27 +40,21 @@ class Spin(Scene):
     )
     about = Choice("middle", "axis, by its moment of inertia", SPINS)
     disturbance = Slider(5.0, "spin about another axis", "%", 0.0, 20.0, step=0.5)
-    MASS = 1.0  # kg
     SIDES = (0.2, 0.3, 0.1)  # m
     SPEED = math.tau  # rad/s, one turn per second
     ARROW = 0.24  # m
 
     def build(self) -> None:
-        sides = Vector3(*self.SIDES)
-        moments = numbers(FreeBox(self.MASS, sides, Vector3()).inertia)
+        sides, mass = Vector3(*self.SIDES), 1.0  # m, kg
+        moments = numbers(FreeBox(mass, sides, Vector3()).inertia)
         by_moment = sorted(range(3), key=lambda axis: moments[axis])
         self.axis = by_moment[SPINS.index(self.about)]
         spin = [0.0, 0.0, 0.0]
         spin[self.axis] = self.SPEED
         spin[self.axis - 2] = self.SPEED * 0.01 * self.disturbance
-        self.box = FreeBox(self.MASS, sides, Vector3(*spin))
-        self.first = [self.box.energy(), *numbers(self.momentum())]
+        self.box = FreeBox(mass, sides, Vector3(*spin))
+        self.first = self.state()
         self.turned_over, self.before = 0, self.SPEED
-
-    def momentum(self) -> Vector3:
-        """Compute the box's angular momentum in kg m^2/s from its orientation and velocity."""
-        own = self.box.own_velocity().component_product(self.box.inertia)
-        return self.box.orientation.rotate(own)
 
     def step(self, duration: float) -> None:
         self.box.step(duration)
@@ -85,10 +79,10 @@ class Spin(Scene):
     def state(self) -> list[float]:
         """Return the box's energy in J and its angular momentum in kg m^2/s.
 
-        A freely spinning box conserves both, so any change since the start is an error of the
-        simulation.
+        A freely spinning box conserves both, so any change since the start is an error.
         """
-        return [self.box.energy(), *numbers(self.momentum())]
+        own = self.box.own_velocity().component_product(self.box.inertia)
+        return [self.box.energy(), *numbers(self.box.orientation.rotate(own))]
 
     def exact(self, time: float) -> list[float]:
         return self.first

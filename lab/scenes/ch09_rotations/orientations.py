@@ -16,16 +16,12 @@ from lab.scene import Question, Scene
 from scenes.parameters import Choice, Slider
 
 SIDES = (1.3, 0.8, 0.3)  # m
-RATES = [30, 60, 120, 240]
+X, Y, Z = Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)
 PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """A scene of three boxes that rotate with the same angular velocity.
-
-    One box stores its orientation as a matrix, one as a quaternion, and one as Euler angles. The
-    scene shows which boxes stay accurate over many steps.
-    """
+    """Three boxes that rotate alike, but store their orientations in three ways."""
 
     chapter = 9
     title = "Matrix, quaternion, Euler angles"
@@ -43,97 +39,66 @@ class Orientations(Scene):
         "multiplied by the exact rotation of each step.",
         4.0,
     )
-    rate = Choice(60, "steps per second", RATES, "Hz")
+    rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz")
     speed = Slider(120.0, "angular speed", "degrees/s", 10.0, 360.0, step=10.0)
     tilt = Slider(2.0, "tilt of the axis from Y toward X", "degrees", 1.0, 90.0, step=1.0)
     repair = Choice("yes", "normalize the matrix", ["yes", "no"])
 
     def build(self) -> None:
         tilt = math.radians(self.tilt)
-        speed = math.radians(self.speed)
-        self.velocity = Vector3(math.sin(tilt), math.cos(tilt)) * speed
+        self.velocity = Vector3(math.sin(tilt), math.cos(tilt)) * math.radians(self.speed)
         self.quaternion = Quaternion()
-        self.columns = [Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)]
+        self.columns = [X.copy(), Y.copy(), Z.copy()]
         self.angles = Vector3()
         self.locked = False
 
     def step(self, duration: float) -> None:
         self.quaternion.rotate_by(self.velocity * duration)
-        self.step_matrix(duration)
-        self.step_angles(duration)
-
-    def step_matrix(self, h: float) -> None:
-        """Rotate the matrix of the first box by one step of ``h`` s, column by column.
-
-        Each column is an axis of the box, and its tip moves with the velocity w x column.
-        """
-        for column in self.columns:
-            column.add_scaled(self.velocity.cross(column), h)
+        for column in self.columns:  # an axis of the box, whose tip moves with w x column
+            column.add_scaled(self.velocity.cross(column), duration)
         if self.repair == "yes":
             x, y, _ = self.columns
             x.normalize()
             y.add_scaled(x, -x.dot(y))
             y.normalize()
             self.columns[2] = x.cross(y)
-
-    def step_angles(self, h: float) -> None:
-        """Advance the box's Euler angles by one step of ``h`` s, adding their rates times ``h``.
-
-        In gimbal lock the rates are undefined, so the angles are left unchanged.
-        """
         a = self.angles
         try:
-            a.add_scaled(euler_rates(a.x, a.y, a.z, self.velocity), h)
-        except ValueError:
+            a.add_scaled(euler_rates(a.x, a.y, a.z, self.velocity), duration)
+        except ValueError:  # in gimbal lock, the rates are undefined
             self.locked = True
 
-    def matrix(self) -> Matrix3:
-        """Build the rotation matrix of the first box from its three columns."""
+    def turns(self) -> list[list[Vector3]]:
+        """Compute the directions of the three axes of each box, in the order of PLACES."""
         x, y, z = self.columns
-        return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
-
-    def turns(self) -> dict[str, list[Vector3]]:
-        """Compute the directions of the three axes of each box.
-
-        The keys of the result are the ways to store an orientation: "matrix", "quaternion" and
-        "Euler angles".
-        """
-        angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
+        matrix = Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
         q = self.quaternion.copy()
         q.normalize()
-        axes = [Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)]
-        return {
-            "matrix": [self.matrix().transform(axis) for axis in axes],
-            "quaternion": [q.rotate(axis) for axis in axes],
-            "Euler angles": [angles.rotate(axis) for axis in axes],
-        }
+        angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
+        ways = (matrix.transform, q.rotate, angles.rotate)
+        return [[turn(axis) for axis in (X, Y, Z)] for turn in ways]
 
     def errors(self) -> list[float]:
-        """Compute how far the axes of each box are from the exact ones.
+        """Compute the largest distance between a tip of an axis and its exact position, by box.
 
-        The error of a box is the largest distance between the tip of an axis and its exact
-        position. It is given in percent of the length of an axis.
+        It is given in percent of the length of an axis.
         """
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.simulated)
-        axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
+        exact = [right.rotate(axis) for axis in (X, Y, Z)]
         return [
-            100.0 * max((b - a).magnitude() for a, b in zip(axes, found, strict=True))
-            for found in self.turns().values()
+            100.0 * max((b - a).magnitude() for a, b in zip(exact, found, strict=True))
+            for found in self.turns()
         ]
 
     def worst(self) -> int:
-        """Return the index of the box with the largest error.
-
-        If no error exceeds 10 %, return 3.
-        """
+        """Return the index of the box with the largest error, or 3 if none exceeds 10 %."""
         errors = self.errors()
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
     def draw(self, pen: Pen) -> None:
-        for (name, x), (axes, error) in zip(
-            PLACES.items(), zip(self.turns().values(), self.errors(), strict=True), strict=True
-        ):
+        boxes = zip(PLACES.items(), self.turns(), self.errors(), strict=True)
+        for (name, x), axes, error in boxes:
 
             def turn(v: Vector3, axes: list[Vector3] = axes) -> Vector3:
                 return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z
@@ -146,15 +111,10 @@ class Orientations(Scene):
             pen.text((x, -1.35), words, "red" if error > 10.0 else "gray", 13.0)
 
     def chart(self) -> dict[str, float]:
-        names = [f"{name}, % off" for name in PLACES]
-        return dict(zip(names, self.errors(), strict=True))
+        return {f"{name}, % off": e for name, e in zip(PLACES, self.errors(), strict=True)}
 
     def state(self) -> list[float]:
-        """Return the error of the box that stores its orientation as a quaternion.
-
-        It is the largest distance between the tip of an axis and its exact position. The axes have
-        a length of 1.
-        """
+        """Return the error of the box with the quaternion, as a fraction of an axis."""
         return [0.01 * self.errors()[1]]
 
     def exact(self, time: float) -> list[float]:
@@ -174,10 +134,9 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A scene of a clock hand that is rotated with Eq. 9.5, next to one that rotates steadily.
+    """A clock hand that is rotated with Eq. 9.5, next to one that rotates steadily.
 
-    Eq. 9.5 is the book's formula for rotating a quaternion by one time step. It moves the
-    quaternion along a straight line, so the hand falls behind.
+    Eq. 9.5 moves the quaternion along a straight line in each step, so the hand falls behind.
     """
 
     chapter = 9
@@ -216,6 +175,10 @@ class FirstOrder(Scene):
         """Compute half the angle by which the hand's quaternion rotates about Z, in radians."""
         return math.atan2(self.q.k, self.q.r)
 
+    def behind(self) -> float:
+        """Compute by how many degrees the hand is behind the steady rotation."""
+        return math.degrees(self.spin.z * self.simulated - self.angle)
+
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
         right = self.spin.z * self.simulated
@@ -227,8 +190,7 @@ class FirstOrder(Scene):
         pen.text((-1.75, 1.15), "Eq. 9.5", "blue", 13.0)
 
     def chart(self) -> dict[str, float]:
-        behind = math.degrees(self.spin.z * self.simulated - self.angle)
-        return {"behind, degrees": behind, "length of q": self.q.magnitude()}
+        return {"behind, degrees": self.behind(), "length of q": self.q.magnitude()}
 
     def state(self) -> list[float]:
         """Return the angle in rad through which the hand has turned."""
@@ -244,8 +206,9 @@ class FirstOrder(Scene):
         )
 
     def say(self) -> str:
-        behind = math.degrees(self.spin.z * self.simulated - self.angle)
-        return f"The hand is {behind:.1f}° behind. The length of q is {self.q.magnitude():.3g}."
+        return (
+            f"The hand is {self.behind():.1f}° behind. The length of q is {self.q.magnitude():.3g}."
+        )
 
 
 SCENES = (Orientations, FirstOrder)

@@ -22,8 +22,8 @@ RUN = {"grade", "release", "similarity", "handout", "classroom", "gradescope"}
 RUN |= {"check", "hint", "reset"}
 # Those that run until they are stopped, and what they print once they run.
 STARTED = {"mark": "Press Ctrl-C to stop", "watch": "Next: ", "lab": "Press Ctrl-C to stop"}
-# Those that take minutes, open a window or need Node. The quick tests read their variables.
-ONLY_READ = {"demo", "plot", "choose", "site", "update", "stubs", "test", "test-all", "lint"}
+# Those that take minutes, may open a window or need Node. The quick tests read their variables.
+ONLY_READ = {"plot", "choose", "site", "update", "stubs", "test", "test-all", "lint"}
 ONLY_READ |= {"mutants", "seeds", "table", "bench", "charts", "limits", "economy", "soak"}
 ONLY_READ |= {"claims", "clarity", "contacts", "figures"}
 # Lines that put another class in the place of the one of the page's other lines, so that they stop

@@ -14,7 +14,7 @@ import pytest
 from autograder.manifest import ROOT
 from copies import copy_tree
 
-STUDENTS = ["watch", "check", "debug", "python", "hint", "reset", "lab", "plot", "demo", "setup"]
+STUDENTS = ["watch", "check", "debug", "python", "hint", "reset", "lab", "plot", "setup"]
 pytestmark = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 
 
@@ -64,7 +64,7 @@ def test_a_hand_out_has_the_students_commands_alone(tmp_path: Path) -> None:
     ("arguments", "words"),
     [
         ("plot EX=2.5", ["make plot does not take EX", "CH", "GIVEN"]),
-        ("demo CH=4", ["make demo does not take CH", "DEMO"]),
+        ("demo DEMO=spin", ["make demo is gone: run make lab SCENE=spin, which"]),
         ("hint EX=2.5 CHAPTER=2", ["make hint does not take CHAPTER", "EX"]),
         ("CH=2", ["make help does not take CH"]),
         ("grade CH=2", ["make grade does not take CH;", "CHAPTERS"]),
@@ -91,7 +91,7 @@ def test_what_a_command_does_not_know_is_an_error_that_names_what_it_takes(
         "hint EX=3.1 N=2",
         "reset EX=3.1 WHOLE=1",
         "plot CH=3",
-        "demo DEMO=ball",
+        "lab SCENE=ball",
     ],
 )
 def test_every_command_of_students_takes_given(arguments: str) -> None:
@@ -100,9 +100,8 @@ def test_every_command_of_students_takes_given(arguments: str) -> None:
     assert "--given '2'" in done.stdout
 
 
-@pytest.mark.parametrize("command", ["lab SCENE=cloth", "demo DEMO=cloth"])
-def test_a_scene_takes_several_settings(command: str) -> None:
-    done = make("--dry-run", *command.split(), "SET=rate=240 mass=2")
+def test_a_scene_takes_several_settings() -> None:
+    done = make("--dry-run", "lab", "SCENE=cloth", "SET=rate=240 mass=2")
     assert "--set 'rate=240' --set 'mass=2'" in done.stdout
 
 
@@ -124,7 +123,7 @@ ODD = [
     "a, b; c & d",
 ]
 TAKERS = [
-    *("watch CH", "check EX", "hint EX", "reset EX", "plot GIVEN", "demo DEMO", "lab SCENE"),
+    *("watch CH", "check EX", "hint EX", "reset EX", "plot GIVEN", "lab SCENE"),
     *("grade NOTE", "grade SUBMISSIONS", "grade OUT", "release GRADES", "similarity ROSTER"),
     *("mark SUBMISSIONS", "handout CHAPTERS", "classroom COURSE", "gradescope ASSIGNMENT"),
     *("site OUT", "mutants CH", "seeds SEEDS", "choose SCENE"),
@@ -167,7 +166,7 @@ def test_a_value_of_several_lines_is_refused() -> None:
 
 
 def test_several_commands_take_what_any_of_them_takes() -> None:
-    done = make("--dry-run", "check", "demo", "EX=2.5", "DEMO=ball")
+    done = make("--dry-run", "check", "lab", "EX=2.5", "SCENE=ball")
     assert done.returncode == 0, done.stderr
 
 

@@ -128,8 +128,8 @@ def reached(roots: Iterable[Path], root: Path = ROOT) -> list[Path]:
 
 
 def test_students_install_what_their_commands_import_and_no_more(handout: Path) -> None:
-    """The files for pictures are those that only plot and demo import."""
-    drawing = {handout / "lab/play.py", handout / "plots/draw.py", handout / "plots/drawing.py"}
+    """The files for pictures are those that only plots and recordings import."""
+    drawing = {handout / "lab/record.py", handout / "plots/draw.py", handout / "plots/drawing.py"}
     drawing |= {handout / "lab/__main__.py", handout / "plots/__main__.py"}
     roots = [*handout.glob("autograder/**/*.py"), *handout.glob("tests/**/*.py")]
     roots += [*handout.glob("chapters/**/*.py"), *handout.glob("lab/scenes/**/*.py")]
@@ -196,7 +196,6 @@ def without(packages: str, folder: Path, *command: str) -> subprocess.CompletedP
         ("autograder similarity sample_class --out {out}", "teaching"),
         ("autograder stubs --check", "teaching"),
         ("plots draw --chapter 2", "pictures"),
-        ("lab play throw", "pictures"),
         ("lab record throw", "pictures"),
         ("web --out {out}", "pictures"),
         ("studies choose pendulum", "everything"),
@@ -266,7 +265,7 @@ def test_each_make_command_first_installs_the_group_of_its_python_command() -> N
         }
         if name in {"watch", "check", "debug", "python", "hint", "reset", "lab"}:
             assert found == set(), name
-        elif name in {"plot", "demo", "site"}:
+        elif name in {"plot", "site"}:
             assert found == {"pictures"}, name
         elif name == "update":
             assert found == {"teaching", "everything"}

@@ -27,7 +27,7 @@ from small import RIGHT, make_root
 # Modules that, according to Python's documentation, exist only on POSIX.
 POSIX_ONLY = {"curses", "fcntl", "grp", "posix", "pty", "pwd", "readline", "resource"}
 POSIX_ONLY |= {"syslog", "termios", "tty"}
-STUDENTS_COMMANDS = {"check", "watch", "debug", "python", "hint", "reset", "plot", "lab", "demo"}
+STUDENTS_COMMANDS = {"check", "watch", "debug", "python", "hint", "reset", "plot", "lab"}
 
 
 def run(*command: str, cwd: Path = ROOT, **variables: str) -> subprocess.CompletedProcess[str]:
@@ -160,7 +160,7 @@ def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Pat
     assert "Chapter 3" in done.stdout
 
 
-@pytest.mark.parametrize("command", ["plots draw --chapter 2", "lab play fireworks"])
+@pytest.mark.parametrize("command", ["plots draw --chapter 2", "lab record fireworks"])
 def test_a_drawing_command_without_the_packages_says_what_to_do(command: str) -> None:
     done = run(sys.executable, "-S", "-m", *command.split())  # no installed packages
     assert done.returncode == 2

@@ -1,23 +1,16 @@
-"""Play scenes in a window with mouse and keys, and record them to files."""
+"""Record scenes to files."""
 
 from __future__ import annotations
 
 import csv
 import subprocess
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
-from matplotlib import pyplot
-from matplotlib.backend_bases import KeyEvent, MouseEvent
 from PIL import Image
 
 from autograder.manifest import ROOT, load_chapters
 from copies import copy_tree
-from lab import play
-from lab.catalog import load
-from lab.scene import Scene
 from made import made_stubs
 from scenes.clock import FRAME
 from studied import study
@@ -105,57 +98,8 @@ def test_a_scene_plays_with_what_is_written(tmp_path: Path) -> None:
         (["spin", "--set", "about=none"], "about must be one of smallest, middle, largest"),
     ],
 )
-def test_what_cannot_be_played_is_a_clear_sentence(arguments: list[str], words: str) -> None:
+def test_what_cannot_be_recorded_is_a_clear_sentence(arguments: list[str], words: str) -> None:
     done = record("--engine", "solutions", *arguments)
     assert done.returncode in (1, 2)
     assert words in " ".join((done.stdout + done.stderr).split())
     assert "Traceback" not in done.stderr
-
-
-@pytest.fixture
-def window(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
-    """Return a function that plays a scene in an invisible window with given keys and clicks."""
-
-    def played(scene: Scene, *events: str | tuple[float, float]) -> Scene:
-        def happen() -> None:
-            figure = pyplot.gcf()
-            figure.canvas.draw()
-            for event in events:
-                if isinstance(event, str):
-                    made: Any = KeyEvent("key_press_event", figure.canvas, event)
-                else:
-                    x, y = figure.axes[0].transData.transform(event)
-                    made = MouseEvent("button_press_event", figure.canvas, x, y, 1)
-                figure.canvas.callbacks.process(made.name, made)
-
-        monkeypatch.setattr(pyplot, "show", happen)
-        play.show(scene)
-        return scene
-
-    yield played
-    pyplot.close("all")
-
-
-@pytest.mark.filterwarnings("ignore:Animation was deleted")
-def test_keys_and_clicks_reach_the_scene(window: Any) -> None:
-    walked = window(load("spring-bridge")(), "right", "right", "left")
-    assert walked.x == pytest.approx(0.5 + walked.PACE)
-    aimed = window(load("throw")(), (4.0, 6.0))
-    # The hand is at (1, 2), and the ball starts toward the point that was clicked.
-    vx, vy, _ = aimed.thrown.start.velocity
-    assert vy / vx == pytest.approx((6.0 - aimed.HAND[1]) / (4.0 - aimed.HAND[0]), rel=1e-6)
-
-
-@pytest.mark.filterwarnings("ignore:Animation was deleted")
-def test_what_the_engine_raises_ends_the_window_and_is_told(
-    window: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    throw = load("throw")
-
-    def broken(*_: Any) -> None:
-        raise ValueError("no such click")
-
-    monkeypatch.setattr(throw, "click", broken)
-    with pytest.raises(ValueError, match="no such click"):
-        window(throw(), (4.0, 6.0))
-    assert pyplot.get_fignums() == []

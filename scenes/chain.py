@@ -75,24 +75,3 @@ class Chain:
             parts.append(x)
             parts.append(y)
         return tuple(parts)
-
-    def rates(self, _: float, state: Any) -> Any:
-        """Return the rates of all angles and angular velocities, the equations that SciPy solves.
-
-        Rod i is at the angle a_i, and its angular velocity is w_i. Every rod has length l, and g is
-        gravity. Lagrange's equation for rod i is
-
-            sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
-
-        M_i is the total mass from rod i out to the tip. M_ij is M_i or M_j, whichever belongs to
-        the rod farther from the anchor.
-        """
-        import numpy  # here, because a student's scenes do not need it
-
-        count = len(self.masses)
-        below = numpy.cumsum(self.masses[::-1])[::-1]
-        hung = self.length * below[numpy.maximum.outer(range(count), range(count))]
-        a, w = state[:count], state[count:]
-        apart = a[:, None] - a
-        pull = (hung * numpy.sin(apart)) @ w**2 + below * self.gravity * numpy.sin(a)
-        return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))

@@ -42,7 +42,9 @@ def keep(points: Sequence[Point], file: Path) -> None:
     ]
     start = {"measured": date.today().isoformat(), "python": platform.python_version()}
     text = json.dumps(start | {"points": rows, "within": within(points)})
-    file.write_text(text.replace(": [[", ": [\n  [").replace("], [", "],\n  [") + "\n", "utf-8")
+    file.write_text(
+        text.replace(": [[", ": [\n  [").replace("], [", "],\n  [") + "\n", encoding="utf-8"
+    )
 
 
 def _rounded(value: float, digits: int = 3) -> float:

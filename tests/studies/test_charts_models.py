@@ -20,6 +20,7 @@ from plots.drawing import slope
 from scenes.chain import Chain
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BATCH, BEST, reading
+from studies.accuracy.measured.chains import rates
 from studies.charts.page import LOOKS, looks
 from studies.models.exact_frames import oscillation_in_frames
 from studies.models.multistep import LoneMultistep, Multistep, weights
@@ -171,7 +172,7 @@ def test_rods_in_the_plane_accelerate_as_particles_on_rods_do() -> None:
 def test_rods_in_the_plane_accelerate_as_lagrange_says() -> None:
     chain = Chain([1.0, 3.0, 0.5, 2.0], 0.8, 0.7, 9.81)
     angles, turns = numpy.array([0.7, -0.4, 1.9, 0.2]), numpy.array([1.0, -2.0, 0.5, 3.0])
-    changes = chain.rates(0.0, numpy.append(angles, turns))[4:]
+    changes = rates(chain, 0.0, numpy.append(angles, turns))[4:]
     along, in_line = numpy.exp(1j * angles), 1j * numpy.exp(1j * angles)  # from straight down
     places = numpy.cumsum(0.8 * -1j * along)
     speeds = numpy.cumsum(0.8 * turns * along)

@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy
 from scipy.special import ellipj  # type: ignore[import-untyped]
@@ -112,7 +113,7 @@ def exact(chain: Chain, frames: int) -> Callable[[float], Place]:
     """Return the exact motion as a function of time, which SciPy computes from the angles."""
     count = len(chain.masses)
     start = [*[chain.angle] * count, *[0.0] * count]
-    return solved(chain.rates, start, lambda state: chain.place(state[:count]), frames)
+    return solved(partial(rates, chain), start, lambda state: chain.place(state[:count]), frames)
 
 
 def models_of(chain: Chain, frames: int, steps: Sequence[int], *iterations: int) -> list[Model]:
@@ -202,7 +203,7 @@ def by_resolver(
 def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
     """Return a function that creates the chain in pymunk, half a step ahead and without bias."""
     count = len(chain.masses)
-    turning = chain.rates(0.0, numpy.array([chain.angle] * count + [0.0] * count))[count:]
+    turning = rates(chain, 0.0, numpy.array([chain.angle] * count + [0.0] * count))[count:]
     along, up = math.cos(chain.angle), math.sin(chain.angle)
     first = [(float(v * along), float(v * up)) for v in numpy.cumsum(turning * chain.length)]
 
@@ -214,6 +215,26 @@ def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
         return space, bodies
 
     return make
+
+
+def rates(chain: Chain, _: float, state: Any) -> Any:
+    """Return the rates of a chain's angles and angular velocities, which SciPy integrates.
+
+    Rod i is at the angle a_i, and its angular velocity is w_i. Every rod has length l, and g is
+    gravity. Lagrange's equation for rod i is
+
+        sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
+
+    M_i is the total mass from rod i out to the tip. M_ij is M_i or M_j, whichever belongs to
+    the rod farther from the anchor.
+    """
+    count = len(chain.masses)
+    below = numpy.cumsum(chain.masses[::-1])[::-1]
+    hung = chain.length * below[numpy.maximum.outer(range(count), range(count))]
+    a, w = state[:count], state[count:]
+    apart = a[:, None] - a
+    pull = (hung * numpy.sin(apart)) @ w**2 + below * chain.gravity * numpy.sin(a)
+    return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))
 
 
 CHAINS: list[Callable[[], Scene]] = [pendulum, double_pendulum, heavy_tip, rope]

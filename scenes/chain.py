@@ -1,7 +1,4 @@
-"""A straight chain of rods that hangs from the origin, and is released from rest at an angle.
-
-A pendulum, a double pendulum and a rope of rods are such chains. They swing in the X-Y plane.
-"""
+"""A straight chain of rods that hangs from the origin in the X-Y plane, and is released from rest."""
 
 from __future__ import annotations
 
@@ -27,16 +24,12 @@ class Link(Protocol):
 
 @dataclass(frozen=True)
 class Chain:
-    """The scene with a particle at the lower end of each rod, listed from the top to the tip.
+    """The scene with a particle at the lower end of each rod, listed from the top to the tip."""
 
-    The ``masses`` of the particles are in kg, and the ``length`` of every rod is in m. The initial
-    ``angle`` from straight down is in radians, and ``gravity`` is in m/s^2, downward.
-    """
-
-    masses: Sequence[float]
-    length: float
-    angle: float = 0.0
-    gravity: float = 10.0
+    masses: Sequence[float]  # kg
+    length: float  # m, of every rod
+    angle: float = 0.0  # rad, at the start, from straight down
+    gravity: float = 10.0  # m/s^2
 
     def particles(self) -> list[Particle]:
         """Create the particles at their initial positions."""
@@ -77,15 +70,13 @@ class Chain:
         return tuple(parts)
 
     def rates(self, _: float, state: Any) -> Any:
-        """Return the rates of all angles and angular velocities, the equations that SciPy solves.
+        """Return the rates of all angles a_i and angular velocities w_i, the equations for SciPy.
 
-        Rod i is at the angle a_i, and its angular velocity is w_i. Every rod has length l, and g is
-        gravity. Lagrange's equation for rod i is
+        With rods of length l, and M_i as the mass from rod i out to the tip, Lagrange's equation is
 
             sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
 
-        M_i is the total mass from rod i out to the tip. M_ij is M_i or M_j, whichever belongs to
-        the rod farther from the anchor.
+        M_ij is M_i or M_j, whichever belongs to the rod farther from the anchor.
         """
         import numpy  # here, because a student's scenes do not need it
 

@@ -1,7 +1,6 @@
 """Translate a scene into pymunk: particles, springs, rods, cables, ground and spheres.
 
-A twin has the same bodies, joints and shapes as the scene of our engine, so that both can be
-compared. Pymunk is two-dimensional, so all particles of the scene must lie in the X-Y plane.
+Pymunk is two-dimensional, so all particles of the scene must lie in the X-Y plane.
 """
 
 from __future__ import annotations
@@ -25,12 +24,8 @@ InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 def twin_of(setup: Setup, ahead: float = 0.0, iterations: int = 10) -> InSpace:
     """Create a pymunk space with the same scene, and return it with its bodies.
 
-    ``ahead`` is the length of a step in s. If it is not 0, all bodies start with the velocities
-    that they have half a step later, which makes pymunk's step as accurate as leapfrog.
-
-    Raises:
-        ValueError: Pymunk cannot express the scene, because it has a generator of another kind, or
-            particles with different accelerations or damping.
+    ``ahead`` is the length of a step in s. All bodies then start with their velocities half a step
+    later, which makes pymunk as accurate as leapfrog. Raise ValueError if pymunk has no such scene.
     """
     import pymunk  # here, because a student's scenes do not need it
 

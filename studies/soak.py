@@ -21,10 +21,7 @@ MOST = 0.001  # fraction by which the energy may vary over the last minute
 
 
 def main(arguments: list[str]) -> int:
-    """Simulate the bridge and the platform at every step rate, and print which runs passed.
-
-    Return 1 if any run failed, and 0 otherwise.
-    """
+    """Simulate both scenes at every step rate. Return 1 if any run failed, and 0 otherwise."""
     parser = argparse.ArgumentParser(prog="python -m studies soak", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the folder to run")
     options = parser.parse_args(arguments)
@@ -57,11 +54,7 @@ def soak(
     rate: int,
     minutes: int,
 ) -> tuple[bool, str]:
-    """Simulate a scene for ``minutes`` minutes, and check its energy after every step.
-
-    ``rate`` is the number of steps per second. Return True if the scene passed, along with a
-    sentence for the report, such as "its energy varies by 0.02 % over the last minute".
-    """
+    """Simulate a scene at ``rate`` Hz. Return whether it passed, and a sentence for the report."""
     start = energy()
     last: list[float] = []
     for _ in track(range(minutes), name, transient=True, disable=not sys.stdout.isatty()):

@@ -40,11 +40,7 @@ SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
 def main(arguments: list[str]) -> int:
-    """Measure how accurate and how fast every model of every scene is, and draw the charts.
-
-    A model is one way to simulate a scene, for example with a certain integrator. Return 0, or exit
-    with a usage error if no scene has the given name.
-    """
+    """Measure how accurate and how fast every model of every scene is, and draw the charts."""
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
         "--quick", action="store_true", help="take four minutes: fewer points, fewer rounds"
@@ -134,7 +130,6 @@ def main(arguments: list[str]) -> int:
 
 
 def _how(measured: Measured, is_quick: bool) -> str:
-    """Write a note for the charts page that says when and how the times were measured."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

@@ -24,10 +24,9 @@ BEGIN, END = "<!-- ratios: `make charts` writes this -->", "<!-- end of ratios -
 
 
 def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:
-    """Copy the overview picture, the page with all charts and the ratios into the repository.
+    """Copy the picture, the page and the ratios in ``out``, measured on ``day``, to the repository.
 
-    ``day`` is the day of the measurement, and ``out`` the folder of the picture and the page. The
-    READMEs get a new description of the picture, and one of them a new table.
+    The READMEs get a new description of the picture, and one of them a new table.
     """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())

@@ -34,11 +34,7 @@ def precise(value: float) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe the fastest model of our engine or of pymunk, as in "leapfrog, 3.2 ms".
-
-    If no model met the tolerance, the text is "never" or, if more steps might have helped, "not
-    within 600 ms".
-    """
+    """Describe a side's fastest model, as in "leapfrog, 3.2 ms", "never" or "not within 600 ms"."""
     if side.time is not None:
         time = f"{side.model}, {precise(1e3 * side.time)} ms"
         return time if side.order is None else f"{time} (extrapolated, order {side.order:.2f})"
@@ -46,11 +42,7 @@ def told(side: Side) -> str:
 
 
 def said(points: Sequence[Point], tolerance: float) -> list[str]:
-    """Compare our fastest models of both kinds with pymunk's in one scene, in a line each.
-
-    For example, "steps, at an error of 1e-4: 3.2 ms (leapfrog); pymunk 12 times as long (pymunk, as
-    in its examples)".
-    """
+    """Compare our fastest models of both kinds with pymunk's in one scene, in a line each."""
     rows = [row(points, tolerance, is_formula=is_formula) for is_formula in (False, True)]
     return [_said(found) for found in rows if found]
 
@@ -87,10 +79,7 @@ def figures_of(rows: Sequence[Row]) -> list[Figure]:
 
 
 def told_ratio(figure: Figure, form: Callable[[float], str] = rounded) -> str:
-    """Return a ratio as text, as in "5.5", "~5.5" (extrapolated), "> 120" or "pymunk never".
-
-    The text is "-" if neither side reaches the error.
-    """
+    """Return a ratio, as in "5.5", "~5.5" (extrapolated), "> 120", "pymunk never" or "-" (neither)."""
     if figure["ratio"]:
         return f"{'~' if figure['is_extrapolated'] else ''}{form(figure['ratio'])}"
     if figure["never"] == "pymunk" and figure["ours"]:

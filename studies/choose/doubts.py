@@ -21,10 +21,8 @@ def is_guess(tried: Tried) -> bool:
 def contradiction(found: list[Tried], tolerance: float) -> str:
     """Return a text that says which models contradict each other, or an empty string.
 
-    Two models contradict each other if the results of their shortest steps differ by more than the
-    tolerance, and by more than three times the sum of their estimated errors. At least one of the
-    models must be accurate enough by its own estimate. The text names the two models that differ
-    most, and says what to do.
+    Their results with the shortest steps differ by more than the tolerance and their errors allow,
+    and at least one of the models is accurate enough by its own estimate.
     """
     apart = [pair for pair in _apart(found, tolerance) if pair[0] > tolerance]
     if not apart:
@@ -60,8 +58,7 @@ def warnings(
 ) -> list[str]:
     """List the reasons why the estimated errors may be wrong, as sentences for the report.
 
-    A model may not converge, or it may converge more slowly than in theory. Two models may differ
-    by more than their errors allow. ``is_doubtful`` means that the report already says so.
+    ``is_doubtful`` means that the report already says so.
     """
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
@@ -93,11 +90,7 @@ def warnings(
 
 
 def _doubt_about(found: list[Tried], chosen: Point, tolerance: float) -> str:
-    """Return a warning if no other model confirms the chosen one, or if models differ too much.
-
-    Otherwise return an empty string. The models differ by less than the tolerance here, because a
-    larger contradiction has been reported before.
-    """
+    """Return a warning if no other model confirms the chosen one, or if models differ too much."""
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]
     if not others:

@@ -124,7 +124,7 @@ def table(rows: list[dict[str, Any]]) -> str:
 
 
 def draw(rows: list[dict[str, Any]], png: Path) -> None:
-    """Draw the ratio of each scene as a bar. The whiskers are the quartiles."""
+    """Draw the ratio of each scene as a bar with its quartiles."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(9, 4.5), layout="constrained")
     names = [r["scene"].replace("`", "") for r in reversed(rows)]

@@ -35,7 +35,7 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Find the stability limits, print them, and save them as a CSV file and two pictures.
+    """Print the stability limits, and save them as a CSV file and two pictures.
 
     Return 1 if a limit differs by more than 5 % from theory, and 0 otherwise.
     """

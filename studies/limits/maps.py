@@ -41,10 +41,7 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw a heat map for each method of the growth per time step against stiffness and damping.
-
-    A line marks the theoretical stability limit, and dots mark limits found by bisection.
-    """
+    """Draw the growth per time step against stiffness and damping, with the limits, per method."""
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
     for axes, name in zip(panels.flat, SHADES, strict=True):
@@ -88,10 +85,10 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps in which the size of an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
+    """Count the steps in which an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
 
-    They are counted from the release, and after the oscillation has grown by a factor of 1e3, when
-    the initial state no longer matters. The ``predicted`` number limits the simulation.
+    They are counted from the release, and from a growth by 1e3, when the initial state no longer
+    matters. The ``predicted`` number limits the simulation.
     """
     integrator, pull, d = stepping(name, damping, kappa, ALL_SOLVERS)
     chi = math.sqrt(pull.stiffness)
@@ -164,7 +161,6 @@ def _percent(found: float, predicted: float) -> float:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Plot how the energy of a spring changes over many oscillations with each method."""
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)

@@ -1,4 +1,4 @@
-"""A straight chain of rods that hangs from the origin in the X-Y plane, and is released from rest."""
+"""A straight chain of rods that hangs from the origin in the X-Y plane, released from rest."""
 
 from __future__ import annotations
 

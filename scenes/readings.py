@@ -50,7 +50,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 
 def numbers(v: Any) -> Numbers:
-    """Convert a vector of a student's engine to floats, with NaN for anything that is not a number."""
+    """Convert a vector of a student's engine to floats. What is not a number becomes NaN."""
     return (
         number(getattr(v, "x", None)),
         number(getattr(v, "y", None)),

@@ -85,7 +85,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Measure two times, one right after the other in random order, which favors neither."""
+    """Measure two times, one after the other in random order, which favors neither."""
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -94,7 +94,7 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Measure a time in s, and average over several runs, but not the first, if it is below LEAST."""
+    """Measure a time in s. One below LEAST is averaged over several runs, but not the first."""
     taken = timed()
     if taken >= LEAST:
         return taken
@@ -154,7 +154,7 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return the index of a benchmark for each round, in random order but evenly spread.
+    """Return the benchmark of each round, in random order but evenly spread.
 
     For a benchmark with n rounds, each of n equal parts of the whole run gets one, at a random
     time.

@@ -14,7 +14,7 @@ Move = Callable[[float], object]  # advances a simulation by a duration in s
 
 @dataclass(frozen=True)
 class Track:
-    """A quantity at the start and after each time step, until the student's engine raises an error."""
+    """A quantity at the start and after each time step, until the engine raises an error."""
 
     times: list[float]
     values: list[float]

@@ -30,7 +30,7 @@ def group_of() -> dict[str, str]:
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Create the scenes with ``part`` in their names. A ValueError lists all names if none matches."""
+    """Create the scenes with ``part`` in their names. A ValueError lists all names."""
     every = [make() for group in GROUPS.values() for make in group]
     if found := [scene for scene in every if part in scene.name]:
         return found

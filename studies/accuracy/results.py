@@ -185,7 +185,7 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
 
 
 def row(points: Sequence[Point], tolerance: float, *, is_formula: bool) -> Row | None:
-    """Compare our fastest model of one kind with pymunk's in one scene, or return None without one."""
+    """Compare our fastest model of one kind in a scene with pymunk's. Return None without one."""
     ours, theirs = split(points)
     own = [point for point in ours if point.is_formula == is_formula]
     if not own:

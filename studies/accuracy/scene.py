@@ -71,7 +71,7 @@ class Scene:
     differs: Callable[[], float] | None = None  # of two exact solutions, if SciPy finds the truth
 
     def error(self, outcome: Outcome) -> float:
-        """Compute the largest deviation from the truth, or infinity if a coordinate is not finite."""
+        """Compute the largest deviation from the truth, or infinity if it is not finite."""
         frames = enumerate(outcome.places, 1)
         return max(deviation(place, self.truth(n / RATE)) for n, place in frames) / self.scale
 

@@ -79,7 +79,7 @@ def figures_of(rows: Sequence[Row]) -> list[Figure]:
 
 
 def told_ratio(figure: Figure, form: Callable[[float], str] = rounded) -> str:
-    """Return a ratio, as in "5.5", "~5.5" (extrapolated), "> 120", "pymunk never" or "-" (neither)."""
+    """Return a ratio, as in "5.5", "~5.5" (extrapolated), "> 120", "ours never" or "-"."""
     if figure["ratio"]:
         return f"{'~' if figure['is_extrapolated'] else ''}{form(figure['ratio'])}"
     if figure["never"] == "pymunk" and figure["ours"]:

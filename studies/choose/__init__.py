@@ -29,7 +29,7 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Print the fastest method that is accurate enough. Return 1 if there is none, and 0 otherwise."""
+    """Print the fastest method that is accurate enough. Return 1 if a scene has none."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
     parser.add_argument(

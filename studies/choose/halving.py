@@ -69,7 +69,7 @@ def halved(
 
 
 def _is_steady(orders: Sequence[float], order: float) -> bool:
-    """Check the last two orders against theory, the last three with each other, or the last four."""
+    """Check the last two orders against theory, and the last three or four with each other."""
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
     if len(orders) >= 4 and min(orders[-4:]) >= (1.0 - NEAR) * order:

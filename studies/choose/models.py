@@ -44,7 +44,7 @@ class Model:
         return told_choice(choice, 1, takes_tolerance=self.takes_tolerance)
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Return a function that advances the world by one step, and the number of calls per frame."""
+        """Return what advances the world by one step, and the number of calls per frame."""
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
             return self.step_of(world), 1

@@ -111,7 +111,7 @@ def took(point: Point, frames: int) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float, *, is_doubtful: bool) -> Table:
-    """Build the table of the models' steps and times. Without an accurate run, it shows the finest."""
+    """Build the table of all models. One that is never accurate enough has its finest run there."""
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
         table.add_column(heading, justify="right")

@@ -62,8 +62,8 @@ class Tried:
     def is_too_slow(self, taken: float) -> bool:
         """Return True if the model gets no run with shorter steps after a run of ``taken`` s.
 
-        A model whose error begins to fall may take longer. In a chaotic scene, the long steps are
-        useless, and only short ones show the order.
+        A model whose error begins to fall may take longer. In a chaotic scene, only short steps
+        show the order.
         """
         found = self.halved
         if taken <= SLOWEST or len(found.orders) < ORDERS:
@@ -72,7 +72,7 @@ class Tried:
         return not (is_promising and taken <= PATIENCE * SLOWEST)
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the runs to points of the accuracy study. Their work is the number of time steps."""
+        """Convert the runs to points of the accuracy study. Their work is the number of steps."""
         return [
             Point(
                 str(scene.path),

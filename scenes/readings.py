@@ -73,11 +73,7 @@ def dot(a: Numbers, b: Numbers) -> float:
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
     """Compute the vector product of two tuples of floats."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:

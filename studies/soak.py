@@ -48,11 +48,7 @@ def main(arguments: list[str]) -> int:
 
 
 def soak(
-    name: str,
-    step: Callable[[float], object],
-    energy: Callable[[], float],
-    rate: int,
-    minutes: int,
+    name: str, step: Callable[[float], object], energy: Callable[[], float], rate: int, minutes: int
 ) -> tuple[bool, str]:
     """Simulate a scene at ``rate`` Hz. Return whether it passed, and a sentence for the report."""
     start = energy()

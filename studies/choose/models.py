@@ -131,9 +131,7 @@ def _smooth_net(world: ParticleWorld) -> Step:
     return lambda duration: net.step(duration, forces.update_forces)
 
 
-def _solving(
-    solver_of: type[SequentialImpulses | SmallSteps],
-) -> Callable[[ParticleWorld], Step]:
+def _solving(solver_of: type[SequentialImpulses | SmallSteps]) -> Callable[[ParticleWorld], Step]:
     """Build a model's ``step_of`` function, which uses a solver that moves the particles."""
 
     def step_of(world: ParticleWorld) -> Step:

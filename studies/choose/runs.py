@@ -46,11 +46,7 @@ class Tried:
         # If even the tightest tolerance repeats the run, then the run is exact.
         may_repeat = model.takes_tolerance and len(self.runs) < len(model.choices)
         self.halved = halved(
-            self.runs,
-            ratio,
-            model.order,
-            may_repeat=may_repeat,
-            may_vary=model.takes_tolerance,
+            self.runs, ratio, model.order, may_repeat=may_repeat, may_vary=model.takes_tolerance
         )
 
     def is_enough(self, tolerance: float) -> bool:

@@ -56,11 +56,7 @@ def main(arguments: list[str]) -> int:
         told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
         print_wrapped(console, told, hanging=21)
     rows = [row(line) for line in lines]
-    kept = {
-        "measured": date.today().isoformat(),
-        "python": platform.python_version(),
-        "rows": rows,
-    }
+    kept = {"measured": date.today().isoformat(), "python": platform.python_version(), "rows": rows}
     FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
     draw(rows, PICTURE)
     page = PAGE.read_text(encoding="utf-8")

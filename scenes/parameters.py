@@ -33,13 +33,7 @@ class Parameter:
 
     def described(self) -> dict[str, Any]:
         """Return the data from which the page creates a slider or a menu for this parameter."""
-        return {
-            "name": self.name,
-            "label": self.label,
-            "unit": self.unit,
-            "default": self.default,
-            "live": self.live,
-        }
+        return {key: getattr(self, key) for key in ("name", "label", "unit", "default", "live")}
 
 
 class Slider(Parameter):
@@ -79,8 +73,8 @@ class Slider(Parameter):
 
     def described(self) -> dict[str, Any]:
         """Return the data from which the page creates the slider."""
-        own = {"kind": "slider", "low": self.low, "high": self.high}
-        return super().described() | own | {"step": self.step, "log": self.log}
+        own = {key: getattr(self, key) for key in ("low", "high", "step", "log")}
+        return super().described() | {"kind": "slider"} | own
 
 
 class Choice(Parameter):

@@ -51,11 +51,8 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 def numbers(v: Any) -> Numbers:
     """Convert a vector of a student's engine to floats. What is not a number becomes NaN."""
-    return (
-        number(getattr(v, "x", None)),
-        number(getattr(v, "y", None)),
-        number(getattr(v, "z", None)),
-    )
+    x, y, z = (number(getattr(v, axis, None)) for axis in "xyz")
+    return x, y, z
 
 
 def number(value: Any) -> float:
@@ -73,7 +70,7 @@ def dot(a: Numbers, b: Numbers) -> float:
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
     """Compute the vector product of two tuples of floats."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:

@@ -87,8 +87,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 def both(first: Timer, second: Timer) -> tuple[float, float]:
     """Measure two times, one after the other in random order, which favors neither."""
     if random.random() < 0.5:
-        a = warm(first)
-        return a, warm(second)
+        return warm(first), warm(second)
     b = warm(second)
     return warm(first), b
 
@@ -131,12 +130,11 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
     """
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
-    columns = (
-        *(TextColumn("{task.description:40.40}"), BarColumn()),
-        *(MofNCompleteColumn(), TimeRemainingColumn()),
-    )
     with Progress(
-        *columns,
+        TextColumn("{task.description:40.40}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
         transient=True,
         auto_refresh=False,
         speed_estimate_period=3600.0,

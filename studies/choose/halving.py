@@ -47,21 +47,18 @@ def halved(
     good: list[Run] = [run for run in runs[first:] if run is not None]
     failed = [math.inf] * first
     if len(good) < 2:
-        return Halved([*failed, *[math.inf] * len(good)], [])
+        return Halved([math.inf] * len(runs), [])
     least = ROUNDING * max(abs(value) for values in good[-1] for value in values)
     gaps = [distance(a, b) for a, b in pairwise(good)]
     above = [gap for gap in gaps if gap > least]
     orders = [math.log(a / b, ratio) for a, b in pairwise(above)]
-    is_exact = len(gaps) > 1 and max(gaps[-2:]) <= least
-    is_exact = is_exact and (all(gaps[-2:]) or not may_repeat)
+    is_exact = len(gaps) > 1 and max(gaps[-2:]) <= least and (all(gaps[-2:]) or not may_repeat)
     steady = _is_steady_on_average if may_vary else _is_steady
     is_steady = is_exact or steady(orders, order)
     if is_exact:
         left = least
-    elif is_steady and may_vary:
-        left = gaps[-1] / (ratio ** min(*orders[-3:], order) - 1.0)
     elif is_steady:
-        left = gaps[-1] / (ratio ** min(orders[-1], order) - 1.0)
+        left = gaps[-1] / (ratio ** min(*orders[-3 if may_vary else -1 :], order) - 1.0)
     else:
         left = max(gaps[-3:]) or math.inf
     errors = [*failed, *(distance(run, good[-1]) + left for run in good)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from ch04_particle_engine.closed_form import state_after
@@ -76,9 +77,9 @@ def _special(world: ParticleWorld) -> list[Model]:
     elif all(hasattr(generator, "next_impact") for generator in generators):
         found = [
             Model("time division", 1, _time_division),
-            Model("sequential impulses", 1, _solving(SequentialImpulses)),
+            Model("sequential impulses", 1, _impulses),
         ]
-    return [*found, Model("small steps", 1, _solving(SmallSteps))]
+    return [*found, Model("small steps", 1, _small_steps)]
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
@@ -117,13 +118,7 @@ def _exact(world: ParticleWorld) -> Step:
 
 
 def _direct_net(world: ParticleWorld) -> Step:
-    net, forces = DirectNet(world.contact_generators, world.particles), world.registry
-
-    def step(duration: float) -> None:
-        forces.update_forces(duration)
-        net.step(duration)
-
-    return step
+    return _after_forces(world, DirectNet(world.contact_generators, world.particles).step)
 
 
 def _smooth_net(world: ParticleWorld) -> Step:
@@ -131,27 +126,26 @@ def _smooth_net(world: ParticleWorld) -> Step:
     return lambda duration: net.step(duration, forces.update_forces)
 
 
-def _solving(solver_of: type[SequentialImpulses | SmallSteps]) -> Callable[[ParticleWorld], Step]:
-    """Build a model's ``step_of`` function, which uses a solver that moves the particles."""
+def _impulses(world: ParticleWorld) -> Step:
+    solver = SequentialImpulses(world.particles, world.contact_generators)
+    return _after_forces(world, solver.step)
 
-    def step_of(world: ParticleWorld) -> Step:
-        solver, forces = solver_of(world.particles, world.contact_generators), world.registry
 
-        def step(duration: float) -> None:
-            forces.update_forces(duration)
-            solver.step(duration)
-
-        return step
-
-    return step_of
+def _small_steps(world: ParticleWorld) -> Step:
+    return _after_forces(world, SmallSteps(world.particles, world.contact_generators).step)
 
 
 def _time_division(world: ParticleWorld) -> Step:
     generators: list[Any] = world.contact_generators
-    detectors, forces = Detectors(*generators), world.registry
+    detectors = Detectors(*generators)
+    return _after_forces(world, partial(time_division_step, world.particles, detectors))
+
+
+def _after_forces(world: ParticleWorld, move: Step) -> Step:
+    """Return a step that evaluates the forces, and then calls ``move``."""
 
     def step(duration: float) -> None:
-        forces.update_forces(duration)
-        time_division_step(world.particles, detectors, duration)
+        world.registry.update_forces(duration)
+        move(duration)
 
     return step

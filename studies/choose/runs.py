@@ -41,13 +41,11 @@ class Tried:
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)
         self.times.append([taken])
-        model = self.model
+        model, may_vary = self.model, self.model.takes_tolerance
         ratio = model.choices[1] / model.choices[0]
         # If even the tightest tolerance repeats the run, then the run is exact.
-        may_repeat = model.takes_tolerance and len(self.runs) < len(model.choices)
-        self.halved = halved(
-            self.runs, ratio, model.order, may_repeat=may_repeat, may_vary=model.takes_tolerance
-        )
+        repeats = may_vary and len(self.runs) < len(model.choices)
+        self.halved = halved(self.runs, ratio, model.order, may_repeat=repeats, may_vary=may_vary)
 
     def is_enough(self, tolerance: float) -> bool:
         """Return True if the last runs are exact, or reliably within ``tolerance``."""
@@ -69,19 +67,11 @@ class Tried:
 
     def points(self, scene: OwnScene) -> list[Point]:
         """Convert the runs to points of the accuracy study. Their work is the number of steps."""
+        start = str(scene.path), self.model.name, "ours"
+        runs = zip(self.model.choices, self.halved.errors, self.times, strict=False)
         return [
-            Point(
-                str(scene.path),
-                self.model.name,
-                "ours",
-                choice,
-                error,
-                choice * scene.frames,
-                times,
-            )
-            for choice, error, times in zip(
-                self.model.choices, self.halved.errors, self.times, strict=False
-            )
+            Point(*start, choice, error, choice * scene.frames, times)
+            for choice, error, times in runs
         ]
 
 
@@ -153,9 +143,8 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
         if tried.halved.is_steady:
             points = tried.points(scene)
             first = first_within(points, tolerance)
-            every += [
-                (tried.model, point) for point in points[: None if first is None else first + 1]
-            ]
+            last = None if first is None else first + 1
+            every += [(tried.model, point) for point in points[:last]]
     for _ in range(ROUNDS):
         for model, point in random.sample(every, len(every)):
             if point.times[0] < LONG:

@@ -35,8 +35,6 @@ LOSS_COLUMNS = (
     "steps of a simulation from release",
     "steps of a simulation from x 1e3 to x 1e9",
 )
-
-
 Loss = tuple[str, float, float, float, int, int]
 
 
@@ -116,15 +114,10 @@ def draw_divergence(
 
 
 def _draw_steps(left: Axes, right: Axes, losses: Sequence[Loss]) -> None:
-    """Plot how many time steps an oscillation takes to grow by a factor of a million.
-
-    In the right panel, the predictions are compared with steady growth (lines) and with
-    oscillations from rest (marks). These are the sum of two eigenvectors, but only one of them
-    grows. Near a limit, the two are almost parallel, so the growing part may be much larger than
-    the sum, or only half as large. The oscillation therefore reaches a million times its size
-    sooner or later than predicted. Far beyond the limit, the difference is caused by rounding to
-    whole steps.
-    """
+    """Plot in how many steps an oscillation grows by 1e6, and how that differs from theory."""
+    # From rest (marks), it is the sum of two eigenvectors, of which one grows. Near a limit they
+    # are almost parallel, so the growing one may be much larger than the sum, or half as large.
+    # Far beyond the limit, the difference comes from rounding to whole steps.
     for name, damping in LOST.items():
         own = [loss[2:] for loss in losses if loss[0] == name]
         beyond, predicted, rest, evenly = zip(*own, strict=True)
@@ -132,10 +125,9 @@ def _draw_steps(left: Axes, right: Axes, losses: Sequence[Loss]) -> None:
         label = f"{name}, {'d$^h$' if name in INTEGRATORS else 'c h / m'} = {damping:g}"
         left.plot(beyond, predicted, color=color, lw=1)
         left.plot(beyond, rest, mark, color=color, mfc="none", label=label)
-        off = [_percent(*pair) for pair in zip(rest, predicted, strict=True)]
+        off = [*map(_percent, rest, predicted)]
         right.plot(beyond, off, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
-        off = [_percent(*pair) for pair in zip(evenly, predicted, strict=True)]
-        right.plot(beyond, off, "-", color=color, lw=1.5)
+        right.plot(beyond, [*map(_percent, evenly, predicted)], "-", color=color, lw=1.5)
     left.set(xscale="log", yscale="log", xlabel="k / limit - 1")
     left.set_ylabel("steps until an oscillation is 1e6 times as large")
     near = [rest for _, _, beyond, _, rest, _ in losses if beyond == 0.02]

@@ -70,8 +70,7 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*forces.lines(), *springs.lines(), *constraints.lines()]
-    found += worlds.lines()
+    found += [*forces.lines(), *springs.lines(), *constraints.lines(), *worlds.lines()]
     return [*found, *rotations.lines(console), *accuracy.lines(), *bounds.lines(), *grading.lines()]
 
 

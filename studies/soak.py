@@ -10,6 +10,7 @@ import argparse
 import math
 import sys
 from collections.abc import Callable
+from functools import partial
 
 from rich.progress import track
 
@@ -34,10 +35,7 @@ def main(arguments: list[str]) -> int:
     for kind in (Bridge, TiltingPlatform):
         for rate in RATES:
             scene = kind()
-
-            def energy(scene: Bridge | TiltingPlatform = scene) -> float:
-                return mechanical_energy(scene.world.particles)
-
+            energy = partial(mechanical_energy, scene.world.particles)
             name = f"{kind.__name__} at {rate} Hz"
             well, told = soak(name, scene.step, energy, rate, MINUTES)
             verdict = "passed" if well else "FAILED"

@@ -44,10 +44,8 @@ def in_plane(
 
     def by_multistep(order: int, steps: int) -> Outcome:
         # The curve between two long steps needs velocities.
-        needs_velocities, length = is_damped or steps < LONG, LONG / (steps * RATE)
-        bodies = kind(
-            positions, velocities, accelerations, length, order, is_damped=needs_velocities
-        )
+        damped, length = is_damped or steps < LONG, LONG / (steps * RATE)
+        bodies = kind(positions, velocities, accelerations, length, order, is_damped=damped)
         if steps < LONG:
             places = in_long_steps(
                 lambda: bodies.run(1, 1),

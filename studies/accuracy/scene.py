@@ -124,14 +124,10 @@ def flat(vectors: Sequence[Vector3]) -> Place:
 
 def by_integrators(make: Callable[[], Setup], frames: int) -> list[Model]:
     """Create a model for each integrator of chapter 6, for a scene with one particle."""
-    fixed = [
-        Model(
-            name,
-            by_setup(make, integrator, frames),
-            by="the book" if integrator is explicit_euler else "ours",
-        )
-        for name, integrator in INTEGRATORS.items()
-    ]
+    fixed = []
+    for name, integrator in INTEGRATORS.items():
+        by = "the book" if integrator is explicit_euler else "ours"
+        fixed.append(Model(name, by_setup(make, integrator, frames), by=by))
     return [*fixed, by_tolerance(make, frames)]
 
 

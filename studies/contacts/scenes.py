@@ -65,11 +65,7 @@ SOLVERS: dict[str, Callable[[Any, Any], Move]] = {
 def stack(ratio: float) -> Measured:
     """Create a stack, whose error is the largest overlap, as a fraction of the diameter."""
     setup = spheres.stack(COUNT, ratio)
-
-    def overlap(_: float) -> float:
-        return max(0.0, spheres.overlap(sphere.position.y for sphere in setup.particles))
-
-    return setup, overlap
+    return setup, lambda _: max(0.0, spheres.overlap(ball.position.y for ball in setup.particles))
 
 
 def hung(ratio: float, angle: float) -> Chain:

@@ -10,8 +10,8 @@ from typing import Any
 class Parameter:
     """A value that the reader can change, such as the stiffness of a spring.
 
-    It is an attribute of a scene's class. In an instance, the attribute is the current value. Only
-    a change to a ``live`` parameter does not rebuild the scene.
+    It is an attribute of a scene's class. In an instance, the attribute is the current value. A
+    change rebuilds the scene, unless the parameter is ``live``.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:

@@ -38,7 +38,7 @@ def resolving(
 
 
 def by_resolver(iterations: int | None = None) -> Resolve:
-    """Return a ContactResolver's function, with ``iterations`` per contact, or 2 by default."""
+    """Return a function that resolves contacts in ``iterations`` per contact, or 2 by default."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         if contacts:

@@ -52,7 +52,7 @@ def stepping(
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return an integrator that raises an error above a speed in m/s, if ``watched`` is written."""
+    """Make an integrator raise an error above ``limit`` m/s, if ``watched`` is written."""
     try:
         step = watched(integrator, limit)
     except NotImplementedError:

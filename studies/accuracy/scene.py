@@ -68,7 +68,7 @@ class Scene:
     truth: Callable[[float], Place]  # the exact position at a time in s
     models: Sequence[Model]
     counted: str = "evaluations of forces or formulas"
-    differs: Callable[[], float] | None = None  # of two exact solutions, if SciPy finds the truth
+    differs: Callable[[], float] | None = None  # two independent solutions, over the scale
 
     def error(self, outcome: Outcome) -> float:
         """Compute the largest deviation from the truth, or infinity if it is not finite."""

@@ -35,7 +35,7 @@ def halved(
     ratio: float,
     order: float,
     *,
-    may_repeat: bool = False,  # two tolerances can lead to the same steps, so are not exact
+    may_repeat: bool = False,  # two tolerances can lead to the same steps
     may_vary: bool = False,  # the error is proportional to a tolerance only on average
 ) -> Halved:
     """Estimate the error of each run by comparing it with runs of the same scene and method.

@@ -38,7 +38,7 @@ class Model:
     order: int  # of convergence, in theory
     step_of: Callable[[ParticleWorld], Step]  # from a newly built world to what advances it
     choices: Sequence[int] = STEPS  # per frame, or 1 / tolerance
-    takes_tolerance: bool = False  # it chooses its own steps, with an error like the tolerance
+    takes_tolerance: bool = False  # it chooses its own steps, and its error follows it
 
     def chosen(self, choice: int) -> str:
         """Return the number of steps per frame, or the tolerance, as in "4 steps per frame"."""

@@ -77,7 +77,7 @@ def print_choice(
     told: Callable[[Point], str],
     none: tuple[str, str],
 ) -> None:
-    """Print the cheapest accurate run and the next cheaper one, or the texts ``none``."""
+    """Print the cheapest accurate run and the next cheaper one, with texts for ``none``."""
     print_line(console, "cheapest", told(chosen) if chosen else none[0])
     if chosen and cheaper:
         fails = cheaper.error > tolerance

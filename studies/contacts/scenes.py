@@ -109,7 +109,7 @@ def run(make: Callable[[], Measured], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -> Scene:
-    """Create a scene that compares contact solvers. SmallSteps cannot use a TwoSidedRod."""
+    """Create a scene that compares contact solvers. SmallSteps works with one-sided links."""
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers

@@ -164,7 +164,7 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
-    """Measure the relative energy of a spring after each of some ascending numbers of swings."""
+    """Measure a spring's relative energy after each number of oscillations, in ascending order."""
     wall, name = SpringOnAWall(STIFFNESS), "pymunk's spring"
     ways = wall.methods() | {name: wall.solved_by(ALL_SOLVERS[name])}
     del ways["explicit Euler"]
@@ -175,7 +175,7 @@ def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: stability.Matrix, swings: Sequence[int]) -> list[float]:
-    """Compute the mean energies over a swing, which a symplectic integrator keeps constant."""
+    """Compute mean energies of oscillations, which a symplectic integrator keeps constant."""
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME
     x, vh, step, means = 1.0, 0.0, 0, []

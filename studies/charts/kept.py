@@ -31,12 +31,8 @@ def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     figures = figures_of(rows)
-    found = {
-        "measured": day,
-        "python": platform.python_version(),
-        "pymunk": metadata.version("pymunk"),
-        "rows": figures,
-    }
+    versions = {"python": platform.python_version(), "pymunk": metadata.version("pymunk")}
+    found = {"measured": day} | versions | {"rows": figures}
     replace_bytes(root / FIGURES, (json.dumps(found, indent=1) + "\n").encode())
     alt = "\n".join(textwrap.wrap(f"![{described(rows)}]", 105, break_long_words=False))
     for name in READMES:

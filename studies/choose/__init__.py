@@ -32,12 +32,8 @@ def main(arguments: list[str]) -> int:
     """Print the fastest method that is accurate enough. Return 1 if a scene has none."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
-    parser.add_argument(
-        "--tolerance",
-        type=float,
-        default=1e-3,
-        help="largest error, as a fraction of the scene's size; for a file, in its own units",
-    )
+    largest = "largest error, as a fraction of the scene's size; for a file, in its own units"
+    parser.add_argument("--tolerance", type=float, default=1e-3, help=largest)
     options = parser.parse_args(arguments)
     if not 0.0 < options.tolerance < math.inf:
         parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")

@@ -53,7 +53,7 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Make Python import the chapters from the folder ``engine``, and those ``given`` from ours.
+    """Import the chapters from the folder ``engine``, and those ``given`` from the reference.
 
     The student's code runs under the same restrictions as during grading. If a folder or a chapter
     does not exist, ``parser`` exits with a usage error.

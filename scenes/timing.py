@@ -152,7 +152,7 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return the benchmark of each round, in random order but evenly spread.
+    """Return a benchmark's index for each round, in random order but evenly spread.
 
     For a benchmark with n rounds, each of n equal parts of the whole run gets one, at a random
     time.

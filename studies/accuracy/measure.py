@@ -57,7 +57,7 @@ class Point:
 
 @dataclass
 class Measured:
-    """The points so far. One that the present round has timed has more times than rounds."""
+    """The points so far. Those that the present round has timed have rounds + 1 times."""
 
     points: list[Point]
     rounds: int = 0  # finished

@@ -82,10 +82,9 @@ def told_ratio(figure: Figure, form: Callable[[float], str] = rounded) -> str:
     """Return a ratio, as in "5.5", "~5.5" (extrapolated), "> 120", "ours never" or "-"."""
     if figure["ratio"]:
         return f"{'~' if figure['is_extrapolated'] else ''}{form(figure['ratio'])}"
-    if figure["never"] == "pymunk" and figure["ours"]:
-        return "pymunk never"
-    if figure["never"] == "ours" and figure["pymunk"]:
-        return "ours never"
+    never = figure["never"]
+    if never and figure["ours" if never == "pymunk" else "pymunk"]:
+        return f"{never} never"
     if figure["low"]:
         return f"> {form(figure['low'])}"
     return f"< {form(figure['high'])}" if figure["high"] else "-"
@@ -132,29 +131,27 @@ def described(rows: Sequence[Row]) -> str:
         known = [(row.ratio, row) for row in own if row.ratio]
         slower = [pair for pair in known if pair[0] >= TIE]
         faster = [pair for pair in known if pair[0] <= 1.0 / TIE]
-        words.append(f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases")
+        text = f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases"
         if slower:
             ratio, found = max(slower, key=lambda pair: pair[0])
-            words[-1] += f", up to {rounded(ratio)} times as long ({found.scene}"
-            words[-1] += ", extrapolated)" if found.is_extrapolated else ")"
+            end = ", extrapolated" * found.is_extrapolated
+            text += f", up to {rounded(ratio)} times as long ({found.scene}{end})"
             low, scene = max((row.bounds[0], row.scene) for row in own)
             if low > ratio:
-                words[-1] += f" or, without reaching the error, at least {rounded(low)} ({scene})"
-        words[-1] += f", and less time in {len(faster)}"
+                text += f" or, without reaching the error, at least {rounded(low)} ({scene})"
+        text += f", and less time in {len(faster)}"
         if faster:
             ratio, found = min(faster, key=lambda pair: pair[0])
-            words[-1] += f", as little as 1/{rounded(1.0 / ratio)} ({found.scene})"
+            text += f", as little as 1/{rounded(1.0 / ratio)} ({found.scene})"
             high, scene = min((row.bounds[1], row.scene) for row in own)
             if high < ratio:
-                words[-1] += (
-                    f" or, where we miss the error, at most 1/{rounded(1.0 / high)} ({scene})"
-                )
+                text += f" or, where we miss the error, at most 1/{rounded(1.0 / high)} ({scene})"
         ties = len(known) - len(slower) - len(faster)
         only_ours = sum(bool(row.ours.time) and not row.pymunk.time for row in own)
         only_theirs = sum(bool(row.pymunk.time) and not row.ours.time for row in own)
         neither = len(own) - len(known) - only_ours - only_theirs
-        words[-1] += (
-            f". In {ties} the times differ by a factor below {TIE:g}. In {only_ours} only we reach "
-            f"the error, in {only_theirs} only pymunk, and in {neither} neither of us."
+        words.append(
+            f"{text}. In {ties} the times differ by a factor below {TIE:g}. In {only_ours} only we "
+            f"reach the error, in {only_theirs} only pymunk, and in {neither} neither of us."
         )
     return " ".join(words)

@@ -82,10 +82,7 @@ def rope(ratio: float, angle: float = 0.0, link: type[Rod] = TwoSidedRod) -> Mea
 
 
 def swinging(link: type[Rod] = TwoSidedRod) -> Measured:
-    """Create a swinging rope, whose error is the relative change in energy.
-
-    It is a fraction of the kinetic energy at the lowest point.
-    """
+    """Create a rope, whose error is its change in energy over its largest kinetic energy."""
     setup = hung(1.0, ANGLE).setup(link)
     start = mechanical_energy(setup.particles)
     lowest = mechanical_energy(hung(1.0, 0.0).particles())

@@ -77,7 +77,7 @@ def main(arguments: list[str]) -> int:
         missed |= found is None
         limit = f"with runs of up to {SLOWEST:g} s"
         none = f"none of our models is accurate enough {limit}", "none of our models is cheaper"
-        told = partial(_told, scene, options.tolerance)
+        told = partial(_told, scene, tolerance=options.tolerance)
         print_choice(console, found, cheaper, options.tolerance, told, none)
         text = told(theirs) if theirs else f"not accurate enough {limit}"
         if found and theirs and theirs.time < found.time:
@@ -86,7 +86,7 @@ def main(arguments: list[str]) -> int:
     return 1 if missed else 0
 
 
-def _told(scene: Scene, tolerance: float, point: Point) -> str:
+def _told(scene: Scene, point: Point, tolerance: float) -> str:
     """Describe one timed run for the report, with its steps, time, work and error."""
     from studies.choose.report import told_beside, took  # it imports chapters
 

@@ -1,7 +1,4 @@
-"""A straight chain of rods that hangs from the origin, and is released from rest at an angle.
-
-A pendulum, a double pendulum and a rope of rods are such chains. They swing in the X-Y plane.
-"""
+"""A straight chain of rods that hangs from the origin in the X-Y plane, released from rest."""
 
 from __future__ import annotations
 
@@ -27,16 +24,12 @@ class Link(Protocol):
 
 @dataclass(frozen=True)
 class Chain:
-    """The scene with a particle at the lower end of each rod, listed from the top to the tip.
+    """The scene with a particle at the lower end of each rod, listed from the top to the tip."""
 
-    The ``masses`` of the particles are in kg, and the ``length`` of every rod is in m. The initial
-    ``angle`` from straight down is in radians, and ``gravity`` is in m/s^2, downward.
-    """
-
-    masses: Sequence[float]
-    length: float
-    angle: float = 0.0
-    gravity: float = 10.0
+    masses: Sequence[float]  # kg
+    length: float  # m, of every rod
+    angle: float = 0.0  # rad, at the start, from straight down
+    gravity: float = 10.0  # m/s^2
 
     def particles(self) -> list[Particle]:
         """Create the particles at their initial positions."""

@@ -14,18 +14,14 @@ from scenes.setup import Setup
 
 @dataclass(frozen=True)
 class DroppedBalls:
-    """The scene with the initial heights of the balls' centers in m, from the lowest ball up.
-
-    ``restitution`` is that between a ball and the ground, and ``between`` that of two balls. All
-    balls have the same radius in m, which may be 0 for a single ball. Gravity is in m/s^2.
-    """
+    """The scene with the initial heights of the balls' centers in m, from the lowest ball up."""
 
     heights: Sequence[float]
-    restitution: float
+    restitution: float  # of a ball and the ground
     masses: Sequence[float] = (1.0,)
-    between: float = 0.0
-    radius: float = 0.0
-    gravity: float = 10.0
+    between: float = 0.0  # restitution of two balls
+    radius: float = 0.0  # m, 0 only for a single ball
+    gravity: float = 10.0  # m/s^2
 
     def setup(self) -> Setup:
         """Create the balls and what detects their contacts."""
@@ -57,8 +53,7 @@ class DroppedBalls:
     def heights_at(self, times: Iterable[float]) -> list[tuple[float, ...]]:
         """Compute the exact heights of the balls at ascending times in s, before they rest.
 
-        Source: parabolas from one impact to the next. The engine is not used, so that its bugs
-        cannot affect the result.
+        They follow parabolas from one impact to the next, independent of the engine and its bugs.
         """
         y, v, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []

@@ -47,21 +47,16 @@ _limited: set[tuple[Path, ...]] = set()
 
 
 def add_engine_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options ``--engine`` and ``--given`` to a command for students.
-
-    ``--engine`` is the folder with their work. ``--given`` lists the chapters that are taken from
-    the reference solution instead, such as "2-4".
-    """
+    """Add ``--engine`` and ``--given``, such as "2-4", to a command for students."""
     parser.add_argument("--engine", default="chapters", help="the folder with your work")
     parser.add_argument("--given", default="", help="chapters to take from the reference")
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Make Python import the chapters of the course from a folder, such as a student's work.
+    """Import the chapters from the folder ``engine``, and those ``given`` from the reference.
 
-    ``engine`` is the folder. Chapters listed in ``given``, such as "2-4", come from the reference
-    solution instead. The student's code runs under the same restrictions as during grading. If a
-    folder or a chapter does not exist, ``parser`` exits with a usage error.
+    The student's code runs under the same restrictions as during grading. If a folder or a chapter
+    does not exist, ``parser`` exits with a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

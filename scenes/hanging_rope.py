@@ -28,15 +28,12 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """The final shape of a hanging rope, with its sag and its excess length in m.
-
-    ``work`` is the number of contacts resolved or, for a DirectChain, of rod forces computed.
-    """
+    """The final shape of a hanging rope, with its sag and its excess length in m."""
 
     places: list[Place]
     sag: float
     stretch: float
-    work: int
+    work: int  # contacts resolved, or rod forces computed
 
 
 def catenary(span: float = SPAN, length: float = LENGTH) -> Callable[[float], float]:
@@ -48,8 +45,8 @@ def catenary(span: float = SPAN, length: float = LENGTH) -> Callable[[float], fl
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
     """Compute the exact positions of a rope's particles at rest.
 
-    All links have the same horizontal pull. From link to link, the vertical pull changes by the
-    weight of a particle, so the slopes are evenly spaced.
+    All links have the same horizontal pull. The vertical pull changes by a particle's weight from
+    link to link, so the slopes are evenly spaced.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link
@@ -74,10 +71,7 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
 def hang_by_rods(
     links: int, substeps: int, seconds: float, resolver: ContactResolver | None = None
 ) -> Hanging:
-    """Simulate a rope of TwoSidedRods from its exact shape, in ``substeps`` steps per frame.
-
-    If ``resolver`` is None, the world's own ContactResolver resolves the contacts.
-    """
+    """Simulate a rope of TwoSidedRods from its exact shape, in ``substeps`` steps per frame."""
     particles = _particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
     world = ParticleWorld(particles, rods)

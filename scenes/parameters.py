@@ -10,9 +10,8 @@ from typing import Any
 class Parameter:
     """A value that the reader can change, such as the stiffness of a spring.
 
-    Parameters are defined as attributes of a scene's class. In an instance of the scene, the
-    attribute is the current value, so ``self.stiffness`` is a number. A ``live`` parameter can
-    change while the scene runs. A change to any other parameter rebuilds the scene.
+    It is an attribute of a scene's class. In an instance, the attribute is the current value. A
+    change rebuilds the scene, unless the parameter is ``live``.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -29,29 +28,16 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Convert a value from the page or the command line to the type of this parameter.
-
-        Raises:
-            ValueError: The parameter does not allow this value.
-        """
+        """Convert a value from the page or the command line, or raise ValueError."""
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
         """Return the data from which the page creates a slider or a menu for this parameter."""
-        return {
-            "name": self.name,
-            "label": self.label,
-            "unit": self.unit,
-            "default": self.default,
-            "live": self.live,
-        }
+        return {key: getattr(self, key) for key in ("name", "label", "unit", "default", "live")}
 
 
 class Slider(Parameter):
-    """A number that the reader sets with a slider between ``low`` and ``high``.
-
-    The slider moves in increments of ``step``, on a logarithmic scale if ``log`` is true.
-    """
+    """A number that the reader sets with a slider, in increments of ``step``."""
 
     def __init__(
         self,
@@ -62,7 +48,7 @@ class Slider(Parameter):
         high: float,
         *,
         step: float = 0.0,
-        log: bool = False,
+        log: bool = False,  # a logarithmic scale
         live: bool = False,
     ) -> None:
         super().__init__(default, label, unit, live=live)
@@ -72,11 +58,7 @@ class Slider(Parameter):
         self.log = log
 
     def checked(self, value: object) -> float:
-        """Convert the new value of the slider to a float.
-
-        Raises:
-            ValueError: The value is not a finite number, or it is out of range.
-        """
+        """Convert a value to a float, or raise ValueError if it is not finite or out of range."""
         if isinstance(value, str):
             try:
                 value = float(value)
@@ -91,8 +73,8 @@ class Slider(Parameter):
 
     def described(self) -> dict[str, Any]:
         """Return the data from which the page creates the slider."""
-        own = {"kind": "slider", "low": self.low, "high": self.high}
-        return super().described() | own | {"step": self.step, "log": self.log}
+        own = {key: getattr(self, key) for key in ("low", "high", "step", "log")}
+        return super().described() | {"kind": "slider"} | own
 
 
 class Choice(Parameter):
@@ -111,13 +93,9 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Find the option that matches a value such as "runge-kutta-4".
+        """Find an option such as "runge-kutta-4", with hyphens for spaces and in any case.
 
-        Hyphens may stand for spaces, and case does not matter, so that options are easy to type on
-        a command line.
-
-        Raises:
-            ValueError: No option has this name.
+        Raise ValueError if no option has this name.
         """
         for option in self.options:
             if value == option or _plain(value) == _plain(option):

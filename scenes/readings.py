@@ -1,7 +1,6 @@
 """Read numbers and vectors from a student's engine, which may be wrong or unfinished.
 
-Vectors are converted to tuples of floats, so that plots can compute with them without calling the
-student's code.
+They become floats, so that plots compute with them without the student's code.
 """
 
 from __future__ import annotations
@@ -16,10 +15,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return True if a student has already written the functions that ``call`` needs.
-
-    A function that raises NotImplementedError counts as not written yet.
-    """
+    """Return False if ``call`` needs a function that a student has not written yet."""
     try:
         call()
     except NotImplementedError:
@@ -28,11 +24,7 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Run part of a simulation, and return the message of any arithmetic or value error.
-
-    The message has a form such as "ZeroDivisionError: division by zero". It is empty if there was
-    no error.
-    """
+    """Run part of a simulation, and return the message of any arithmetic or value error, or ""."""
     try:
         act()
     except (ArithmeticError, ValueError) as error:
@@ -41,13 +33,9 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run all simulations whose code the student has written, and return the results by key.
+    """Run the simulations whose code is written, and return the results by key.
 
-    Simulations that need unwritten code are skipped, so that even an unfinished engine can be
-    plotted.
-
-    Raises:
-        NotImplementedError: Every simulation needs code that is not written yet.
+    Raise NotImplementedError if there are simulations but none of them is written.
     """
     found: dict[Key, Found] = {}
     stub: NotImplementedError | None = None
@@ -62,15 +50,9 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 
 def numbers(v: Any) -> Numbers:
-    """Convert a vector of a student's engine to a tuple of three floats.
-
-    A component that is not a number becomes NaN. The plot is still drawn, with a gap at that point.
-    """
-    return (
-        number(getattr(v, "x", None)),
-        number(getattr(v, "y", None)),
-        number(getattr(v, "z", None)),
-    )
+    """Convert a vector of a student's engine to floats. What is not a number becomes NaN."""
+    x, y, z = (number(getattr(v, axis, None)) for axis in "xyz")
+    return x, y, z
 
 
 def number(value: Any) -> float:
@@ -82,23 +64,13 @@ def number(value: Any) -> float:
 
 
 def dot(a: Numbers, b: Numbers) -> float:
-    """Compute the scalar product of two tuples of floats.
-
-    The student's Vector3 is not used, because its scalar product may be wrong.
-    """
+    """Compute the scalar product of two tuples of floats."""
     return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
-    """Compute the vector product of two tuples of floats.
-
-    The student's Vector3 is not used, because its vector product may be wrong.
-    """
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    """Compute the vector product of two tuples of floats."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:

@@ -14,11 +14,7 @@ from scenes.engine import RejectedFileError
 
 
 def reason(error: BaseException) -> str:
-    """Describe an error in a student's code: the message, the line and the likely cause.
-
-    A cause is given only for common mistakes. Code that the student still has to write is reported
-    as "not written yet".
-    """
+    """Describe an error in a student's code: its message, line and, if common, its cause."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, RejectedFileError | LackingError):
@@ -38,8 +34,5 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
-    """Make a path relative to the current folder, so that it is short enough for a message.
-
-    A path outside the current folder is not changed.
-    """
+    """Make a path relative to the current folder if it is inside."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -25,11 +25,7 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Return a function that simulates particles in ``substeps`` equal steps per call.
-
-    In each step, ``step`` moves the particles, the ``generators`` find the contacts, and
-    ``resolve`` resolves them.
-    """
+    """Return a function that moves particles and resolves contacts in ``substeps`` equal steps."""
     every = [*generators]
 
     def move(duration: float) -> None:
@@ -42,10 +38,7 @@ def resolving(
 
 
 def by_resolver(iterations: int | None = None) -> Resolve:
-    """Return a function that resolves contacts with a ContactResolver.
-
-    It makes at most ``iterations`` iterations per contact, or 2 by default.
-    """
+    """Return a function that resolves contacts in ``iterations`` per contact, or 2 by default."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         if contacts:

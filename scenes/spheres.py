@@ -20,10 +20,9 @@ Centers = Sequence[tuple[float, float]]
 
 
 def stack(count: int, top: float = 1.0, gravity: float = GRAVITY) -> Setup:
-    """Create a stack of spheres that just touch, and the ground below it.
+    """Create a stack of touching spheres of 1 kg on the ground, with ``top`` kg for the top one.
 
-    The top sphere has a mass of ``top`` kg, and the others have 1 kg. The contacts are those with
-    the ground, and then those of pairs.
+    The contacts are those with the ground, and then those of pairs.
     """
     spheres = at([(0.0, (i + 0.5) * DIAMETER) for i in range(count)], gravity)
     spheres[-1].mass = top
@@ -31,19 +30,15 @@ def stack(count: int, top: float = 1.0, gravity: float = GRAVITY) -> Setup:
 
 
 def overlap(heights: Iterable[float]) -> float:
-    """Compute the largest overlap in a stack, as a fraction of the diameter.
+    """Compute the largest overlap in a stack, as a fraction of the diameter, or less than 0.
 
-    ``heights`` are those of the centers in m, from the lowest up. The lowest sphere may overlap
-    the ground. The result is negative if nothing touches.
+    The ``heights`` of the centers are in m, from the lowest up. The lowest may overlap the ground.
     """
     return max(1.0 - (high - low) / DIAMETER for low, high in pairwise([-RADIUS, *heights]))
 
 
 def pyramid(rows: int, size: float = DIAMETER) -> Centers:
-    """List the centers of a flat pyramid of spheres, row by row, the lowest of them at height 0.
-
-    Each row has one sphere fewer than the one below. Neighbors are ``size`` m apart.
-    """
+    """List the centers of a flat pyramid, row by row, with neighbors ``size`` m apart."""
     return [
         ((i + 0.5 * row) * size, row * size * 0.75**0.5)
         for row in range(rows)

@@ -42,8 +42,8 @@ def stepping(
 ) -> tuple[Integrator, Pull, float]:
     """Return an integrator, a spring with k h^2 / m = ``kappa``, and the damping of the particle.
 
-    The step h is FRAME. For an integrator, ``damping`` is d^h, where d is the damping of the
-    particle. For one of the ``solvers``, it is c h / m, where c is the damping of the spring.
+    For an integrator, ``damping`` is d^h with the particle's d, where h is FRAME. For one of the
+    ``solvers``, it is c h / m with the spring's c.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -52,10 +52,7 @@ def stepping(
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return an integrator that raises an error if a particle's speed exceeds ``limit`` in m/s.
-
-    If the student's function ``watched`` is not written yet, return ``integrator`` unchanged.
-    """
+    """Make an integrator raise an error above ``limit`` m/s, if ``watched`` is written."""
     try:
         step = watched(integrator, limit)
     except NotImplementedError:
@@ -81,10 +78,9 @@ def swing(
 
 
 def step_matrix(integrator: Integrator, generator: ForceGenerator, damping: float = 1.0) -> Matrix:
-    """Measure the matrix of one time step of an integrator, which multiplies (x, v h).
+    """Measure the matrix of one step, which multiplies (x, v h), or NaN if the engine fails.
 
-    A step is linear, so the columns of the matrix are its results for (1, 0) and (0, 1). If the
-    engine fails, all entries are NaN.
+    A step is linear, so the columns are its results for (1, 0) and (0, 1).
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / FRAME)):
@@ -149,7 +145,7 @@ def _runge_kutta(kappa: float, kept: float) -> Matrix:
 
 
 def faked_growth(angle: float, share: float) -> float:
-    """Return the growth per step of a FakeStiffSpring, with the phase per step as ``angle``.
+    """Return the growth per step of a FakeStiffSpring with ``angle`` as the phase per step.
 
     ``share`` is the fraction of critical damping.
     """
@@ -170,5 +166,4 @@ def _moving(integrator: Integrator, body: Particle, generator: ForceGenerator) -
 
 
 def _state(body: Particle) -> tuple[float, float]:
-    """Return the position and velocity along X."""
     return numbers(body.position)[0], numbers(body.velocity)[0]

@@ -1,9 +1,8 @@
 """Measure how long two pieces of code take, and report the ratio of their times.
 
-A ratio is almost the same on every machine, unlike a time in seconds. The two times are measured
-one right after the other, in several rounds. The rounds of all benchmarks are shuffled. A minute in
-which the machine is slow therefore affects every benchmark a little, and none of them a lot. The
-report shows the median and the quartiles of the rounds.
+A ratio is almost the same on every machine. The two times are measured one right after the other,
+and the rounds of all benchmarks are shuffled, so that a slow minute affects each of them only a
+little.
 """
 
 from __future__ import annotations
@@ -48,13 +47,9 @@ class Target:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A benchmark that runs in several rounds, such as a comparison of pymunk's time with ours.
+    """A benchmark that runs in several rounds, such as a comparison of pymunk's time with ours."""
 
-    ``what`` describes the benchmark in the report. ``once`` is a function that runs one round and
-    returns its result.
-    """
-
-    what: str
+    what: str  # in the report
     once: Figure
     rounds: int
     target: Target | None = None
@@ -84,33 +79,21 @@ def timer(run: Callable[[], object], times: int = 1) -> Timer:
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return a function that runs a Python statement TIMES times and returns the time in s.
-
-    A single run would be too short to measure. ``setup`` is code that defines the variables of the
-    statement. It runs before the measurement starts.
-    """
+    """Return a function that runs a Python statement TIMES times and returns the time in s."""
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Measure two times, one right after the other, and return both of them.
-
-    The order is random, so that it does not favor one of them.
-    """
+    """Measure two times, one after the other in random order, which favors neither."""
     if random.random() < 0.5:
-        a = warm(first)
-        return a, warm(second)
+        return warm(first), warm(second)
     b = warm(second)
     return warm(first), b
 
 
 def warm(timed: Timer) -> float:
-    """Measure how long a piece of code takes, and average over several runs if it is fast.
-
-    If the first run takes less than LEAST, the code is run again and again for that long. The first
-    run is then not counted, because cold caches would distort a short measurement.
-    """
+    """Measure a time in s. One below LEAST is averaged over several runs, but not the first."""
     taken = timed()
     if taken >= LEAST:
         return taken
@@ -122,10 +105,7 @@ def warm(timed: Timer) -> float:
 
 
 def fastest(timed: Timer, least: float) -> float:
-    """Measure a piece of code for at least ``least`` s, and return the time of its fastest run.
-
-    Whatever else the computer does can only make a run slower.
-    """
+    """Measure a piece of code for at least ``least`` s, and return the time of its fastest run."""
     times: list[float] = []
     while sum(times) < least:
         times.append(timed())
@@ -133,10 +113,7 @@ def fastest(timed: Timer, least: float) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a function that times two pieces of code and returns the ratio first / second.
-
-    Each call of the function is one round of a benchmark.
-    """
+    """Return a function that times two pieces of code and returns the ratio first / second."""
 
     def once() -> float:
         a, b = both(first, second)
@@ -148,17 +125,16 @@ def versus(first: Timer, second: Timer) -> Figure:
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
     """Run all rounds of all benchmarks in mixed order, and return their results for the report.
 
-    On a terminal, a progress bar shows the current benchmark and the time left. It is updated only
-    between rounds, so that it does not slow them down.
+    On a terminal, the progress bar is updated only between rounds, so that it does not slow them
+    down.
     """
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
-    columns = (
-        *(TextColumn("{task.description:40.40}"), BarColumn()),
-        *(MofNCompleteColumn(), TimeRemainingColumn()),
-    )
     with Progress(
-        *columns,
+        TextColumn("{task.description:40.40}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
         transient=True,
         auto_refresh=False,
         speed_estimate_period=3600.0,
@@ -176,11 +152,10 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return a random order for the rounds of all benchmarks, which spreads each of them evenly.
+    """Return a benchmark's index for each round, in random order but evenly spread.
 
-    The result is a list of benchmark indices. Index ``i`` occurs ``rounds[i]`` times. For a
-    benchmark with n rounds, the whole run is divided into n equal parts. Each part gets one of the
-    rounds, at a random time.
+    For a benchmark with n rounds, each of n equal parts of the whole run gets one, at a random
+    time.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
@@ -198,12 +173,10 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Set up benchmarks that compare our classes with those of several libraries.
+    """Set up benchmarks of several libraries' times divided by ours, as geometric means.
 
-    The result of a benchmark is the library's time divided by ours, as a geometric mean over all
-    operations that both support. ``name`` is the name of our classes in the report. Each entry of
-    ``peers`` is a tuple of a library's module, its name in the report, and a target. A library that
-    is not installed is skipped, and a message on ``console`` shows how to install it.
+    An entry of ``peers`` is a library's module, its name in the report, and a target. If it is not
+    installed, ``console`` shows how to install it.
     """
     ours = statements["ours"]
     found = []
@@ -229,8 +202,5 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Return a function that measures several ratios and returns their geometric mean.
-
-    The mean combines the ratios of several operations, such as adding two vectors, into one number.
-    """
+    """Return a function that measures several ratios and returns their geometric mean."""
     return lambda: statistics.geometric_mean([once() for once in figures])

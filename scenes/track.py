@@ -14,15 +14,11 @@ Move = Callable[[float], object]  # advances a simulation by a duration in s
 
 @dataclass(frozen=True)
 class Track:
-    """The values of a quantity, such as the height of a ball, over the course of a simulation.
-
-    They are recorded at the start and after each time step. If the student's engine raised an
-    error, the recording ends early, and ``message`` is the text of the error.
-    """
+    """A quantity at the start and after each time step, until the engine raises an error."""
 
     times: list[float]
     values: list[float]
-    message: str = ""
+    message: str = ""  # of the error
 
     @property
     def points(self) -> list[tuple[float, float]]:
@@ -38,11 +34,7 @@ def track(move: Move, measure: Measure, frames: int, duration: float = FRAME) ->
 def tracks(
     move: Move, measures: Sequence[Measure], frames: int, duration: float = FRAME
 ) -> list[Track]:
-    """Run a simulation step by step, and record several values at the start and after each step.
-
-    Each function in ``measures`` returns one of the values. If the student's engine fails, the
-    recording ends early.
-    """
+    """Run a simulation step by step, and record several values at the start and after each step."""
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
     def run() -> None:

@@ -1,7 +1,6 @@
 """Translate a scene into pymunk: particles, springs, rods, cables, ground and spheres.
 
-A twin has the same bodies, joints and shapes as the scene of our engine, so that both can be
-compared. Pymunk is two-dimensional, so all particles of the scene must lie in the X-Y plane.
+Pymunk is two-dimensional, so all particles of the scene must lie in the X-Y plane.
 """
 
 from __future__ import annotations
@@ -19,6 +18,8 @@ if TYPE_CHECKING:
 
 WIDE = 1000.0  # m, half the width of the ground, and more than the length of any strut
 THICK = 1.0  # m, half the thickness of the ground, so that no body is below it after a step
+Pair = tuple[float, float]
+ORIGIN = 0.0, 0.0
 InSpace = tuple["pymunk.Space", list["pymunk.Body"]]
 
 
@@ -27,13 +28,9 @@ def twin_of(
 ) -> InSpace:
     """Create a pymunk space with the same scene, and return it with its bodies.
 
-    ``ahead`` is the length of a step in s. If it is not 0, all bodies start with the velocities
-    that they have half a step later, which makes pymunk's step as accurate as leapfrog. With
-    ``corrects``, joints correct their whole error in each step, and not only a fraction of it.
-
-    Raises:
-        ValueError: Pymunk cannot express the scene, because it has a generator of another kind, or
-            particles with different accelerations or damping.
+    ``ahead`` is the length of a step in s. All bodies then start with their velocities half a step
+    later, which makes pymunk as accurate as leapfrog. With ``corrects``, joints correct their whole
+    error in each step. Raise ValueError if pymunk has no such scene.
     """
     import pymunk  # here, because a student's scenes do not need it
 
@@ -90,25 +87,24 @@ def _spring(
     if isinstance(generator, AnchoredSpring):
         other, at = space.static_body, (generator.anchor.x, generator.anchor.y)
     elif isinstance(generator, Spring):
-        other, at = bodies[id(generator.other)], (0.0, 0.0)
+        other, at = bodies[id(generator.other)], ORIGIN
     else:
         raise ValueError(f"pymunk has no force like {generator!r}")
     values = generator.rest_length, generator.stiffness, generator.damping
-    return pymunk.DampedSpring(body, other, (0.0, 0.0), at, *values)
+    return pymunk.DampedSpring(body, other, ORIGIN, at, *values)
 
 
 def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator: object) -> None:
-    """Add the joint or the shapes that do the same as a contact generator.
-
-    Pymunk multiplies the elasticities of two shapes to get their restitution. The ground has 1, and
-    each sphere the restitution of the ground or, without ground, the root of that of the pairs.
-    """
+    """Add the joint or the shapes that do the same as a contact generator."""
     import pymunk
 
     # A handout for chapter 6 does not have these.
     from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
     from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
     from scenes.links import Strut
+
+    def slide(a: pymunk.Body, b: pymunk.Body, low: float, high: float, at: Pair = ORIGIN) -> None:
+        space.add(pymunk.SlideJoint(a, b, at, ORIGIN, low, high))
 
     match generator:
         case Detectors(detectors=parts):
@@ -120,23 +116,20 @@ def _add_contacts(space: pymunk.Space, bodies: dict[int, pymunk.Body], generator
             at = anchor.x, anchor.y
             space.add(pymunk.PinJoint(space.static_body, bodies[id(particle)], at))
         case Cable(a=a, b=b, max_length=length):
-            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
-            space.add(pymunk.SlideJoint(*ends, 0.0, length))
+            slide(bodies[id(a)], bodies[id(b)], 0.0, length)
         case AnchoredCable(particle=particle, anchor=anchor, max_length=length):
             at = anchor.x, anchor.y
-            ends = space.static_body, bodies[id(particle)], at, (0.0, 0.0)
-            space.add(pymunk.SlideJoint(*ends, 0.0, length))
+            slide(space.static_body, bodies[id(particle)], 0.0, length, at)
         case Limits(a=a, b=b, min_length=low, max_length=high):
-            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
-            space.add(pymunk.SlideJoint(*ends, low, high))
+            slide(bodies[id(a)], bodies[id(b)], low, high)
         case Strut(a=a, b=b, min_length=length):
-            ends = bodies[id(a)], bodies[id(b)], (0.0, 0.0), (0.0, 0.0)
-            space.add(pymunk.SlideJoint(*ends, length, WIDE))
+            slide(bodies[id(a)], bodies[id(b)], length, WIDE)
         case GroundPlane(particles=particles, height=height, radius=radius):
             low = height - THICK
             floor = pymunk.Segment(space.static_body, (-WIDE, low), (WIDE, low), THICK)
             floor.elasticity = 1.0
             space.add(floor)
+            # The restitution of two shapes is the product of their elasticities.
             _add_spheres(space, bodies, particles, radius, generator.restitution)
         case ParticlePairs(particles=particles, radius=radius):
             _add_spheres(space, bodies, particles, radius, math.sqrt(generator.restitution))

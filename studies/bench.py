@@ -23,10 +23,7 @@ from studies.benchmarks.kept import FILE, keep
 
 
 def main(arguments: list[str]) -> int:
-    """Run all speed benchmarks of the physics engine, print the results, and save them as JSON.
-
-    Return 0, even if some results miss their targets.
-    """
+    """Run all benchmarks, print the results, and save them. Return 0 even if targets are missed."""
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
     options = parser.parse_args(arguments)
@@ -55,11 +52,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Set up all benchmarks of the engine, in the order in which the report lists them.
-
-    Some of them compare the engine with other libraries, such as NumPy. If a library is not
-    installed, its benchmarks are skipped, and a message on ``console`` shows how to install it.
-    """
+    """Set up all benchmarks in the order of the report, without those of missing libraries."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
@@ -75,26 +68,18 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*springs.lines(), *constraints.lines()]
-    found += worlds.lines()
+    found += [*springs.lines(), *constraints.lines(), *worlds.lines()]
     return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
 
 
 def told(line: Line) -> str:
-    """Format the result of a benchmark, as in "1.32 (1.30 to 1.35), target at most 1.6: met".
-
-    The numbers are the median and the quartiles of the benchmark's rounds. If there is no target,
-    that part is omitted.
-    """
+    """Format a result, as in "1.32 (1.30 to 1.35), target at most 1.6: met"."""
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Format a benchmark's result with two decimals, or as a whole number if it is 100 or more.
-
-    For example, 1.234 becomes "1.23", and 1234.4 becomes "1,234".
-    """
+    """Format a benchmark's result with two decimals, or as a whole number if it is 100 or more."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

@@ -10,6 +10,7 @@ import argparse
 import math
 import sys
 from collections.abc import Callable
+from functools import partial
 
 from rich.progress import track
 
@@ -21,10 +22,7 @@ MOST = 0.001  # fraction by which the energy may vary over the last minute
 
 
 def main(arguments: list[str]) -> int:
-    """Simulate the bridge and the platform at every step rate, and print which runs passed.
-
-    Return 1 if any run failed, and 0 otherwise.
-    """
+    """Simulate both scenes at every step rate. Return 1 if any run failed, and 0 otherwise."""
     parser = argparse.ArgumentParser(prog="python -m studies soak", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the folder to run")
     options = parser.parse_args(arguments)
@@ -37,10 +35,7 @@ def main(arguments: list[str]) -> int:
     for kind in (Bridge, TiltingPlatform):
         for rate in RATES:
             scene = kind()
-
-            def energy(scene: Bridge | TiltingPlatform = scene) -> float:
-                return mechanical_energy(scene.world.particles)
-
+            energy = partial(mechanical_energy, scene.world.particles)
             name = f"{kind.__name__} at {rate} Hz"
             well, told = soak(name, scene.step, energy, rate, MINUTES)
             verdict = "passed" if well else "FAILED"
@@ -51,17 +46,9 @@ def main(arguments: list[str]) -> int:
 
 
 def soak(
-    name: str,
-    step: Callable[[float], object],
-    energy: Callable[[], float],
-    rate: int,
-    minutes: int,
+    name: str, step: Callable[[float], object], energy: Callable[[], float], rate: int, minutes: int
 ) -> tuple[bool, str]:
-    """Simulate a scene for ``minutes`` minutes, and check its energy after every step.
-
-    ``rate`` is the number of steps per second. Return True if the scene passed, along with a
-    sentence for the report, such as "its energy varies by 0.02 % over the last minute".
-    """
+    """Simulate a scene at ``rate`` Hz. Return whether it passed, and a sentence for the report."""
     start = energy()
     last: list[float] = []
     for _ in track(range(minutes), name, transient=True, disable=not sys.stdout.isatty()):

@@ -1,7 +1,4 @@
-"""Models that know that nothing moves: all bodies sleep, in our engine and in pymunk.
-
-The positions of a body are read again only after it has woken up.
-"""
+"""Models that know that nothing moves: all bodies sleep, in our engine and in pymunk."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""The list of all scenes in which our engine is compared with pymunk.
-
-They range from a pendulum to a rope bridge. Commands such as `make charts` can select some of them
-by name.
-"""
+"""The list of all scenes in which our engine is compared with pymunk."""
 
 from __future__ import annotations
 
@@ -34,13 +30,7 @@ def group_of() -> dict[str, str]:
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Create the scenes whose names contain ``part``, or all scenes if ``part`` is empty.
-
-    For example, ``scenes_with("double")`` creates only the double pendulum.
-
-    Raises:
-        ValueError: No scene matches. The message lists all names.
-    """
+    """Create the scenes with ``part`` in their names. A ValueError lists all names."""
     every = [make() for group in GROUPS.values() for make in group]
     if found := [scene for scene in every if part in scene.name]:
         return found

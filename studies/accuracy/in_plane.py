@@ -36,18 +36,16 @@ def in_plane(
 ) -> list[Model]:
     """Create the models of high order for a scene.
 
-    ``is_damped`` says whether the accelerations depend on the velocities. ``place`` converts the
-    positions to coordinates. An evaluation counts as ``units`` of work, or as one for each body.
+    ``is_damped`` says whether the accelerations depend on the velocities. An evaluation counts as
+    ``units`` of work, or as one for each body.
     """
     units = units or len(positions)
     kind = LoneMultistep if len(positions) == 1 else Multistep
 
     def by_multistep(order: int, steps: int) -> Outcome:
         # The curve between two long steps needs velocities.
-        needs_velocities, length = is_damped or steps < LONG, LONG / (steps * RATE)
-        bodies = kind(
-            positions, velocities, accelerations, length, order, is_damped=needs_velocities
-        )
+        damped, length = is_damped or steps < LONG, LONG / (steps * RATE)
+        bodies = kind(positions, velocities, accelerations, length, order, is_damped=damped)
         if steps < LONG:
             places = in_long_steps(
                 lambda: bodies.run(1, 1),
@@ -81,8 +79,7 @@ def in_long_steps(
 ) -> list[Place]:
     """Simulate in steps of ``every`` frames, with cubic curves for the frames in between.
 
-    ``step`` makes one step, and ``state`` returns the positions and the velocities. The curves are
-    accurate only while the motion is smooth: they cannot follow an impact.
+    The curves are accurate only while the motion is smooth: they cannot follow an impact.
     """
     places: list[Place] = []
     curve = [hermite_weights(every / RATE, frame / every) for frame in range(1, every)]

@@ -1,9 +1,9 @@
 """Models that simulate a scene in pymunk: as its examples do, and at its best.
 
-A step of pymunk first moves all bodies, and then changes their velocities. As most of its examples
-use it, the error therefore falls only in proportion to the step. The changes that README.md
-describes, which need nothing but pymunk's public functions, make it fall with the square of the
-step: a start half a step ahead, our own forces before the step, and joints without bias.
+A step of pymunk moves all bodies before it changes their velocities, so as in most of its examples
+the error falls in proportion to the step. The changes that README.md describes, with public
+functions only, make it fall with the square of the step: a start half a step ahead, our own forces
+before the step, and joints without bias.
 
 A ``DampedSpring`` damps after it has changed the velocity, and the damping of a space comes before
 gravity. A spring that is stiffer by half a step's damping, or a gravity that is weaker by it, makes
@@ -42,11 +42,10 @@ def by_pymunk(
     stepping: Callable[[pymunk.Space, list[pymunk.Body]], Step] = lambda space, _: space.step,
     units: int = 1,
 ) -> Model:
-    """Create a model that simulates a scene in pymunk.
+    """Create a model from ``make``, which takes the duration of a step in s.
 
-    ``make`` creates the space and its bodies for steps of the given duration in s, and ``stepping``
-    returns what makes a step. A step counts as one unit of work for each iteration of each joint
-    or, without joints, as ``units``.
+    A step counts as one unit of work for each iteration of each joint or, without joints, as
+    ``units``.
     """
 
     def run(count: int) -> Outcome:
@@ -81,8 +80,8 @@ def lone(
 ) -> tuple[Model, Model, Model]:
     """Create the models of a single body in pymunk under a force of our own.
 
-    The first one applies the force before each step, the second one in ``velocity_func``, and the
-    third one adds the acceleration to the velocity before each step, from half a step behind.
+    The force acts before each step, or in ``velocity_func``, or as a change of the velocity before
+    each step, from half a step behind.
     """
     first = acceleration(complex(*position), complex(*velocity))
 

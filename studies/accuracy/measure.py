@@ -1,10 +1,7 @@
 """Measure how accurate and how fast every model of every scene is.
 
-A model is one way to simulate a scene, for example with a certain integrator. The error and the
-amount of work of a model are the same in every run, so they are measured only once. The time varies
-from run to run, so it is measured in several rounds. Each round times all models in random order,
-so that a brief slowdown of the computer does not always affect the same model. An interrupted
-measurement can resume from its saved results, unless the code or a version has changed.
+Errors and work are the same in every run, so they are measured once, and times in several rounds.
+Each round times all models in random order, so that a slowdown does not always affect the same one.
 """
 
 from __future__ import annotations
@@ -36,21 +33,15 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 
 @dataclass
 class Point:
-    """A point in a chart: the error, work and time of a model with a given number of steps.
-
-    - ``by``: who wrote the model, "ours", "the book" or "pymunk".
-    - ``is_formula``: True if the model knows more about the scene than its equations of motion.
-    - ``steps``: the number of steps, or 1 / tolerance, as in ``Model.steps``.
-    - ``times``: the processor time in s in each timing round.
-    """
+    """A point in a chart: the error, work and time of a model with a given number of steps."""
 
     scene: str
     model: str
     by: str
-    steps: int
+    steps: int  # or 1 / tolerance
     error: float
     work: int
-    times: list[float] = field(default_factory=list)
+    times: list[float] = field(default_factory=list)  # processor time in s of each round
     is_formula: bool = False
 
     @property
@@ -66,14 +57,11 @@ class Point:
 
 @dataclass
 class Measured:
-    """The points so far, the number of finished timing rounds, and the day of the last one.
-
-    A point that the present round has timed already has one time more than there are rounds.
-    """
+    """The points so far. Those that the present round has timed have rounds + 1 times."""
 
     points: list[Point]
-    rounds: int = 0
-    day: str = ""
+    rounds: int = 0  # finished
+    day: str = ""  # of the last round
 
 
 def explore(
@@ -81,9 +69,8 @@ def explore(
 ) -> Measured:
     """Measure the error and the work of every model in every scene, but not the times.
 
-    Each model runs with more and more steps per frame, until only rounding errors are left or a run
-    takes too long: ``theirs`` seconds for pymunk's models, and ``slowest`` seconds for ours. Before
-    each model, ``hear`` is called with a line of text that shows the progress.
+    The steps become shorter until only rounding is left or a run takes too long: ``theirs`` seconds
+    for pymunk's models, and ``slowest`` for ours. ``hear`` gets a line of text before each model.
     """
     points = []
     for scene in scenes:
@@ -118,8 +105,8 @@ def run(model: Model, steps: int) -> Outcome | None:
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
     """Run one more timing round, or the rest of an interrupted one.
 
-    A run that takes longer than LONG seconds is timed only in the first FEW rounds, and is skipped
-    in later ones. After each run, timed or skipped, ``hear`` is called to advance a progress bar.
+    A run that takes longer than LONG seconds is skipped after FEW rounds. ``hear`` is called after
+    each run, timed or skipped.
     """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
@@ -160,12 +147,7 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Compute a signature that changes with anything that affects the results.
-
-    These are the names of the scenes, the time limits, the code of the engine, the scenes and the
-    studies except for what only draws the charts, the platform, and the versions of Python and
-    pymunk.
-    """
+    """Compute a signature of all that affects the results: names, limits, code and versions."""
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "scenes", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):

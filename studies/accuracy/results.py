@@ -1,8 +1,6 @@
 """Compare the fastest simulation of a scene by our engine with the fastest one by pymunk.
 
-A model is one way to simulate a scene, for example with a certain integrator. Both our engine and
-pymunk have several models of each scene. To be fair, the comparison uses the fastest models that
-meet the same error tolerance.
+Both have several models of each scene, so the fastest ones that meet the same tolerance count.
 """
 
 from __future__ import annotations
@@ -22,31 +20,21 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model of our engine, or of pymunk, that meets a given error tolerance.
-
-    - ``model``, ``time``: its name, and how long it takes in s, or None if no model meets it.
-    - ``longest``: a lower bound on the time in s, for the case that no model meets the tolerance.
-      Every model that could still meet it with more steps has already run for at least this long.
-    - ``never``: True if no model would meet the tolerance with any number of steps.
-    - ``order``: the order of convergence from which ``time`` was extrapolated, or None if it was
-      measured.
-    """
+    """The fastest model of our engine, or of pymunk, that meets a given error tolerance."""
 
     model: str | None
-    time: float | None
-    longest: float
-    never: bool
-    order: float | None = None
+    time: float | None  # s
+    longest: float  # s; models that more steps could still help ran at least this long
+    never: bool  # no number of steps would help any model
+    order: float | None = None  # from which the time was extrapolated
 
 
 @dataclass(frozen=True)
 class Row:
     """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
 
-    ``tolerance`` is the largest error allowed, as a fraction of the scene's size. Only models of
-    one kind count as ours: those that know more than the equations of motion if ``is_formula`` is
-    true, and those that step the equations if it is false. All of pymunk's models count in the
-    first case, and those that step the equations in the second.
+    If ``is_formula``, only models that know more than the equations of motion count as ours, and
+    all of pymunk's count. Otherwise only those that step the equations count, on both sides.
     """
 
     scene: str
@@ -85,7 +73,7 @@ def by_steps(points: Sequence[Point]) -> list[Point]:
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by model. The points of each model stay in the same order."""
+    """Group measured points by model, in the same order."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -93,11 +81,9 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Find the run with the fewest steps that reliably meets an error tolerance.
+    """Return the index of the run with the fewest steps that meets a tolerance, or None.
 
-    ``ordered`` holds the runs of one model, sorted by number of steps. A single small error may be
-    a coincidence, so a run counts only if all runs with more steps meet the tolerance, too. Return
-    the index of the run, or None if there is none.
+    A single small error may be a coincidence, so all runs with more steps must meet it, too.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -105,11 +91,10 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return how long a model takes, in s, to meet an error tolerance, or None if it never does.
+    """Return the time in s in which a model meets a tolerance, or None.
 
-    ``points`` are the runs of the model. The time is that of its fastest run that is accurate
-    enough. It is shorter if the time at the tolerance itself is, interpolated on logarithmic scales
-    between the two runs on either side.
+    It is that of the fastest accurate run or, if shorter, the time at the tolerance itself,
+    interpolated on logarithmic scales between the two runs on either side.
     """
     ordered = by_steps(points)
     first = first_within(ordered, tolerance)
@@ -127,9 +112,8 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 def stalls(points: Sequence[Point]) -> bool:
     """Return True if a model's error has stopped shrinking, so that more steps would not help.
 
-    This is the case if eight times as many steps reduce the error by no more than half. For
-    comparison, a method of order 1 would reduce it to an eighth. The result is False if the error
-    is at least a tenth of the scene's size, because such an error may still start to shrink.
+    Then eight times as many steps at most halve the error. An error of at least a tenth of the
+    scene's size may still start to shrink.
     """
     ordered = by_steps(points)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -137,11 +121,10 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Measure a model's order of convergence while its number of steps grows eightfold at the end.
+    """Measure a model's order of convergence over the last three doublings of its steps.
 
-    If the error is proportional to 1 / steps^p, the order is p. Return None if the error does not
-    fall steadily, if it is a tenth of the scene's size or more, if it is so small that it is only
-    rounding, or if there are fewer than four such runs.
+    Return None if the error does not fall steadily, is a tenth of the scene's size or more, or is
+    only rounding.
     """
     ordered = by_steps(points)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -157,11 +140,9 @@ def _order(a: Point, b: Point) -> float:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate how long a model would take, in s, to meet a tolerance that it has not met so far.
+    """Estimate the time in s in which a model would meet a tolerance, or return None.
 
-    The number of steps follows from the model's order of convergence. Each step is assumed to take
-    as long as in the finest run. Return None if the model has no steady order, or if the error of
-    the finest run is more than FARTHEST times the tolerance.
+    Each step is assumed to take as long as in the finest run. The order must be steady.
     """
     finest, order = by_steps(points)[-1], order_of(points)
     if order is None or finest.error > FARTHEST * tolerance:
@@ -170,11 +151,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def side_of(points: Sequence[Point], tolerance: float, *, extrapolates: bool = False) -> Side:
-    """Find the fastest model of one engine, ours or pymunk, that meets ``tolerance``.
-
-    ``points`` contains all runs of this engine in one scene. If none of them meets the tolerance
-    and ``extrapolates`` is true, the time is extrapolated where that is possible.
-    """
+    """Find the fastest model among all runs of one engine in one scene that meets ``tolerance``."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     tried = (max(point.time for point in own) for own in open_ones or models.values())
@@ -190,15 +167,7 @@ def side_of(points: Sequence[Point], tolerance: float, *, extrapolates: bool = F
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Find the fastest run that is accurate enough, and the next faster run of any accuracy.
-
-    A run is accurate enough only if ``first_within`` finds that the model's runs with more steps
-    are accurate enough, too.
-
-    Returns:
-        The fastest accurate run, and the slowest of all runs that take less time. Either of them is
-        None if there is no such run.
-    """
+    """Find the fastest accurate run, as in ``first_within``, and the slowest of all faster runs."""
     within = []
     for own in models_of(points).values():
         ordered = by_steps(own)
@@ -216,10 +185,7 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
 
 
 def row(points: Sequence[Point], tolerance: float, *, is_formula: bool) -> Row | None:
-    """Compare our fastest model of one kind with pymunk's fastest in one scene, at one tolerance.
-
-    ``points`` are all runs in that scene. Return None if there is no model of this kind.
-    """
+    """Compare our fastest model of one kind in a scene with pymunk's. Return None without one."""
     ours, theirs = split(points)
     own = [point for point in ours if point.is_formula == is_formula]
     if not own:
@@ -230,10 +196,7 @@ def row(points: Sequence[Point], tolerance: float, *, is_formula: bool) -> Row |
 
 
 def table(points: Sequence[Point]) -> list[Row]:
-    """Compare our fastest models with pymunk's in every scene, at every error tolerance.
-
-    The models that step the equations come first.
-    """
+    """Compare our fastest models with pymunk's, those that step the equations first."""
     scenes: dict[str, list[Point]] = {}
     for point in points:
         scenes.setdefault(point.scene, []).append(point)
@@ -247,10 +210,9 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Find the runs with the best trade-offs between speed and accuracy, sorted by time.
+    """Find the runs that are more accurate than all faster runs, sorted by time.
 
-    A run is included if every faster run has a larger error. Errors that are only rounding errors
-    count as equal.
+    Errors that are only rounding errors count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

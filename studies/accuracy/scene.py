@@ -1,12 +1,7 @@
 """Scenes and models, the building blocks of the comparison between our engine and pymunk.
 
-A scene, such as a pendulum, has an exact solution. A model is one way to simulate the scene, such
-as an integrator, and usually runs with any number of steps per frame. The result of a run is a list
-of the positions at the end of every frame, at 60 frames per second.
-
 The error of a model is its largest deviation from the exact solution in any coordinate and any
-frame, divided by the scene's size. A model must therefore be accurate all the time, not just at the
-end.
+frame, divided by the scene's size. So a model must be accurate all the time, not just at the end.
 """
 
 from __future__ import annotations
@@ -32,41 +27,23 @@ Place = Sequence[float]  # all coordinates that are compared, in m
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of a simulation: the positions at the end of every frame, and the work done.
-
-    The work is counted rather than timed, so it does not depend on the computer's speed. It is the
-    number of force evaluations, unless ``Scene.counted`` gives another unit, such as "contacts
-    resolved".
-    """
+    """The result of a simulation: the positions at the end of every frame, and the work done."""
 
     places: Sequence[Place]
-    work: int
+    work: int  # in units of ``Scene.counted``, the same on every computer
 
 
 @dataclass(frozen=True)
 class Model:
-    """One way to simulate a scene, for example with a certain integrator.
-
-    - ``run``: a function that simulates the scene with a given number of steps per frame.
-    - ``steps``: the numbers of steps per frame to try. For an exact model, such as a closed form,
-      it is (1,), because more steps would not change the result.
-    - ``by``: who wrote the model, "ours", "the book" or "pymunk".
-    - ``is_formula``: True if the model knows more about the scene than its equations of motion,
-      such as a closed form, the impacts, the angles of rods, or that nothing moves. Otherwise it
-      steps the equations.
-    - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
-      1 / tolerance, so a larger number still means a more accurate run.
-    - ``per``: the number of frames in which the steps are counted. It is 1, unless the steps are
-      longer than a frame.
-    """
+    """One way to simulate a scene, for example with a certain integrator."""
 
     name: str
     run: Callable[[int], Outcome]
-    steps: Sequence[int] = STEPS
-    by: str = "ours"
-    is_formula: bool = False
-    takes_tolerance: bool = False
-    per: int = 1
+    steps: Sequence[int] = STEPS  # to try; only 1 if more would not change the result
+    by: str = "ours"  # or "the book" or "pymunk"
+    is_formula: bool = False  # it knows more about the scene than its equations of motion
+    takes_tolerance: bool = False  # it chooses its own steps, and ``steps`` are 1 / tolerance
+    per: int = 1  # frames in which the steps are counted
 
     def chosen(self, steps: int) -> str:
         """Describe a number of steps, as in "3 steps per 12 frames" or "tolerance 0.001"."""
@@ -74,7 +51,7 @@ class Model:
 
 
 def told_choice(steps: int, per: int, *, takes_tolerance: bool) -> str:
-    """Describe a number of steps per ``per`` frames, or a tolerance of 1 / ``steps``."""
+    """Describe steps, as in "3 steps per 12 frames", or a tolerance of 1 / ``steps``."""
     if takes_tolerance:
         return f"tolerance {1.0 / steps:g}"
     frames = "frame" if per == 1 else f"{per} frames"
@@ -83,31 +60,18 @@ def told_choice(steps: int, per: int, *, takes_tolerance: bool) -> str:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene to simulate, such as a pendulum, with its exact solution and its models.
-
-    - ``truth``: a function that returns the exact position at a time in s.
-    - ``scale``: the size of the scene in m. Errors are given as fractions of it.
-    - ``models``: the ways to simulate the scene.
-    - ``counted``: the unit in which the models count their work, such as "contacts resolved".
-    - ``differs``: a function that checks the exact solution, or None. It solves the scene in two
-      independent ways, and returns the difference as a fraction of the scale. No check is needed if
-      the solution is a closed form, or if SciPy solves a single equation.
-    """
+    """A scene to simulate, such as a pendulum, with its exact solution and its models."""
 
     name: str
     frames: int
-    scale: float
-    truth: Callable[[float], Place]
+    scale: float  # size in m; errors are fractions of it
+    truth: Callable[[float], Place]  # the exact position at a time in s
     models: Sequence[Model]
     counted: str = "evaluations of forces or formulas"
-    differs: Callable[[], float] | None = None
+    differs: Callable[[], float] | None = None  # two independent solutions, over the scale
 
     def error(self, outcome: Outcome) -> float:
-        """Compute the error of a simulation, as a fraction of the scene's size.
-
-        It is the largest deviation from the exact solution in any coordinate and any frame. If a
-        coordinate is not finite, the error is infinite.
-        """
+        """Compute the largest deviation from the truth, or infinity if it is not finite."""
         frames = enumerate(outcome.places, 1)
         return max(deviation(place, self.truth(n / RATE)) for n, place in frames) / self.scale
 
@@ -120,12 +84,8 @@ def solved(
 ) -> Callable[[float], Place]:
     """Return the exact motion of a scene without a closed form, as a function of time.
 
-    When the returned function is first called, SciPy computes the positions at the end of every
-    frame. Their error of about 1e-11 is far below the smallest tolerance.
-
-    - ``rates``: the equations of motion in the form that SciPy expects.
-    - ``start``: the initial state.
-    - ``place``: a function that converts a state to positions.
+    SciPy solves ``rates`` from ``start`` at the first call, with an error of about 1e-11. ``place``
+    converts a state to positions.
     """
 
     @cache
@@ -143,10 +103,7 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Simulate a scene with ``steps`` steps per frame, and return the positions after every frame.
-
-    ``step`` advances the simulation by a given time in s, and ``place`` returns the positions.
-    """
+    """Return the positions, which ``place`` returns, after every frame of ``steps`` steps."""
     places: list[Place] = []
     clock = Clock()
     for _ in range(frames):
@@ -166,28 +123,16 @@ def flat(vectors: Sequence[Vector3]) -> Place:
 
 
 def by_integrators(make: Callable[[], Setup], frames: int) -> list[Model]:
-    """Create the models of a scene with one particle, one for each integrator of chapter 6.
-
-    ``make`` creates the scene for each run. The last model uses the adaptive
-    integrator, which chooses its own steps.
-    """
-    fixed = [
-        Model(
-            name,
-            by_setup(make, integrator, frames),
-            by="the book" if integrator is explicit_euler else "ours",
-        )
-        for name, integrator in INTEGRATORS.items()
-    ]
+    """Create a model for each integrator of chapter 6, for a scene with one particle."""
+    fixed = []
+    for name, integrator in INTEGRATORS.items():
+        by = "the book" if integrator is explicit_euler else "ours"
+        fixed.append(Model(name, by_setup(make, integrator, frames), by=by))
     return [*fixed, by_tolerance(make, frames)]
 
 
 def by_tolerance(make: Callable[[], Setup], frames: int) -> Model:
-    """Create a model that simulates a particle with the adaptive integrator of chapter 6.
-
-    This integrator chooses its own steps within every frame, so the model takes a tolerance instead
-    of a number of steps.
-    """
+    """Create a model that simulates a particle with the adaptive integrator of chapter 6."""
 
     def run(finer: int) -> Outcome:
         return by_setup(make, adaptive(1.0 / finer), frames)(1)
@@ -198,10 +143,9 @@ def by_tolerance(make: Callable[[], Setup], frames: int) -> Model:
 def by_setup(
     make: Callable[[], Setup], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return a function that simulates a particle with a given number of steps per frame.
+    """Return a function that simulates a particle in the X-Y plane with some steps per frame.
 
-    The function counts the force evaluations as work. ``make`` creates the scene for each run. The
-    particle moves in the X-Y plane.
+    It counts the force evaluations as work. ``make`` creates the scene for each run.
     """
 
     def run(steps: int) -> Outcome:
@@ -237,10 +181,7 @@ def exact_steps(places: Callable[[], Sequence[Place]]) -> Model:
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Create a model that evaluates a closed form at the end of every frame, without time steps.
-
-    ``place_at`` is the closed form, a function that returns the position at a time in s.
-    """
+    """Create a model that evaluates a closed form at the end of every frame, without time steps."""
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)

@@ -40,19 +40,12 @@ SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
 def main(arguments: list[str]) -> int:
-    """Measure how accurate and how fast every model of every scene is, and draw the charts.
-
-    A model is one way to simulate a scene, for example with a certain integrator. Return 0, or exit
-    with a usage error if no scene has the given name.
-    """
+    """Measure how accurate and how fast every model of every scene is, and draw the charts."""
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
-    parser.add_argument(
-        "--quick", action="store_true", help="take four minutes: fewer points, fewer rounds"
-    )
+    quick, out = "take four minutes: fewer points, fewer rounds", ROOT / "build" / "charts"
+    parser.add_argument("--quick", action="store_true", help=quick)
     parser.add_argument("--scene", default="", help="only scenes with this text in their name")
-    parser.add_argument(
-        "--out", type=Path, default=ROOT / "build" / "charts", help="the folder for the charts"
-    )
+    parser.add_argument("--out", type=Path, default=out, help="the folder for the charts")
     options = parser.parse_args(arguments)
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
@@ -118,23 +111,20 @@ def main(arguments: list[str]) -> int:
     with (options.out / "table.csv").open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([COLUMNS, *table])
     page.write(scenes, measured.points, _how(measured, options.quick), options.out)
-    is_whole = not options.quick and not options.scene
-    if is_whole:
-        kept.keep(rows, measured.day, options.out)
-    console.print(
+    said = (
         f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
         f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}\n"
-        f"all charts on one page: {shown(options.out / 'index.html')}",
-        soft_wrap=True,
+        f"all charts on one page: {shown(options.out / 'index.html')}"
     )
-    if is_whole:
+    if not options.quick and not options.scene:
+        kept.keep(rows, measured.day, options.out)
         files = ", ".join((kept.PICTURE, kept.PAGE, *kept.READMES))
-        console.print(f"updated in the repository: {files}", soft_wrap=True)
+        said += f"\nupdated in the repository: {files}"
+    console.print(said, soft_wrap=True)
     return 0
 
 
 def _how(measured: Measured, is_quick: bool) -> str:
-    """Write a note for the charts page that says when and how the times were measured."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

@@ -24,20 +24,15 @@ BEGIN, END = "<!-- ratios: `make charts` writes this -->", "<!-- end of ratios -
 
 
 def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:
-    """Copy the overview picture, the page with all charts and the ratios into the repository.
+    """Copy the picture, the page and the ratios in ``out``, measured on ``day``, to the repository.
 
-    ``day`` is the day of the measurement, and ``out`` the folder of the picture and the page. The
-    READMEs get a new description of the picture, and one of them a new table.
+    The READMEs get a new description of the picture, and one of them a new table.
     """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     figures = figures_of(rows)
-    found = {
-        "measured": day,
-        "python": platform.python_version(),
-        "pymunk": metadata.version("pymunk"),
-        "rows": figures,
-    }
+    versions = {"python": platform.python_version(), "pymunk": metadata.version("pymunk")}
+    found = {"measured": day} | versions | {"rows": figures}
     replace_bytes(root / FIGURES, (json.dumps(found, indent=1) + "\n").encode())
     alt = "\n".join(textwrap.wrap(f"![{described(rows)}]", 105, break_long_words=False))
     for name in READMES:

@@ -31,8 +31,7 @@ MARKS = dict(zip(TOLERANCES, LOOKS, strict=True))
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
     """Plot the ratio of pymunk's time to ours for every scene and every error tolerance.
 
-    The left panel compares pymunk with our models that step the same equations, and the right panel
-    with those that know more about the scene.
+    The left panel is for models that step the equations, the right one for better models.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     groups = [group_of().get(scene) for scene in scenes]
@@ -70,12 +69,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, row: Row, line: int) -> None:
-    """Draw one mark in the overview chart, at the ratio of pymunk's time to ours.
-
-    The mark is filled if both times were measured, and open if pymunk's time is extrapolated. If
-    only one of the two times is known, an arrow shows that the ratio is a bound, or "never" appears
-    at the edge if no number of steps would meet the tolerance.
-    """
+    """Draw a filled mark, an open one if extrapolated, an arrow if only bounded, or "never"."""
     color, mark, up = MARKS[row.tolerance]
     if row.ratio:
         face = "none" if row.is_extrapolated else color

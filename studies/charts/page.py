@@ -53,10 +53,9 @@ LOOKS = {
 
 
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
-    """Write the page with all charts to ``index.html``, and all data points to ``points.csv``.
+    """Write all charts to ``index.html``, and all data points to ``points.csv``.
 
-    Both files are saved in the folder ``out``. ``how`` is a sentence for the page, which explains
-    how the times were measured.
+    ``how`` is a sentence for the page on how the times were measured.
     """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
     groups: dict[str, list[dict[str, Any]]] = {}
@@ -112,8 +111,7 @@ def panel(scene: Scene, points: Sequence[Point]) -> dict[str, Any]:
 def looks() -> dict[str, tuple[str, str]]:
     """Return a color and a symbol for every model, which it has in every chart.
 
-    No two models of a scene look alike, as long as there are enough symbols. Pymunk's models are
-    black or gray, and the textbook's are red.
+    No two models of a scene look alike, as long as there are enough symbols.
     """
     scenes = [{model.name: model.by for model in scene.models} for scene in scenes_with("")]
     found = {name: (color, "circle") for name, color in OWN.items()}
@@ -126,10 +124,7 @@ def looks() -> dict[str, tuple[str, str]]:
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
-    """Format the measured points of all scenes as CSV text.
-
-    ``own`` is a dict from the name of each scene to its points.
-    """
+    """Format the measured points of all scenes, which ``own`` groups by name, as CSV text."""
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)

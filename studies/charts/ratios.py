@@ -34,11 +34,7 @@ def precise(value: float) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe the fastest model of our engine or of pymunk, as in "leapfrog, 3.2 ms".
-
-    If no model met the tolerance, the text is "never" or, if more steps might have helped, "not
-    within 600 ms".
-    """
+    """Describe a side's fastest model, as in "leapfrog, 3.2 ms", "never" or "not within 600 ms"."""
     if side.time is not None:
         time = f"{side.model}, {precise(1e3 * side.time)} ms"
         return time if side.order is None else f"{time} (extrapolated, order {side.order:.2f})"
@@ -46,11 +42,7 @@ def told(side: Side) -> str:
 
 
 def said(points: Sequence[Point], tolerance: float) -> list[str]:
-    """Compare our fastest models of both kinds with pymunk's in one scene, in a line each.
-
-    For example, "steps, at an error of 1e-4: 3.2 ms (leapfrog); pymunk 12 times as long (pymunk, as
-    in its examples)".
-    """
+    """Compare our fastest models of both kinds with pymunk's in one scene, in a line each."""
     rows = [row(points, tolerance, is_formula=is_formula) for is_formula in (False, True)]
     return [_said(found) for found in rows if found]
 
@@ -87,16 +79,12 @@ def figures_of(rows: Sequence[Row]) -> list[Figure]:
 
 
 def told_ratio(figure: Figure, form: Callable[[float], str] = rounded) -> str:
-    """Return a ratio as text, as in "5.5", "~5.5" (extrapolated), "> 120" or "pymunk never".
-
-    The text is "-" if neither side reaches the error.
-    """
+    """Return a ratio, as in "5.5", "~5.5" (extrapolated), "> 120", "ours never" or "-"."""
     if figure["ratio"]:
         return f"{'~' if figure['is_extrapolated'] else ''}{form(figure['ratio'])}"
-    if figure["never"] == "pymunk" and figure["ours"]:
-        return "pymunk never"
-    if figure["never"] == "ours" and figure["pymunk"]:
-        return "ours never"
+    never = figure["never"]
+    if never and figure["ours" if never == "pymunk" else "pymunk"]:
+        return f"{never} never"
     if figure["low"]:
         return f"> {form(figure['low'])}"
     return f"< {form(figure['high'])}" if figure["high"] else "-"
@@ -143,29 +131,27 @@ def described(rows: Sequence[Row]) -> str:
         known = [(row.ratio, row) for row in own if row.ratio]
         slower = [pair for pair in known if pair[0] >= TIE]
         faster = [pair for pair in known if pair[0] <= 1.0 / TIE]
-        words.append(f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases")
+        text = f"Against {ours}, pymunk takes longer in {len(slower)} of {len(own)} cases"
         if slower:
             ratio, found = max(slower, key=lambda pair: pair[0])
-            words[-1] += f", up to {rounded(ratio)} times as long ({found.scene}"
-            words[-1] += ", extrapolated)" if found.is_extrapolated else ")"
+            end = ", extrapolated" * found.is_extrapolated
+            text += f", up to {rounded(ratio)} times as long ({found.scene}{end})"
             low, scene = max((row.bounds[0], row.scene) for row in own)
             if low > ratio:
-                words[-1] += f" or, without reaching the error, at least {rounded(low)} ({scene})"
-        words[-1] += f", and less time in {len(faster)}"
+                text += f" or, without reaching the error, at least {rounded(low)} ({scene})"
+        text += f", and less time in {len(faster)}"
         if faster:
             ratio, found = min(faster, key=lambda pair: pair[0])
-            words[-1] += f", as little as 1/{rounded(1.0 / ratio)} ({found.scene})"
+            text += f", as little as 1/{rounded(1.0 / ratio)} ({found.scene})"
             high, scene = min((row.bounds[1], row.scene) for row in own)
             if high < ratio:
-                words[-1] += (
-                    f" or, where we miss the error, at most 1/{rounded(1.0 / high)} ({scene})"
-                )
+                text += f" or, where we miss the error, at most 1/{rounded(1.0 / high)} ({scene})"
         ties = len(known) - len(slower) - len(faster)
         only_ours = sum(bool(row.ours.time) and not row.pymunk.time for row in own)
         only_theirs = sum(bool(row.pymunk.time) and not row.ours.time for row in own)
         neither = len(own) - len(known) - only_ours - only_theirs
-        words[-1] += (
-            f". In {ties} the times differ by a factor below {TIE:g}. In {only_ours} only we reach "
-            f"the error, in {only_theirs} only pymunk, and in {neither} neither of us."
+        words.append(
+            f"{text}. In {ties} the times differ by a factor below {TIE:g}. In {only_ours} only we "
+            f"reach the error, in {only_theirs} only pymunk, and in {neither} neither of us."
         )
     return " ".join(words)

@@ -29,18 +29,11 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Find the fastest method that simulates the user's scene accurately enough, and print it.
-
-    Return 1 if no method is accurate enough, and 0 otherwise.
-    """
+    """Print the fastest method that is accurate enough. Return 1 if a scene has none."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
-    parser.add_argument(
-        "--tolerance",
-        type=float,
-        default=1e-3,
-        help="largest error, as a fraction of the scene's size; for a file, in its own units",
-    )
+    largest = "largest error, as a fraction of the scene's size; for a file, in its own units"
+    parser.add_argument("--tolerance", type=float, default=1e-3, help=largest)
     options = parser.parse_args(arguments)
     if not 0.0 < options.tolerance < math.inf:
         parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
@@ -84,7 +77,7 @@ def main(arguments: list[str]) -> int:
         missed |= found is None
         limit = f"with runs of up to {SLOWEST:g} s"
         none = f"none of our models is accurate enough {limit}", "none of our models is cheaper"
-        told = partial(_told, scene, options.tolerance)
+        told = partial(_told, scene, tolerance=options.tolerance)
         print_choice(console, found, cheaper, options.tolerance, told, none)
         text = told(theirs) if theirs else f"not accurate enough {limit}"
         if found and theirs and theirs.time < found.time:
@@ -93,7 +86,7 @@ def main(arguments: list[str]) -> int:
     return 1 if missed else 0
 
 
-def _told(scene: Scene, tolerance: float, point: Point) -> str:
+def _told(scene: Scene, point: Point, tolerance: float) -> str:
     """Describe one timed run for the report, with its steps, time, work and error."""
     from studies.choose.report import told_beside, took  # it imports chapters
 

@@ -1,9 +1,7 @@
 """Find forces with a clock or a memory of their own in a scene of `make choose`.
 
-A method may evaluate the forces several times per step, and each method does so at other times. A
-force that adds up the durations of its calls therefore has a clock that is fast with some methods
-and slow with others. It also runs too fast if the force acts on several particles. The remedy is a
-clock that is a particle, as in studies/choose/example_driven.py.
+A method may evaluate the forces several times per step, and for several particles. A force that
+adds up the durations of its calls therefore has a wrong clock.
 """
 
 from __future__ import annotations
@@ -19,16 +17,10 @@ SAME = 1e-9  # the largest relative difference of two equal forces
 
 
 def check_forces(scene: OwnScene) -> None:
-    """Call each force of the scene once per frame, while no particle moves.
+    """Raise SceneError if a force gives different results although no particle moves.
 
-    A force depends only on the state of the particles, so all calls must give the same result. A
-    subclass of ParticleWorld has its own step and may call its forces in a way that suits them, so
-    it is not checked.
-
-    A force that raises an exception passes, because the runs will meet and report it.
-
-    Raises:
-        SceneError: A force gives different results.
+    A subclass of ParticleWorld may call its forces in its own way, so it is not checked. A force
+    that raises an exception passes, because the runs will report it.
     """
     world = scene.built()
     pairs = world.registry.pairs()

@@ -21,15 +21,13 @@ def is_guess(tried: Tried) -> bool:
 def contradiction(found: list[Tried], tolerance: float) -> str:
     """Return a text that says which models contradict each other, or an empty string.
 
-    Two models contradict each other if the results of their shortest steps differ by more than the
-    tolerance, and by more than three times the sum of their estimated errors. At least one of the
-    models must be accurate enough by its own estimate. The text names the two models that differ
-    most, and says what to do.
+    Their results with the shortest steps differ by more than the tolerance and their errors allow,
+    and at least one of the models is accurate enough by its own estimate.
     """
-    apart = [pair for pair in _apart(found, tolerance) if pair[0] > tolerance]
-    if not apart:
+    farthest = _farthest(found, tolerance)
+    if not farthest or farthest[0] <= tolerance:
         return ""
-    gap, a, b = max(apart, key=lambda pair: pair[0])
+    gap, a, b = farthest
     return (
         f"the models disagree: {a.model.name} and {b.model.name} differ by {gap:.1g}, but by their "
         f"own estimates their errors are only {a.halved.errors[-1]:.1g} and "
@@ -41,8 +39,8 @@ def contradiction(found: list[Tried], tolerance: float) -> str:
     )
 
 
-def _apart(found: list[Tried], tolerance: float) -> list[tuple[float, Tried, Tried]]:
-    """List the pairs of models that differ by more than their errors allow, and by how much."""
+def _farthest(found: list[Tried], tolerance: float) -> tuple[float, Tried, Tried] | None:
+    """Return the two models that differ most, if their errors do not allow it, and by how much."""
     apart = []
     for a, b in combinations([tried for tried in found if tried.halved.is_steady], 2):
         mine, other = a.runs[-1], b.runs[-1]
@@ -52,7 +50,7 @@ def _apart(found: list[Tried], tolerance: float) -> list[tuple[float, Tried, Tri
         gap = distance(mine, other)
         if min(errors) <= tolerance and gap > APART * sum(errors):
             apart.append((gap, a, b))
-    return apart
+    return max(apart, key=lambda pair: pair[0], default=None)
 
 
 def warnings(
@@ -60,8 +58,7 @@ def warnings(
 ) -> list[str]:
     """List the reasons why the estimated errors may be wrong, as sentences for the report.
 
-    A model may not converge, or it may converge more slowly than in theory. Two models may differ
-    by more than their errors allow. ``is_doubtful`` means that the report already says so.
+    ``is_doubtful`` means that the report already says so.
     """
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
@@ -93,20 +90,16 @@ def warnings(
 
 
 def _doubt_about(found: list[Tried], chosen: Point, tolerance: float) -> str:
-    """Return a warning if no other model confirms the chosen one, or if models differ too much.
-
-    Otherwise return an empty string. The models differ by less than the tolerance here, because a
-    larger contradiction has been reported before.
-    """
+    """Return a warning if no other model confirms the chosen one, or if models differ too much."""
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]
     if not others:
         only = f"only {chosen.model} converges, so no other model confirms its error"
         return "" if mine.halved.is_exact or len(found) == 1 else only
-    apart = _apart(found, tolerance)
-    if not apart:
+    farthest = _farthest(found, tolerance)
+    if not farthest:
         return ""
-    gap, a, b = max(apart, key=lambda pair: pair[0])
+    gap, a, b = farthest
     return (
         f"{a.model.name} and {b.model.name} differ by {gap:.1g}. This is less than the tolerance, "
         "but more than their estimated errors allow, so at least one estimate is too small"

@@ -1,20 +1,15 @@
 """List the methods, called models, that can simulate a scene written by a user.
 
-They depend on what the scene's ``ParticleWorld`` contains:
-
-- Without contacts, every integrator of chapter 6 can be used. If there are no forces either, a
-  closed form is exact.
-- If all contacts come from rods and cables, a solver can compute all tensions at once.
-- If all contacts come from collision detectors, time division can stop a step at each impact. The
-  solver with sequential impulses can be used, too.
-- With any kind of contacts, the solver with small steps can be used. Besides, an integrator can
-  move the particles before a resolver corrects the contacts.
+Without contacts, every integrator of chapter 6 can be used, or a closed form without forces. Rods
+and cables allow a solver of all tensions at once. Detectors allow time division, which stops a step
+at each impact. With any contacts, small steps or an integrator before a resolver can be used.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from ch04_particle_engine.closed_form import state_after
@@ -37,35 +32,20 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A simulation method, such as Runge-Kutta 4, and the step sizes to try.
-
-    ``step_of`` is a function that takes a newly built world. It returns a function that advances
-    this world by one time step. ``order`` is the order of convergence in theory. ``choices`` lists
-    the numbers of steps per frame to try.
-
-    If ``takes_tolerance`` is true, the method takes a tolerance and chooses its own step sizes.
-    Each of the ``choices`` is then the inverse of a tolerance, and the error is proportional to the
-    tolerance.
-    """
+    """A simulation method, such as Runge-Kutta 4, and the step sizes to try."""
 
     name: str
-    order: int
-    step_of: Callable[[ParticleWorld], Step]
-    choices: Sequence[int] = STEPS
-    takes_tolerance: bool = False
+    order: int  # of convergence, in theory
+    step_of: Callable[[ParticleWorld], Step]  # from a newly built world to what advances it
+    choices: Sequence[int] = STEPS  # per frame, or 1 / tolerance
+    takes_tolerance: bool = False  # it chooses its own steps, and its error follows it
 
     def chosen(self, choice: int) -> str:
         """Return the number of steps per frame, or the tolerance, as in "4 steps per frame"."""
         return told_choice(choice, 1, takes_tolerance=self.takes_tolerance)
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare a world to be simulated with this model.
-
-        ``choice`` is the number of time steps per frame, or the inverse of the tolerance.
-
-        Returns:
-            A function that advances the world by one time step, and the number of calls per frame.
-        """
+        """Return what advances the world by one step, and the number of calls per frame."""
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
             return self.step_of(world), 1
@@ -73,10 +53,7 @@ class Model:
 
 
 def models_of(world: ParticleWorld) -> list[Model]:
-    """List the simulation methods that can be used for a world.
-
-    The choice depends on the particles, forces and contacts of the world.
-    """
+    """List the simulation methods that suit the particles, forces and contacts of a world."""
     damped = any(p.damping != 1.0 for p in world.particles if p.inverse_mass)
     if type(world) is not ParticleWorld:  # a subclass may do more in its step
         return [Model("its own step", 1, lambda world: world.step)]
@@ -92,12 +69,7 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """List the models for a world with contacts that do not use its resolver.
-
-    If all contacts come from rods and cables without restitution, a solver can compute all tensions
-    at once. If all contacts come from collision detectors, time division and sequential impulses
-    can be used. Small steps can be used with any contacts.
-    """
+    """List the models for a world with contacts that do not use its resolver."""
     generators = world.contact_generators
     found = []
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
@@ -105,9 +77,9 @@ def _special(world: ParticleWorld) -> list[Model]:
     elif all(hasattr(generator, "next_impact") for generator in generators):
         found = [
             Model("time division", 1, _time_division),
-            Model("sequential impulses", 1, _solving(SequentialImpulses)),
+            Model("sequential impulses", 1, _impulses),
         ]
-    return [*found, Model("small steps", 1, _solving(SmallSteps))]
+    return [*found, Model("small steps", 1, _small_steps)]
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
@@ -135,10 +107,7 @@ def _resolving(name: str) -> Model:
 
 
 def _exact(world: ParticleWorld) -> Step:
-    """Move the particles with the closed form for constant acceleration and linear drag.
-
-    The closed form is exact for steps of any length.
-    """
+    """Move the particles with the closed form for constant acceleration and linear drag."""
 
     def step(duration: float) -> None:
         for particle in world.particles:
@@ -149,13 +118,7 @@ def _exact(world: ParticleWorld) -> Step:
 
 
 def _direct_net(world: ParticleWorld) -> Step:
-    net, forces = DirectNet(world.contact_generators, world.particles), world.registry
-
-    def step(duration: float) -> None:
-        forces.update_forces(duration)
-        net.step(duration)
-
-    return step
+    return _after_forces(world, DirectNet(world.contact_generators, world.particles).step)
 
 
 def _smooth_net(world: ParticleWorld) -> Step:
@@ -163,29 +126,26 @@ def _smooth_net(world: ParticleWorld) -> Step:
     return lambda duration: net.step(duration, forces.update_forces)
 
 
-def _solving(
-    solver_of: type[SequentialImpulses | SmallSteps],
-) -> Callable[[ParticleWorld], Step]:
-    """Build a model's ``step_of`` function, which uses a solver that moves the particles."""
+def _impulses(world: ParticleWorld) -> Step:
+    solver = SequentialImpulses(world.particles, world.contact_generators)
+    return _after_forces(world, solver.step)
 
-    def step_of(world: ParticleWorld) -> Step:
-        solver, forces = solver_of(world.particles, world.contact_generators), world.registry
 
-        def step(duration: float) -> None:
-            forces.update_forces(duration)
-            solver.step(duration)
-
-        return step
-
-    return step_of
+def _small_steps(world: ParticleWorld) -> Step:
+    return _after_forces(world, SmallSteps(world.particles, world.contact_generators).step)
 
 
 def _time_division(world: ParticleWorld) -> Step:
     generators: list[Any] = world.contact_generators
-    detectors, forces = Detectors(*generators), world.registry
+    detectors = Detectors(*generators)
+    return _after_forces(world, partial(time_division_step, world.particles, detectors))
+
+
+def _after_forces(world: ParticleWorld, move: Step) -> Step:
+    """Return a step that evaluates the forces, and then calls ``move``."""
 
     def step(duration: float) -> None:
-        forces.update_forces(duration)
-        time_division_step(world.particles, detectors, duration)
+        world.registry.update_forces(duration)
+        move(duration)
 
     return step

@@ -1,8 +1,4 @@
-"""Print the report of `make choose` on a scene that the user wrote.
-
-The report says which method is the fastest one that is accurate enough. If methods contradict each
-other, it calls none of them accurate.
-"""
+"""Print the report of `make choose` on a scene that the user wrote."""
 
 from __future__ import annotations
 
@@ -27,13 +23,10 @@ MOST_DIGITS = 17  # of a number, enough to tell any two numbers apart
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Simulate the user's scene with every model, and report the fastest one that is good enough.
+    """Report the fastest model whose estimated error is at most ``tolerance``.
 
-    Its estimated error must be at most ``tolerance``. Return 0 if there is such a model that no
-    other model contradicts, and 1 otherwise.
-
-    Raises:
-        SceneError: The file does not describe a valid scene.
+    Return 0 if there is such a model that no other model contradicts, and 1 otherwise. Raise
+    SceneError if the file does not describe a valid scene.
     """
     scene = load(path)
     with console.status("measuring") as status:
@@ -84,10 +77,7 @@ def print_choice(
     told: Callable[[Point], str],
     none: tuple[str, str],
 ) -> None:
-    """Print the cheapest run that is accurate enough, and the next cheaper one.
-
-    ``told`` describes a run. ``none`` are the texts if there is no such run.
-    """
+    """Print the cheapest accurate run and the next cheaper one, with texts for ``none``."""
     print_line(console, "cheapest", told(chosen) if chosen else none[0])
     if chosen and cheaper:
         fails = cheaper.error > tolerance
@@ -103,10 +93,9 @@ def print_line(console: Console, title: str, text: str) -> None:
 
 
 def told_beside(tolerance: float, error: float, digits: int = 1) -> str:
-    """Round an error to so many digits that the reader sees whether it exceeds the tolerance.
+    """Round an error to so many digits that it is seen whether it exceeds the tolerance.
 
-    With a tolerance of 0.001, an error of 0.00102 is not rounded to 0.001. ``digits`` is the
-    smallest number of digits.
+    ``digits`` is the smallest number of digits.
     """
     for count in range(digits, MOST_DIGITS):
         told = f"{error:.{count}g}"
@@ -122,11 +111,7 @@ def took(point: Point, frames: int) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float, *, is_doubtful: bool) -> Table:
-    """Build the report's table of how many time steps each model needs, and how long it takes.
-
-    If a model never meets the tolerance, its row shows the run with the shortest time steps. If the
-    models contradict each other, ``is_doubtful``, all errors are marked as guesses.
-    """
+    """Build the table of all models. One that is never accurate enough has its finest run there."""
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
         table.add_column(heading, justify="right")
@@ -149,10 +134,7 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float, *, is_doubtful
 
 
 def _order(tried: Tried) -> str:
-    """Describe the order of convergence that a model has reached, as in "1.9 of 2" or "exact".
-
-    In "1.9 of 2", 1.9 is the observed order, and 2 is the model's order in theory.
-    """
+    """Describe the observed order of convergence, as in "1.9 of 2" or "exact"."""
     if tried.halved.is_exact:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"

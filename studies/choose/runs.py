@@ -1,7 +1,4 @@
-"""Simulate a user's scene with every model and several time steps, and time each run.
-
-A model is a simulation method, such as an integrator.
-"""
+"""Simulate a user's scene with every model and several time steps, and time each run."""
 
 from __future__ import annotations
 
@@ -30,48 +27,28 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A simulation method that was tried on the user's scene, and the results of its runs.
-
-    ``runs`` contains the values measured in each run, and ``times`` contains the processor times of
-    each run in s. ``halved`` contains the errors, which are estimated by comparing runs with
-    different time steps. If a run failed, ``failure`` says why.
-    """
+    """A simulation method that was tried on the user's scene, and the results of its runs."""
 
     model: Model
     runs: list[Run | None] = field(default_factory=list)
-    times: list[list[float]] = field(default_factory=list)
+    times: list[list[float]] = field(default_factory=list)  # processor times in s
     halved: Halved = field(default_factory=lambda: Halved([], []))
-    failure: str = ""
+    failure: str = ""  # why a run failed
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add the result of a run with shorter time steps, and update all estimated errors.
-
-        ``run`` contains the measured values, or a message that says why the run failed. ``taken``
-        is the processor time of the run in s.
-        """
+        """Add a run with shorter time steps, or why it failed, and update all estimated errors."""
         if isinstance(run, str):
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)
         self.times.append([taken])
-        model = self.model
+        model, may_vary = self.model, self.model.takes_tolerance
         ratio = model.choices[1] / model.choices[0]
         # If even the tightest tolerance repeats the run, then the run is exact.
-        may_repeat = model.takes_tolerance and len(self.runs) < len(model.choices)
-        self.halved = halved(
-            self.runs,
-            ratio,
-            model.order,
-            may_repeat=may_repeat,
-            may_vary=model.takes_tolerance,
-        )
+        repeats = may_vary and len(self.runs) < len(model.choices)
+        self.halved = halved(self.runs, ratio, model.order, may_repeat=repeats, may_vary=may_vary)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return True if the model does not need another run with shorter time steps.
-
-        No further run is needed if the last runs are exact, or if the error is known to be small
-        enough. In the second case, the estimates must be reliable, and the last three must be
-        within ``tolerance``.
-        """
+        """Return True if the last runs are exact, or reliably within ``tolerance``."""
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
@@ -79,8 +56,8 @@ class Tried:
     def is_too_slow(self, taken: float) -> bool:
         """Return True if the model gets no run with shorter steps after a run of ``taken`` s.
 
-        If the error falls at last, but not yet at a steady rate, the model may take longer. In a
-        chaotic scene, the long steps are useless, and only short ones show the order.
+        A model whose error begins to fall may take longer. In a chaotic scene, only short steps
+        show the order.
         """
         found = self.halved
         if taken <= SLOWEST or len(found.orders) < ORDERS:
@@ -89,36 +66,20 @@ class Tried:
         return not (is_promising and taken <= PATIENCE * SLOWEST)
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the runs to points, so that they can be compared as in the accuracy study.
-
-        The ``work`` of a point is its number of time steps.
-        """
+        """Convert the runs to points of the accuracy study. Their work is the number of steps."""
+        start = str(scene.path), self.model.name, "ours"
+        runs = zip(self.model.choices, self.halved.errors, self.times, strict=False)
         return [
-            Point(
-                str(scene.path),
-                self.model.name,
-                "ours",
-                choice,
-                error,
-                choice * scene.frames,
-                times,
-            )
-            for choice, error, times in zip(
-                self.model.choices, self.halved.errors, self.times, strict=False
-            )
+            Point(*start, choice, error, choice * scene.frames, times)
+            for choice, error, times in runs
         ]
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
     """Simulate the scene with each model, and shorten the time step until the error is small.
 
-    If a run takes longer than SLOWEST, the model gets no further runs, unless they are needed to
-    judge its order of convergence. ``hear`` is called before each run with a description of the
-    run, so that the caller can show the progress.
-
-    Raises:
-        SceneError: The scene cannot be run, a force has a memory, or none of the measured values
-            changes.
+    ``hear`` is called with a description before each run. Raise SceneError if the scene cannot be
+    run, a force has a memory, or none of the measured values changes.
     """
     start = scene.check()
     check_forces(scene)
@@ -145,16 +106,10 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Simulate the scene once with one model, and record the measured values after every frame.
+    """Simulate the scene once, and return the values after every frame, and the time in s.
 
-    A run fails if a value is not finite, or if an arithmetic error shows that the motion explodes.
-
-    Returns:
-        A tuple of the recorded values and the processor time in s. If the run failed, the first
-        item is a message that says why.
-
-    Raises:
-        SceneError: The user's code raises an exception of any other kind.
+    If the motion explodes, a message replaces the values. Any other exception in the user's code
+    becomes a SceneError.
     """
     world, values = scene.built(), []
     start = time.process_time()
@@ -182,20 +137,14 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Repeat the runs that the report may choose from, to measure their times more accurately.
-
-    For each model with reliable errors, these are all runs up to the first one that is accurate
-    enough. They are repeated in several rounds, each in random order. If the computer is busy for a
-    moment, this affects several models rather than only one.
-    """
+    """Repeat the runs that the report may choose from, in several rounds of random order."""
     every = []
     for tried in found:
         if tried.halved.is_steady:
             points = tried.points(scene)
             first = first_within(points, tolerance)
-            every += [
-                (tried.model, point) for point in points[: None if first is None else first + 1]
-            ]
+            last = None if first is None else first + 1
+            every += [(tried.model, point) for point in points[:last]]
     for _ in range(ROUNDS):
         for model, point in random.sample(every, len(every)):
             if point.times[0] < LONG:
@@ -203,5 +152,5 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Measure the processor time of a run in s, that of the fastest of several if it is short."""
+    """Measure the processor time of a run in s."""
     return fastest(lambda: run_once(scene, model, choice)[1], LEAST)

@@ -28,23 +28,17 @@ class SceneError(ValueError):
 class OwnScene:
     """A scene that a user of `make choose` has described in a Python file.
 
-    ``build`` creates the scene in its initial state, and ``measure`` returns the values to compare.
-    Both are the user's own functions and may contain errors. The methods ``built`` and ``measured``
-    call them and check the results. ``frames`` is the duration of the scene, at 60 frames per
-    second.
+    The two functions are the user's own and may contain errors. ``built`` and ``measured`` call
+    them and check the results.
     """
 
     path: Path
-    frames: int
+    frames: int  # of 1/60 s
     build: Callable[[], Any]
-    measure: Callable[[Any], Any]
+    measure: Callable[[Any], Any]  # what to compare
 
     def built(self) -> ParticleWorld:
-        """Call the user's ``build`` function, and check that it returns a world with particles.
-
-        Raises:
-            SceneError: build() raises an exception, or does not return a world with particles.
-        """
+        """Build the scene, or raise SceneError if build() fails or its result has no particles."""
         world = self._asked("build", self.build)
         if not isinstance(world, ParticleWorld):
             raise SceneError(f"{self.path}: build() must return a ParticleWorld, got {world!r}")
@@ -53,12 +47,9 @@ class OwnScene:
         return world
 
     def measured(self, world: ParticleWorld) -> Values:
-        """Call the user's ``measure`` function, and convert its result to a flat list of numbers.
+        """Return the measured numbers, which may be infinite or NaN.
 
-        The numbers may be infinite or NaN.
-
-        Raises:
-            SceneError: measure() raises an exception, or returns anything but numbers and vectors.
+        Raise SceneError if measure() fails, or returns anything but numbers and vectors.
         """
         found = self._asked("measure", lambda: self.measure(world))
         try:
@@ -69,14 +60,10 @@ class OwnScene:
             raise SceneError(message) from None
 
     def check(self) -> Values:
-        """Build the scene twice, and check that both copies start in the same state.
+        """Build the scene twice, and return the values measured at the start.
 
-        Runs of a scene can be compared only if they start in the same state. Return the values
-        measured at the start.
-
-        Raises:
-            SceneError: The two copies differ or share a particle, nothing is measured, or a
-                measured value is not finite.
+        Raise SceneError if the two copies differ or share a particle, or nothing finite is
+        measured.
         """
         first, second = self.built(), self.built()
         if {*map(id, first.particles)} & {*map(id, second.particles)}:
@@ -104,11 +91,7 @@ class OwnScene:
 
 
 def load(path: Path) -> OwnScene:
-    """Load the user's scene from the Python file ``path``.
-
-    Raises:
-        SceneError: The file does not exist, cannot be run, or does not define a required name.
-    """
+    """Load the user's scene, or raise SceneError if the file is missing, broken or incomplete."""
     module = _run(path)
     build, measure = _function(path, module, "build"), _function(path, module, "measure")
     if build is None:
@@ -129,10 +112,7 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Describe an exception and the line of the user's file that caused it.
-
-    For example, "stopped on line 12 with ZeroDivisionError: float division by zero".
-    """
+    """Describe an exception, as in "stopped on line 12 with ValueError: math domain error"."""
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():
@@ -143,10 +123,7 @@ def why(error: BaseException, path: Path) -> str:
 
 
 def positions(world: ParticleWorld) -> list[Vector3]:
-    """Return the positions of all particles that can move.
-
-    `make choose` compares these if the user's file does not define ``measure``.
-    """
+    """Return the positions of all movable particles, the measure if the user defines none."""
     return [particle.position for particle in world.particles if particle.inverse_mass]
 
 
@@ -166,11 +143,7 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return the function called ``name`` from the user's file, or None if it is not defined.
-
-    Raises:
-        SceneError: The name is defined, but it is not a function.
-    """
+    """Return a function of the user's file, or None if it is not defined."""
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")
@@ -178,10 +151,7 @@ def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] |
 
 
 def _numbers(found: Any) -> Iterable[float]:
-    """Yield all numbers in a result of the user's ``measure`` function.
-
-    The result may consist of numbers, vectors, and lists of these. Anything else raises TypeError.
-    """
+    """Yield all numbers in a number, a vector or a list of these, or raise TypeError."""
     if isinstance(found, (int, float)):
         yield float(found)
     elif isinstance(found, str):

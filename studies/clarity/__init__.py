@@ -36,18 +36,13 @@ BEGIN, END = "<!-- clarity: `make clarity` writes this -->", "<!-- end of clarit
 
 def main(arguments: list[str]) -> int:
     """Measure both engines in each scene. Write the figures, the picture and the table."""
-    argparse.ArgumentParser(prog="python -m studies clarity", description=__doc__).parse_args(
-        arguments
-    )
+    parser = argparse.ArgumentParser(prog="python -m studies clarity", description=__doc__)
+    parser.parse_args(arguments)
     console = plain_console()
     clear, tuned = Engine(CLEAR), Engine(TUNED)
     try:
-        lines = measure(
-            [
-                Measurement(name, versus(clear.timer(name), tuned.timer(name)), ROUNDS)
-                for name in SCENES
-            ]
-        )
+        pairs = [(name, versus(clear.timer(name), tuned.timer(name))) for name in SCENES]
+        lines = measure([Measurement(*pair, ROUNDS) for pair in pairs])
     finally:
         clear.stop()
         tuned.stop()
@@ -56,16 +51,11 @@ def main(arguments: list[str]) -> int:
         told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
         print_wrapped(console, told, hanging=21)
     rows = [row(line) for line in lines]
-    kept = {
-        "measured": date.today().isoformat(),
-        "python": platform.python_version(),
-        "rows": rows,
-    }
+    kept = {"measured": date.today().isoformat(), "python": platform.python_version(), "rows": rows}
     FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
     draw(rows, PICTURE)
     page = PAGE.read_text(encoding="utf-8")
-    text = with_text(page, BEGIN, END, table(rows))
-    PAGE.write_text(text, encoding="utf-8", newline="\n")
+    PAGE.write_text(with_text(page, BEGIN, END, table(rows)), encoding="utf-8", newline="\n")
     console.print(f"Written to {shown(FIGURES)}, {shown(PICTURE)} and {shown(PAGE)}")
     return 0
 
@@ -124,15 +114,12 @@ def table(rows: list[dict[str, Any]]) -> str:
 
 
 def draw(rows: list[dict[str, Any]], png: Path) -> None:
-    """Draw the ratio of each scene as a bar. The whiskers are the quartiles."""
+    """Draw the ratio of each scene as a bar with its quartiles."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(9, 4.5), layout="constrained")
-    names = [r["scene"].replace("`", "") for r in reversed(rows)]
-    ratios = [r["ratio"] for r in reversed(rows)]
-    whiskers = [
-        [r["ratio"] - r["quartiles"][0] for r in reversed(rows)],
-        [r["quartiles"][1] - r["ratio"] for r in reversed(rows)],
-    ]
+    rows = rows[::-1]
+    names, ratios = [r["scene"].replace("`", "") for r in rows], [r["ratio"] for r in rows]
+    whiskers = [[abs(r["quartiles"][i] - r["ratio"]) for r in rows] for i in (0, 1)]
     bars = axes.barh(names, ratios, xerr=whiskers, color=BLUE, ecolor=GRAY)
     axes.bar_label(bars, labels=[f"{ratio:g}" for ratio in ratios], padding=6)
     axes.axvline(1.0, color=GRAY, linestyle="--")

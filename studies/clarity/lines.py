@@ -12,8 +12,7 @@ Definition = ast.FunctionDef | ast.ClassDef
 def lines_of(engine: Sequence[Path], file: str, name: str) -> int:
     """Count the lines of a definition without its docstrings, comments and empty lines.
 
-    ``engine`` lists the folders in which to look for ``file``, such as ch06_springs/springs.py.
-    ``name`` is the path of the definition in it, such as Spring.update_force.
+    ``engine`` lists the folders in which to look for ``file``.
     """
     path = next(folder / file for folder in engine if (folder / file).is_file())
     text = path.read_text(encoding="utf-8")

@@ -1,9 +1,8 @@
-"""Scenes in which both engines make the same steps, and a loop that makes them when it is asked.
+"""Make steps of scenes for `make clarity`, in a process for one engine.
 
     python studies/clarity/steps.py FOLDER ...
 
-The folders are those of the engine. For each line with the name of a scene, the loop makes some
-steps of the scene and prints how long they took, in s.
+For each line with the name of a scene, it prints how long some steps of the scene took, in s.
 """
 
 from __future__ import annotations
@@ -23,14 +22,11 @@ KICK = ("ch05_forces/particle.py", "Particle.kick")
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene: how to build its step, how often to make it, and the code that differs.
-
-    Each part is a file and the name of a function, class or method in it.
-    """
+    """A scene: how to build its step, how often to make it, and the code that differs."""
 
     build: Callable[[], Step]
     times: int
-    parts: tuple[tuple[str, str], ...]
+    parts: tuple[tuple[str, str], ...]  # file and definition
 
 
 def falling() -> Step:
@@ -84,7 +80,7 @@ def stack() -> Step:
 
 
 def integrator(name: str) -> Scene:
-    """Return the scene of one particle on a spring, with one of the integrators."""
+    """Return the scene of one particle on a spring."""
     parts = (("ch06_springs/integrators.py", name), SPRING, KICK)
     return Scene(partial(on_a_spring, name), 500, parts)
 

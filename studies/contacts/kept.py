@@ -17,10 +17,7 @@ TOLERANCES = (1e-1, 1e-2, 1e-3)
 
 
 def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]:
-    """Find how long each solver takes to keep the error of a scene within a tolerance.
-
-    Each row has a scene, a tolerance, and the times in ms per frame of all solvers that meet it.
-    """
+    """Find the times in ms per frame of all solvers that meet each tolerance in each scene."""
     found = []
     for scene in dict.fromkeys(point.scene for point in points):
         models = models_of([point for point in points if point.scene == scene])
@@ -34,7 +31,7 @@ def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]
 def keep(points: Sequence[Point], file: Path) -> None:
     """Write the date, the version of Python, all points and the table to a JSON file.
 
-    Each point has an error and a time in ms per frame, both with three digits.
+    A point is (scene, model, by, steps, error, ms per frame).
     """
     rows = [
         (p.scene, p.model, p.by, p.steps, _rounded(p.error), _rounded(1e3 * p.time / FRAMES))

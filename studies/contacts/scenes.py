@@ -1,15 +1,7 @@
 """The stacks and ropes on which the contact solvers of chapter 7 are compared.
 
-Each scene lasts 1 s. A model records an error after every frame, which would be 0 with an exact
-solver:
-
-- For a stack, it is the largest overlap of touching spheres, as a fraction of their diameter.
-- For a rope at rest, it is the change in length, as a fraction of the length.
-- For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
-  point.
-
-The top sphere of a stack, or the weight at the end of a rope, may be heavier than the other bodies.
-The mass ratio is that of the two. The work of a solver is its number of time steps.
+A model records an error after every frame, which would be 0 with an exact solution. The mass ratio
+is that of the top sphere, or the weight at the end of a rope, to the other bodies.
 """
 
 from __future__ import annotations
@@ -71,13 +63,9 @@ SOLVERS: dict[str, Callable[[Any, Any], Move]] = {
 
 
 def stack(ratio: float) -> Measured:
-    """Create a stack of ten spheres, whose error is the largest overlap."""
+    """Create a stack, whose error is the largest overlap, as a fraction of the diameter."""
     setup = spheres.stack(COUNT, ratio)
-
-    def overlap(_: float) -> float:
-        return max(0.0, spheres.overlap(sphere.position.y for sphere in setup.particles))
-
-    return setup, overlap
+    return setup, lambda _: max(0.0, spheres.overlap(ball.position.y for ball in setup.particles))
 
 
 def hung(ratio: float, angle: float) -> Chain:
@@ -86,10 +74,7 @@ def hung(ratio: float, angle: float) -> Chain:
 
 
 def rope(ratio: float, angle: float = 0.0, link: type[Rod] = TwoSidedRod) -> Measured:
-    """Create a rope, whose error is the relative change in length.
-
-    ``angle`` is that between the rope and the vertical at the start, in radians.
-    """
+    """Create a rope, at an angle in radians, whose error is the relative change in length."""
     chain = hung(ratio, angle)
     setup = chain.setup(link)
     length = COUNT * chain.length
@@ -97,7 +82,7 @@ def rope(ratio: float, angle: float = 0.0, link: type[Rod] = TwoSidedRod) -> Mea
 
 
 def swinging(link: type[Rod] = TwoSidedRod) -> Measured:
-    """Create a rope that swings without an extra weight, whose error is the change in energy."""
+    """Create a rope, whose error is its change in energy over its largest kinetic energy."""
     setup = hung(1.0, ANGLE).setup(link)
     start = mechanical_energy(setup.particles)
     lowest = mechanical_energy(hung(1.0, 0.0).particles())
@@ -121,10 +106,7 @@ def run(make: Callable[[], Measured], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -> Scene:
-    """Create a scene that compares several contact solvers on the same stack or rope.
-
-    The links of a rope are TwoSidedRods, except for SmallSteps, which works with ordinary ones.
-    """
+    """Create a scene that compares contact solvers. SmallSteps works with one-sided links."""
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers
@@ -135,7 +117,7 @@ def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -
 
 
 def named(name: str, ratio: int) -> str:
-    """Return a scene's name with its mass ratio, such as "stack, ratio 10"."""
+    """Return a scene's name, such as "stack, ratio 10"."""
     return f"{name}, ratio {ratio:,}"
 
 

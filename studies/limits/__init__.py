@@ -35,17 +35,13 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Find the stability limits, print them, and save them as a CSV file and two pictures.
+    """Print the stability limits, and save them as a CSV file and two pictures.
 
     Return 1 if a limit differs by more than 5 % from theory, and 0 otherwise.
     """
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
-    parser.add_argument(
-        "--out",
-        type=Path,
-        default=ROOT / "build" / "limits.csv",
-        help="the file for the numbers; the pictures are written next to it",
-    )
+    told = "the file for the numbers; the pictures are written next to it"
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "limits.csv", help=told)
     out: Path = parser.parse_args(arguments).out
     sys.path[:0] = map(str, find_engine("solutions"))
     # These modules import chapters.

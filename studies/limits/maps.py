@@ -35,16 +35,11 @@ LOSS_COLUMNS = (
     "steps of a simulation from release",
     "steps of a simulation from x 1e3 to x 1e9",
 )
-
-
 Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw a heat map for each method of the growth per time step against stiffness and damping.
-
-    A line marks the theoretical stability limit, and dots mark limits found by bisection.
-    """
+    """Draw the growth per time step against stiffness and damping, with the limits, per method."""
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
     for axes, name in zip(panels.flat, SHADES, strict=True):
@@ -88,10 +83,10 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps in which the size of an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
+    """Count the steps in which an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
 
-    They are counted from the release, and after the oscillation has grown by a factor of 1e3, when
-    the initial state no longer matters. The ``predicted`` number limits the simulation.
+    They are counted from the release, and from a growth by 1e3, when the initial state no longer
+    matters. The ``predicted`` number limits the simulation.
     """
     integrator, pull, d = stepping(name, damping, kappa, ALL_SOLVERS)
     chi = math.sqrt(pull.stiffness)
@@ -119,15 +114,10 @@ def draw_divergence(
 
 
 def _draw_steps(left: Axes, right: Axes, losses: Sequence[Loss]) -> None:
-    """Plot how many time steps an oscillation takes to grow by a factor of a million.
-
-    In the right panel, the predictions are compared with steady growth (lines) and with
-    oscillations from rest (marks). These are the sum of two eigenvectors, but only one of them
-    grows. Near a limit, the two are almost parallel, so the growing part may be much larger than
-    the sum, or only half as large. The oscillation therefore reaches a million times its size
-    sooner or later than predicted. Far beyond the limit, the difference is caused by rounding to
-    whole steps.
-    """
+    """Plot in how many steps an oscillation grows by 1e6, and how that differs from theory."""
+    # From rest (marks), it is the sum of two eigenvectors, of which one grows. Near a limit they
+    # are almost parallel, so the growing one may be much larger than the sum, or half as large.
+    # Far beyond the limit, the difference comes from rounding to whole steps.
     for name, damping in LOST.items():
         own = [loss[2:] for loss in losses if loss[0] == name]
         beyond, predicted, rest, evenly = zip(*own, strict=True)
@@ -135,10 +125,9 @@ def _draw_steps(left: Axes, right: Axes, losses: Sequence[Loss]) -> None:
         label = f"{name}, {'d$^h$' if name in INTEGRATORS else 'c h / m'} = {damping:g}"
         left.plot(beyond, predicted, color=color, lw=1)
         left.plot(beyond, rest, mark, color=color, mfc="none", label=label)
-        off = [_percent(*pair) for pair in zip(rest, predicted, strict=True)]
+        off = [*map(_percent, rest, predicted)]
         right.plot(beyond, off, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
-        off = [_percent(*pair) for pair in zip(evenly, predicted, strict=True)]
-        right.plot(beyond, off, "-", color=color, lw=1.5)
+        right.plot(beyond, [*map(_percent, evenly, predicted)], "-", color=color, lw=1.5)
     left.set(xscale="log", yscale="log", xlabel="k / limit - 1")
     left.set_ylabel("steps until an oscillation is 1e6 times as large")
     near = [rest for _, _, beyond, _, rest, _ in losses if beyond == 0.02]
@@ -164,7 +153,6 @@ def _percent(found: float, predicted: float) -> float:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Plot how the energy of a spring changes over many oscillations with each method."""
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)

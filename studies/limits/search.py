@@ -1,8 +1,7 @@
 """Find the limits beyond which integrators and pymunk are unstable, and the energy within them.
 
 A time step multiplies the position and velocity on a spring by a matrix, and the velocity under
-drag by a factor. The motion is unstable if this factor, or an eigenvalue of the matrix, exceeds 1
-in magnitude. The limits are found by bisection.
+drag by a factor. The motion is unstable if the factor, or an eigenvalue, exceeds 1 in magnitude.
 """
 
 from __future__ import annotations
@@ -33,16 +32,13 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The measured and the theoretical limit of a method, or infinity if there is none.
-
-    ``steps`` is the number of time steps to grow by a factor of HUGE at 1.02 times the limit.
-    """
+    """The measured and the theoretical limit of a method, or infinity if there is none."""
 
     method: str
     at: str
     found: float
     theory: float
-    steps: float
+    steps: float  # to grow by a factor of HUGE at OUTSIDE times the limit
 
 
 def pymunk_step(
@@ -67,12 +63,7 @@ growth_at = partial(stability.growth_of, solvers=ALL_SOLVERS)
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the theoretical limit of k h^2 / m for the arguments of ``growth_at``.
-
-    A step with pymunk's own spring equals a step of semi-implicit Euler that keeps e^(-c h / m) of
-    the velocity. A step with a force by hand equals explicit Euler. Its matrix has the determinant
-    1 - c h / m + k h^2 / m, which is 1 at the limit if c h / m is at most 2.
-    """
+    """Return the theoretical limit of k h^2 / m for the arguments of ``growth_at``."""
     if name in SOLVERS:
         return math.inf
     if name == "pymunk's spring":
@@ -104,8 +95,8 @@ def spring_limits() -> list[Bound]:
 def thrown(kappa: float) -> int:
     """Count the time steps until a PenaltyGround throws a resting body up, or return 0 after 2000.
 
-    The body starts slightly deeper than in equilibrium, by 1 / HUGE of the equilibrium depth. It
-    leaves the ground when this difference has grown by a factor of HUGE.
+    The body starts deeper than in equilibrium by 1 / HUGE of the equilibrium depth, and leaves when
+    this difference has grown by a factor of HUGE.
     """
     stiffness = kappa / FRAME**2
     depth = 10.0 / stiffness
@@ -173,10 +164,7 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
-    """Measure the relative energy of a spring after each number of oscillations in ``swings``.
-
-    The numbers ascend. Explicit Euler is omitted, because it explodes at this stiffness.
-    """
+    """Measure a spring's relative energy after each number of oscillations, in ascending order."""
     wall, name = SpringOnAWall(STIFFNESS), "pymunk's spring"
     ways = wall.methods() | {name: wall.solved_by(ALL_SOLVERS[name])}
     del ways["explicit Euler"]
@@ -187,10 +175,7 @@ def energy_drifts(swings: Sequence[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: stability.Matrix, swings: Sequence[int]) -> list[float]:
-    """Compute the energies for ``energy_drifts`` from the matrix of a step.
-
-    They are means over an oscillation, which a symplectic integrator keeps constant.
-    """
+    """Compute mean energies of oscillations, which a symplectic integrator keeps constant."""
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME
     x, vh, step, means = 1.0, 0.0, 0, []

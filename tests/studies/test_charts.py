@@ -366,7 +366,7 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
 def test_a_model_that_takes_a_tolerance_is_told_with_it() -> None:
     orbit = SCENES["orbit of eccentricity 0.9"]
     point = Point(orbit.name, "adaptive", "ours", 10**6, 3e-5, 834, [1e-3])
-    told = choose._told(orbit, 1e-4, point)
+    told = choose._told(orbit, point, 1e-4)
     assert told.startswith("adaptive, tolerance 1e-06: 1 ms")
     assert "834 evaluations" in told
 

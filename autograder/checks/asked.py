@@ -14,6 +14,7 @@ from typing import ParamSpec, TypedDict, TypeVar
 
 Parameters = ParamSpec("Parameters")
 Returned = TypeVar("Returned")
+Text = str | Callable[[], str]  # a text, or a function that writes it when it is needed
 LONG = re.compile(r"\b\d{1,5}\.\d{10,}(?:e[-+]?\d+)?\b")  # a computed number with all its digits
 
 
@@ -36,32 +37,50 @@ class About:
     """The parts of a check's failure message: the call, the likely mistake and the section to read.
 
     A check sets them before it calls the student's code. To change only some of them, call the
-    object with the new values, or assign to an attribute, as in ``about.call += "; v.x"``.
+    object with the new values, or assign to an attribute, as in ``about.call += "; v.x"``. The call
+    may be a function that writes it, because only a check that fails needs it.
     """
 
     def __init__(self) -> None:
-        self.call = self.cause = self.read = ""
+        self._call: Text = ""
+        self.cause = self.read = ""
         self.recognized = ""  # the last cause that was found by the result it leads to
 
+    @property
+    def call(self) -> str:
+        """The call as text."""
+        self._call = written(self._call)
+        return self._call
+
+    @call.setter
+    def call(self, call: Text) -> None:
+        self._call = call
+
     def __call__(
-        self, call: str | None = None, *, cause: str | None = None, read: str | None = None
+        self, call: Text | None = None, *, cause: str | None = None, read: str | None = None
     ) -> None:
-        self.call = self.call if call is None else call
+        self._call = self._call if call is None else call
         self.cause = self.cause if cause is None else cause
         self.read = self.read if read is None else read
 
-    def but(self, words: Words) -> tuple[str, str, str]:
+    def but(self, words: Words) -> tuple[Text, str, str]:
         """Return the call, the likely mistake and the section to read for one comparison.
 
         ``words`` contains the parts that differ from those that the check has stored.
         """
-        call = words.get("call", self.call) + words.get("then", "")
-        return call, words.get("cause", self.cause), words.get("read", self.read)
+        call, then = words.get("call", self._call), words.get("then", "")
+        whole = (lambda: written(call) + then) if then else call
+        return whole, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
         """Clear all parts of the failure message before the next check stores its own."""
         self("", cause="", read="")
         self.recognized = ""
+
+
+def written(text: Text) -> str:
+    """Return a text, which a function may still have to write."""
+    return text if isinstance(text, str) else text()
 
 
 about = About()

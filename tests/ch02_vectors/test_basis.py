@@ -128,10 +128,10 @@ def test_the_basis_leaves_its_arguments_unchanged(rng: Random) -> None:
     expect_unchanged("v", v, a)
 
 
-def expect_same_basis(rng: Random, scale: float) -> None:
-    """Expect the same basis from a longer a and a shorter b."""
-    __tracebackhide__ = True
-    a, b = vector(rng), vector(rng)
+@pytest.mark.exercise("B2.10", asks="The lengths of a and b do not matter", read=READ)
+@pytest.mark.robust
+def test_huge_and_tiny_lengths_do_not_matter(rng: Random) -> None:
+    a, b, scale = vector(rng), vector(rng), 1e200
     wanted = basis_of(a, b)
     cause = (
         "Your basis depends on the lengths of a and b. Normalize both vectors before you compute "
@@ -141,17 +141,6 @@ def expect_same_basis(rng: Random, scale: float) -> None:
     got = basis_of(a * scale, b / scale, cause, call)
     for i in range(3):
         expect_close(got[i], wanted[i], then=f"; vector {i + 1} of the basis", tolerance=1e-12)
-
-
-@pytest.mark.exercise("B2.10", asks="The lengths of a and b do not matter", read=READ)
-def test_lengths_do_not_matter(rng: Random) -> None:
-    expect_same_basis(rng, 1e4)
-
-
-@pytest.mark.exercise("B2.10", asks="The lengths of a and b do not matter", read=READ)
-@pytest.mark.robust
-def test_huge_and_tiny_lengths_do_not_matter(rng: Random) -> None:
-    expect_same_basis(rng, 1e200)
 
 
 def expect_refusal(a: Triple, b: Triple, cause: str) -> None:

@@ -48,11 +48,6 @@ def test_the_component_product_in_place(rng: Random) -> None:
         v.component_product_update(w)
     expect_close(v, Triple(map(mul, a, b)), {LOST: a}, then="; v")
     expect_unchanged("w", w, b, cause=UNCHANGED)
-
-
-@pytest.mark.exercise("B2.7", asks="if the other vector is the vector itself", read=BOOK)
-def test_the_component_product_with_itself(rng: Random) -> None:
-    a = vector(rng)
     with calls(
         "Here self and the argument are the same vector, v, so each change to self also changes "
         "the argument. Read each component before you change it."
@@ -182,6 +177,7 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
 
 @pytest.mark.exercise("B2.9", asks="has the length |a| |b| sin t", read=CROSS)
 def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
+    """Only here the wanted vector comes from two lengths and an angle, not from components."""
     angle, first, second = rng.uniform(0.2, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     b = second * Triple((math.sin(angle), 0.0, math.cos(angle)))
     with calls("Your y component is wrong. It must be v.z * w.x - v.x * w.z, in this order."):

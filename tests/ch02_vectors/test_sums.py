@@ -267,6 +267,7 @@ def test_add_scaled_with_itself(rng: Random) -> None:
 
 @pytest.mark.exercise("B2.6", asks="in place, as in p' = p + v h", read="book 2.2, Eq. 2.7")
 def test_add_scaled_frame_after_frame(rng: Random) -> None:
+    """An error of one call may be below its tolerance, but 600 calls add it up."""
     start, velocity = vector(rng), vector(rng)
     with calls(
         "After 600 calls, p must be p + 10 v. Each call must add v times 1/60 to p.",

@@ -120,6 +120,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
 
 @pytest.mark.exercise("B3.4", asks="a step may consist of several drifts", read=MOVES)
 def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
+    """Only here a particle drifts twice, so that the second drift must use the new velocity."""
     x, v, a, h = vector(rng), vector(rng), vector(rng), draw_part(rng)
     with calls(
         "Half a drift, a kick and another half drift must give the exact position p + v h + a h^2 "

@@ -197,6 +197,7 @@ def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
 
 @pytest.mark.exercise("B3.4", asks="by one step of explicit Euler", read=EULER)
 def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
+    """Only here the wanted fall is a closed form, with the error that Euler must make."""
     with calls(
         "The exact fall is 125 m, but explicit Euler must fall 0.41667 m less, because each step "
         "uses the velocity before it. Check the order of the position and the velocity.",

@@ -108,6 +108,7 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.7", asks="remember which types you have visited", read=READ)
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
+    """Code that follows every path passes the other checks, but would need hours for this one."""
     leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)} | {60: [], 61: []}
     with calls(
         "There are 2^30 different paths through these rules, which is too many to follow one by "

@@ -310,6 +310,7 @@ def test_rules_without_an_end_stay_within_the_capacity() -> None:
 
 @pytest.mark.exercise("B4.6", asks="seed always gives the same show", read=SHOW)
 def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
+    """Only here two shows with random rules run side by side, until they have lit payloads."""
     seed = rng.randrange(10**6)
     rules: list[probes.RuleData] = [
         (1, 0.1, 0.4, (-5.0, 5.0, -5.0), (5.0, 8.0, 5.0), 0.1, ((3, 5),)),

@@ -123,6 +123,7 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     "B5.1", asks="A particle adds up its forces", read="the docstring of Particle"
 )
 def test_each_particle_has_its_own_forces(rng: Random) -> None:
+    """Only here two particles exist at once, so that a sum that they share would show."""
     first, second = vector(rng), vector(rng)
     with calls("Store each particle's sum in self, not in the class or in a global variable."):
         p, q = Particle(), Particle()

@@ -351,7 +351,7 @@ def test_coasting_for_no_time_and_coasting_from_rest(rng: Random) -> None:
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, cause in (
         (v, 0.0, "The speed changed although the time is 0. Return the initial speed."),
-        (0.0, 2.0, "Drag set a body at rest in motion. Return a speed of 0."),
+        (0.0, 2.0, "A body at rest stays at rest, whatever its drag is. Return a speed of 0."),
     ):
         with calls(cause):
             got = coasting_speed(speed=speed, k1=k1, k2=k2, mass=2.0, time=time)

@@ -80,6 +80,8 @@ def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     first, second = vector(rng), vector(rng)
     with calls("gravity.acceleration was replaced. Read self.acceleration in every call."):
         p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
+        gravity.update_force(p, 0.5)
+        p.clear_forces()
         gravity.acceleration = Vector3(*second)
         gravity.update_force(p, 0.5)
         got = p.force_accumulator
@@ -108,6 +110,7 @@ def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
 
 @pytest.mark.exercise("B5.4", asks="has the same effect at no extra cost", read="book 5.3")
 def test_gravity_has_the_same_effect_as_a_constant_acceleration(rng: Random) -> None:
+    """Only here the weight acts through many steps, beside the same built-in gravity."""
     g, mass, damping = vector(rng), round(rng.uniform(2.0, 90.0), 3), 0.75
     h, steps = 1.0 / 64.0, 192
     with calls(

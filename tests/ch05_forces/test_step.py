@@ -150,6 +150,7 @@ def test_without_forces_the_step_is_that_of_chapter_3(rng: Random) -> None:
 
 @pytest.mark.exercise("B5.2", asks="with the mass and the damping of now", read=KICK)
 def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
+    """Only here the damping changes between two steps, so that a stored d^h would show."""
     v, f, mass = vector(rng), vector(rng), draw_mass(rng)
     with calls("Compute d^h and 1 / m again in every step, because both have changed."):
         p = Particle(velocity=Vector3(*v))
@@ -294,6 +295,7 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
 
 @pytest.mark.exercise("B5.2", asks="Apply the acceleration, forces and damping", read=KICK)
 def test_forces_act_in_kick_and_not_in_drift(rng: Random) -> None:
+    """Only here drift and kick are called one by one, so that each must do its own part."""
     x, v, a, f = vector(rng), vector(rng), vector(rng), vector(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), draw_duration(rng)
     with calls("drift must change only the position, because the forces act in kick."):

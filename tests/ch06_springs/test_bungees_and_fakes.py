@@ -284,8 +284,8 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
 def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     numbers, h = (ZERO, 1e6, 200.0), 1.0 / 60.0
     calm = "An ordinary Spring explodes with semi-implicit Euler if k h^2 / m is above 4, and here "
-    calm += "it is 278. The faked spring must come to rest anyway, so check that you use its "
-    calm += "damping."
+    calm += "it is 278. The faked spring must come to rest anyway. Use all of its stiffness and "
+    calm += "its damping."
     scene = "s = FakeStiffSpring(anchor=Vector3(), stiffness=1e6, damping=200); "
     place = vector(rng)
     with calls(

@@ -212,6 +212,7 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
 
 @pytest.mark.exercise("B6.3", asks="pulls on both ends with opposite forces", read=SWING)
 def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
+    """Only here both ends move for a whole period, whose length has a closed form."""
     with calls(
         "The period is 2 pi sqrt(mu / k), with mu = m1 m2 / (m1 + m2), here 0.75 kg.",
         "a of 1 kg and b of 3 kg with connect(registry, a, b, stiffness=5.0, rest_length=1.0), "

@@ -279,6 +279,7 @@ def test_the_largest_stiffness_by_known_values() -> None:
     "6.6b", asks="above which a spring makes a simulation explode", read=WORKED_OUT
 )
 def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
+    """Only here a step itself shows what the limit means, without the formula for it."""
     for _ in range(5):
         d, h = round(rng.uniform(0.05, 0.99), 3), positive_number(rng, 0.005, 0.2)
         m = positive_number(rng)

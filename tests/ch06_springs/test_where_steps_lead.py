@@ -76,6 +76,7 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
     read="the docstring of semi_implicit_euler",
 )
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
+    """Only here thousands of steps add up a drift that one step hides in its tolerance."""
     cause = "The energy may vary by a fraction of about chi h / 2 with chi = sqrt(k / m), but it "
     cause += "must not drift. Change the velocity first, and then move with the new velocity."
     for frames in (600, 6000):
@@ -90,6 +91,7 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     "B6.12", asks="keeps the energy within a narrower band", read="the docstring of leapfrog"
 )
 def test_leapfrog_swings_as_its_frequency_says() -> None:
+    """Only here thousands of steps must end at the energy of a closed form."""
     cause = "The energy keeps returning to its start. Drift for h / 2, kick for h, drift for h / 2."
     for frames in (1, 600, 6000):
         angle = frames * 2.0 * math.asin(0.5 * math.sqrt(KAPPA))

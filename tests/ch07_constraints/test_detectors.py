@@ -264,6 +264,7 @@ def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
 
 @pytest.mark.exercise("B7.9", asks="each pair of spheres that touch or overlap", read=PAIRS)
 def test_a_pile_of_six_holds() -> None:
+    """Only here contacts are found again in every step, while the resolver moves the spheres."""
     with calls(
         "The spheres sink into each other. Check that each sphere has a contact with the sphere "
         "below it in every step.",

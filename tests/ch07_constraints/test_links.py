@@ -215,6 +215,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
 
 @pytest.mark.exercise("B7.8", asks="You can hang a pendulum from it", read=PULL)
 def test_a_string_bears_three_times_the_weight() -> None:
+    """Only here the force of the rod is measured, which the period does not show."""
     why = "At the bottom the rod carries the weight m g and bends the path, which takes 2 m g."
     seen = pendulum(why, 90.0, 0.0005, 1173)  # a quarter of its period
     # Of order h: measured 59.9 N.

@@ -162,6 +162,7 @@ def test_the_moves_are_new_vectors(rng: Random) -> None:
 
 @pytest.mark.exercise("B7.4", asks="Move the two particles apart along the normal", read=REST)
 def test_a_resting_body_stays_on_the_ground() -> None:
+    """Only here many steps would add up a small sinking or bouncing."""
     for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):
         gravity = "a force added in every step" if generated else "the body's acceleration"
         with calls(

@@ -120,6 +120,7 @@ def test_the_first_of_two_equally_fast_contacts_is_resolved() -> None:
 
 @pytest.mark.exercise("B7.5", asks="Stop after limit resolutions", read=FASTEST)
 def test_a_push_goes_through_a_row(rng: Random) -> None:
+    """Only here each resolution makes another contact close, in an order unlike the list's."""
     speeds, mass = (positive_number(rng), 0.0, 0.0, 0.0, 0.0), positive_number(rng)
     pairs = ((4, 3), (2, 1), (3, 2), (1, 0))
     for limit, leaves, cause in (

@@ -161,37 +161,9 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             expect_close(got, wanted, slips, then=name, cause=why, tolerance=1e-14, unit="m")
 
 
-@pytest.mark.exercise("B7.6", asks="the number of resolutions in each phase", read=RESOLVER)
-def test_both_phases_have_their_own_limit() -> None:
-    own = "Your two phases share one limit. Pass the full limit of `iterations` to both."
-    default = "The resolver was created without iterations, so the limit of each phase is twice "
-    default += "the number of contacts. Count only contacts in which a particle can move."
-    for iterations, speed, left, right, wanted, cause in (
-        (None, 2.0, 0.5, 0.5, 8, default),
-        (3, 2.0, 0.5, 0.5, 6, own),
-        (1, 2.0, 0.5, 0.5, 2, own),
-        (None, 0.0, 0.0, -0.5, 0,
-         "There is nothing to resolve. Set iterations_used to 0."),
-    ):  # fmt: skip
-        with calls(cause):
-            balls = [Particle(Vector3(i), Vector3(speed - speed * i)) for i in range(3)]
-            fixed = Particle(Vector3(9.0), Vector3(1.0), mass=math.inf)
-            contacts = [
-                Contact(balls[1], balls[0], Vector3(1.0), penetration=left),
-                Contact(balls[2], balls[1], Vector3(1.0), penetration=right),
-                Contact(fixed, None, Vector3(-1.0), penetration=9.0),
-            ]
-            resolver = ContactResolver(iterations)
-            resolver.resolve_contacts(contacts, 0.5)
-        expect_exactly(resolver.iterations_used, wanted, then="; resolver.iterations_used")
-        why = "Call resolve_penetrations once, after you have called resolve_velocities."
-        got = math.fsum(ball.position.x for ball in balls)
-        name = "; the sum of the balls' positions along x"
-        expect_close(got, 3.0, then=name, cause=why, tolerance=1e-14, unit="m")
-
-
 @pytest.mark.exercise("B7.6", asks="None means twice the number of contacts", read=RESOLVER)
 def test_a_stack_of_three_settles() -> None:
+    """Only here gravity presses a whole stack together, in every one of many steps."""
     with calls(
         "The stack sinks, because one of your two phases stops too early. Each phase may make two "
         "resolutions per contact.",

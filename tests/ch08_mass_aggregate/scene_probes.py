@@ -12,9 +12,8 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
-from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import GroundPlane
-from ch08_mass_aggregate import ball_game, blob, bridge
+from ch08_mass_aggregate import ball_game, blob
 from ch08_mass_aggregate.probes import Components, xyz
 
 Told = tuple[int, int, Components, float, float]
@@ -36,18 +35,6 @@ def number_of(particle: Any, particles: Sequence[Particle]) -> int:
     if particle is None:
         return -1
     return next((i for i, other in enumerate(particles) if other is particle), -2)
-
-
-def hung_bridge(frames: int, duration: float) -> list[Components]:
-    """Let a bridge without a ball hang, by chapters 6 and 7 alone; return where its planks are."""
-    rows = bridge.make_rows()
-    planks = [end for row in rows for end in row]
-    links = bridge.links_of(rows)
-    resolver = ContactResolver()
-    for _ in range(frames):
-        semi_implicit_euler(planks, lambda _: None, duration)
-        resolver.resolve_contacts([c for link in links for c in link.contacts()], duration)
-    return [xyz(plank.position) for plank in planks]
 
 
 def rods(made: Any, particles: Sequence[Particle]) -> list[tuple[int, int, float]]:

@@ -160,6 +160,7 @@ def test_a_bond_exactly_at_its_limits(rng: Random) -> None:
 
 @pytest.mark.exercise("B8.8", asks="if the bond is intact", read=BOND)
 def test_bonds_keep_a_blob_together() -> None:
+    """Only here many bonds act at once, while both ends of each of them move."""
     with calls(
         "Your blob collapses or flies apart. Check the direction of the forces: a bond pushes its "
         "ends apart when it is too short, and pulls them together when it is too long.",

@@ -191,6 +191,7 @@ def test_a_slope_holds_up_to_the_angle_of_friction(rng: Random, tilted: str) -> 
 
 @pytest.mark.exercise("G8.3", asks="never does more than stop the sliding", read=IMPULSE)
 def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
+    """Only here friction must bring a moving body to rest at the right time, and leave it there."""
     mu, speed, h = positive_number(rng, 0.3, 0.8), positive_number(rng, 2.0, 5.0), FRAME
     across, mass = rng.uniform(0.0, math.tau), positive_number(rng, 0.5, 5.0)
     way = Triple((math.cos(across), 0.0, math.sin(across)))
@@ -209,6 +210,7 @@ def test_friction_stops_a_body_on_level_ground(rng: Random) -> None:
 
 @pytest.mark.exercise("G8.3", asks="at most mu times the normal impulse", read=IMPULSE)
 def test_an_impact_of_two_bodies_with_friction(rng: Random) -> None:
+    """Only here two bodies get both impulses, and must keep their momentum."""
     for mu in (0.0, 0.1, 3.0):
         n, c = unit_vector(rng), positive_number(rng, 0.1, 0.9)
         (ma, v), (mb, w), closing = draw_body(rng), draw_body(rng), -abs(number(rng, 1.0, 5.0))

@@ -215,6 +215,7 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
 @pytest.mark.exercise("B8.7", asks="so that the torque about the pivot is the same", read=WEIGHT)
 @pytest.mark.parametrize("side", ["too light", "heavy enough"])
 def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
+    """Only here the weight moves the platform, to the side that the torques say."""
     x = -round(rng.uniform(1.5, 3.0), 3)
     limit = 2.0 / -x  # the ends turn it by 2 kg (4 m - 3 m) to the right
     mass = limit * (1.5 if side == "heavy enough" else 0.5)

@@ -194,6 +194,7 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
 def test_a_throw_agrees_with_lagrange(
     rng: Random, on_chart: Callable[[float, float], None]
 ) -> None:
+    """Only here a whole throw is simulated, and compared with an independent solution."""
     design = draw_design(rng)
     with calls(
         "Your throw is more than 10% off the solution of Lagrange's equations for a rigid beam. "

@@ -88,6 +88,7 @@ def test_sleeping_particles_cost_no_work(rng: Random) -> None:
 
 @pytest.mark.exercise("G8.1", asks="fall asleep when they are at rest", read=RUN)
 def test_balls_rest_where_they_would_without_sleep() -> None:
+    """Only here sleep is compared with a world without it, to show that nothing else changes."""
     ends = []
     text = "two balls bounce for 6 s until they rest, by run_physics(); the final position of a "
     text += "ball, which should be the same as in a world without sleep"

@@ -241,7 +241,8 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
         returned = integrate_rotation(q, w, alpha, h)
     new = spin + h * gain
     slips = {
-        "The angular velocity hasn't changed.": spin,
+        "The angular velocity hasn't changed. Change its components in place, because a new vector "
+        "assigned to the parameter is lost.": spin,
         "You add alpha without multiplying it by h.": spin + gain,
         "You replace w by alpha h instead of adding alpha h to it.": h * gain,
         "You multiply alpha by h^2. Multiply it by h only.": spin + h * h * gain,

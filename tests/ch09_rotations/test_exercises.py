@@ -38,7 +38,6 @@ from turning import (
     hamilton,
     joined,
     matrix_of,
-    moved,
     named,
     quad,
     rijk,
@@ -354,17 +353,3 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         wanted = joined(t, -Triple(applied(t, p)))
         # Rounding of numbers up to 33.
         expect_close(entries(inverse), wanted, then=", row by row", tolerance=LOOSE)
-
-
-@pytest.mark.exercise("9.6", asks="invert a matrix that rotates and then translates", read=EASY)
-def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
-    r, p, a = matrix_of(draw_quad(rng)), vector(rng), vector(rng)
-    twelve = joined(r, p)
-    with calls("To take the point back, subtract the position of m, and then rotate back."):
-        m = Matrix4(*twelve)
-        inverse = easy_inverse(m)
-    got = entries(inverse)
-    if isinstance(got, tuple) and len(got) == 12:
-        linear, move = (*got[0:3], *got[4:7], *got[8:11]), got[3::4]
-        got = moved(linear, move, moved(r, p, a))
-    expect_close(got, a, then=f"; easy_inverse(m) @ (m @ Vector3{a})", tolerance=LOOSE)

@@ -98,8 +98,10 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     end, (c, s) = place + start * turn, (turn.real, turn.imag)
     x = c * point[0] - s * point[1]
+    way = "You ignore the sign of the angle. If it is negative, rotate clockwise."
+    way = "Your rotation is clockwise." if angle > 0.0 else way
     ends = {
-        "Your rotation is clockwise.": place + start / turn,
+        way: place + start / turn,
         "You add origin before you rotate the point.": (start + place) * turn,
         "You rotate the point but don't add origin.": start * turn,
         "You add origin but don't rotate the point.": place + start,

@@ -17,13 +17,14 @@ import linecache
 import math
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections import ChainMap
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from types import FrameType
 from typing import Any
 
-from autograder.checks.asked import about
+from autograder.checks.asked import Text, about, written
 
 PLAIN = (bool, int, float, str, type(None))
 CALCULATION = (
@@ -42,36 +43,56 @@ def calls(cause: str, text: str = "", *, more: bool = False) -> Iterator[None]:
     next expectation fails. ``text`` is shown instead of the code, for example because it runs in a
     loop. With ``more``, the code is appended to that of the block before.
     """
-    before = f"{whole.get(about.call, about.call)}; " if more else ""
-    shown = [text, text] if text else _shown(sys._getframe(2))
-    call, named = (f"{before}{each}" for each in shown)
-    whole.clear()
-    whole[call] = named
-    about(call, cause=cause)
+    own = text if text else Block(sys._getframe(2))
+    block = Chain(about.but({})[0], own) if more else own
+    about(block, cause=cause)
     yield
 
 
-# The call of the last block, and the same with the name of its result, which more code may use.
-whole: dict[str, str] = {}
+class Block:
+    """The code of a block, which is written only if its check fails.
 
-
-def _shown(frame: FrameType) -> list[str]:
-    """Return the statements of the block that a frame enters, on one line.
-
-    The second text also has the name that the last statement assigns to.
+    The values of names are kept as they were when the block began.
     """
-    texts, gaps = _template(frame.f_code.co_filename, frame.f_lineno)
-    known = {**frame.f_globals, **frame.f_locals}
 
-    def filled(gap: re.Match[str]) -> str:
-        star, source = gap[1], gaps[int(gap[2])]
-        names = {name.id: known.get(name.id, known) for name in _names(ast.parse(source))}
-        if not all(map(_is_plain, names.values())):
-            return star + source
-        value = eval(source, {}, names)
-        return _spread(value) if star else _literal(value)
+    def __init__(self, frame: FrameType) -> None:
+        self.place = frame.f_code.co_filename, frame.f_lineno
+        own = {name: v[:] if type(v) is list else v for name, v in frame.f_locals.items()}
+        self.known: Mapping[str, Any] = ChainMap(own, frame.f_globals)
 
-    return [GAP.sub(filled, text) for text in texts]
+    def __call__(self) -> str:
+        """Write the statements on one line, with the value of the last one."""
+        return self.written()[0]
+
+    def written(self) -> list[str]:
+        """Write the statements on one line, without and with the name of the last result."""
+        texts, gaps = _template(*self.place)
+
+        def filled(gap: re.Match[str]) -> str:
+            star, source = gap[1], gaps[int(gap[2])]
+            names = [name.id for name in _names(ast.parse(source))]
+            values = {name: self.known.get(name, self.known) for name in names}
+            if not all(map(_is_plain, values.values())):
+                return star + source
+            value = eval(source, {}, values)
+            return _spread(value) if star else _literal(value)
+
+        return [GAP.sub(filled, text) for text in texts]
+
+
+class Chain(Block):
+    """A block that continues another one, whose result it may use by its name."""
+
+    def __init__(self, before: Text, own: str | Block) -> None:
+        self.before, self.own = before, own
+
+    def written(self) -> list[str]:
+        """Write both blocks on one line, without and with the name of the last result."""
+        before = (
+            self.before.written()[1] if isinstance(self.before, Block) else written(self.before)
+        )
+        own = [self.own] * 2 if isinstance(self.own, str) else self.own.written()
+        return [f"{before}; {each}" for each in own]
 
 
 @cache

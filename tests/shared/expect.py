@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Unpack
 
-from autograder.checks.asked import Words, about, scoped, short_numbers
+from autograder.checks.asked import Words, about, scoped, short_numbers, written
 from autograder.diagnosis.slips import NOT_IMPLEMENTED
 from autograder.message import ExpectationError, Message
 from compared import difference
@@ -96,8 +96,6 @@ def expect_close(
     wanted_numbers = _as_tuple(wanted)
     if len(wanted_numbers) == 3 and not isinstance(got, (tuple, list, NoVector)):
         got = xyz(got)
-    if slips:
-        words["cause"] = named(got, about.but(words)[1], slips)
     if tolerance is None:
         tolerance = ROUNDING * max(abs(number) for number in wanted_numbers)
     got_numbers = _as_tuple(got)
@@ -105,6 +103,8 @@ def expect_close(
         abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
     ):
         note = ""
+        if slips:
+            words["cause"] = named(got, about.but(words)[1], slips)
         if _are_numbers(got_numbers, len(wanted_numbers)) and len(wanted_numbers) <= LONGEST_LIST:
             note = difference(got_numbers, wanted_numbers, tolerance)
         _complain(*_compared(got, wanted, tolerance), words, tolerance, note)
@@ -177,7 +177,8 @@ def expect_error(
     message explains how NaN gets past comparisons, unless the cause already mentions NaN.
     """
     __tracebackhide__ = True
-    call, cause, read = about.but(words)
+    given, cause, read = about.but(words)
+    call = written(given)
     about(
         valid or f"like {call}, but with valid arguments",
         cause="These arguments are valid, so the call must not raise an error.",
@@ -310,7 +311,8 @@ def _complain(
 ) -> None:
     __tracebackhide__ = True
     words = words or {}
-    call, cause, read = about.but(words)
+    given, cause, read = about.but(words)
+    call = written(given)
     unit, other = words.get("unit", ""), ""
     if got == "None":
         nothing = (

@@ -58,7 +58,6 @@ def main() -> int:
 
 
 def _serve(options: argparse.Namespace, settings: dict[str, str]) -> int:
-    """Open the lab's web page in a browser, and serve it until the user presses Ctrl-C."""
     from lab.server import Lab, serve  # only this command needs a server
 
     find_engine(options.engine)

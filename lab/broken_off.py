@@ -13,10 +13,7 @@ FIRST_LIMIT = 8.0  # s
 
 
 def why_it_broke_off(stack: str, engine: list[Path], limit: float = TIME_LIMIT) -> str:
-    """Explain to a student why the process that runs their engine stopped during a scene.
-
-    ``stack`` is the stack trace that it wrote if it exceeded its limit of ``limit`` s, or else "".
-    """
+    """Explain why the engine stopped. ``stack`` is the trace written after ``limit`` s, or ""."""
     if stack:
         return str(explain_hang(stack, limit, engine))
     return "The engine's process ended on its own. Does your code call os._exit?"

@@ -1,8 +1,4 @@
-"""Find the interactive scenes of the lab.
-
-Each module in a chapter's folder, such as lab/scenes/ch06_springs/, lists its scene classes in a
-tuple called SCENES.
-"""
+"""Find the lab's scenes, which the modules in lab/scenes/chNN_*/ list in tuples called SCENES."""
 
 from __future__ import annotations
 
@@ -30,10 +26,7 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """List all scenes of the lab by chapter, in the order in which their modules list them.
-
-    They are read from the source code of the modules, so that no engine is imported.
-    """
+    """List all scenes by chapter, from the modules' source code, so that no engine is imported."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*/*.py")):
         chapter, module = file.parent.name, f"lab.scenes.{file.parent.name}.{file.stem}"
@@ -48,11 +41,7 @@ def entries() -> tuple[Entry, ...]:
 
 
 def find(name: str) -> Entry:
-    """Look up a scene of the lab by its name, such as "one-spring".
-
-    Raises:
-        ValueError: The scene does not exist. The message lists all scenes.
-    """
+    """Look up a scene by its name, such as "one-spring", or raise ValueError with all names."""
     for entry in entries():
         if entry.name == name:
             return entry

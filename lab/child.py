@@ -59,11 +59,7 @@ def answered(host: Host, line: bytes) -> list[str]:
 
 
 def as_json(answer: Message) -> str:
-    """Encode a message as one line of JSON.
-
-    Raises:
-        ValueError or TypeError: The message has a value, such as NaN, that JSON does not have.
-    """
+    """Encode a message as one line. A value that JSON lacks raises ValueError or TypeError."""
     return json.dumps(answer, separators=(",", ":"), allow_nan=False)
 
 

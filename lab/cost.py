@@ -1,9 +1,8 @@
 """Measure the time that a scene takes per frame, even if the clock is coarse.
 
-Browsers round their clocks, some of them to a millisecond. Most frames take less time than that,
-but the longer they take, the more often the clock advances during one. The sum over many frames is
-therefore right on average, if frames start at random moments. Since a page asks for frames in a
-steady rhythm, each measurement begins with a random delay of less than one tick of the clock.
+Some browsers round their clocks to a millisecond, and most frames take less. The sum over many
+frames is still right on average if they start at random moments. A page asks for them in a steady
+rhythm, so each measurement begins with a random delay of less than one tick of the clock.
 """
 
 from __future__ import annotations

@@ -21,10 +21,7 @@ LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process that runs a student's engine for one page of the lab.
-
-    It starts when the page sends its first message. If the student's code never ends, it is killed.
-    """
+    """The process that runs a student's engine for one page, from the page's first message on."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         self.engine = engine
@@ -34,11 +31,7 @@ class EngineProcess:
         self.stack = Path(self.folder.name) / "stack.txt"
 
     async def ask(self, message: str) -> AsyncIterator[str]:
-        """Send a message from the page to the process, and yield its answers as lines of JSON.
-
-        If the process exits early, or is killed because it takes too long, the last answer explains
-        to the student what went wrong.
-        """
+        """Send a message, and yield lines of JSON. If this fails, the last line says why."""
         limit, extra = TIME_LIMIT, GRACE
         if self.process is None:
             self.process = await self._start()
@@ -79,7 +72,6 @@ class EngineProcess:
                     await process.wait()
 
     async def close(self) -> None:
-        """Kill the process and delete its temporary folder."""
         await self.end()
         self.folder.cleanup()
 
@@ -95,11 +87,7 @@ class EngineProcess:
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record a scene in a separate process, and return the contents of the animated GIF.
-
-    Raises:
-        ValueError: The recording failed, with the last line that the process printed.
-    """
+    """Record a scene in a separate process, and return the GIF, or raise ValueError with why."""
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:
         process = await asyncio.create_subprocess_exec(

@@ -1,8 +1,7 @@
 """Run one interactive scene, controlled by messages from a web page.
 
-The host does not depend on web pages, sockets or processes, so that the lab's local server and the
-course's website can share it. A message is a dict with a ``kind``. It contains only numbers,
-strings, lists and dicts, so that it can be sent as JSON.
+The lab's local server and the course's website share it, so it uses no sockets or processes. A
+message is a dict with a ``kind`` that can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -22,10 +21,7 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Runs a scene, and responds to messages from the page, such as a key press.
-
-    ``explain`` turns an exception from the student's code into a message for the student.
-    """
+    """Runs a scene. ``explain`` turns an exception into a message for the student."""
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
         self.explain = explain
@@ -35,11 +31,7 @@ class Host:
         self.cost = Cost()
 
     def receive(self, message: Message) -> list[Message]:
-        """Process one message from the page, and return the messages to send back.
-
-        If the message is invalid or the student's code raises an exception, the scene stops and the
-        answer explains why.
-        """
+        """Answer a message. If it raises an exception, the scene stops and the answer says why."""
         try:
             return self._answer(message)
         except (Exception, SystemExit) as error:
@@ -83,11 +75,7 @@ class Host:
         return [self._frame(scene)]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Load a scene, and return its description and its first frame.
-
-        ``peer`` names an alternative simulation, such as "exact" or "pymunk". For an invalid value
-        of a parameter, the scene uses the default, and one of the messages says so.
-        """
+        """Load a scene or its ``peer``, such as "pymunk", with defaults for invalid values."""
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
@@ -125,11 +113,7 @@ class Host:
         return []
 
     def _frame(self, scene: Scene) -> Message:
-        """Collect the data that the page shows for the current frame, such as the drawing.
-
-        Raises:
-            ArithmeticError: The scene has exploded, so a number is far too large or not finite.
-        """
+        """Collect what the page shows, or raise ArithmeticError if the scene has exploded."""
         pen = Pen()
         scene.draw(pen)
         error = scene.error()
@@ -157,7 +141,6 @@ class Host:
 
 
 def _numbers(items: list[Item]) -> list[float]:
-    """Collect all numbers in a drawing, such as coordinates and sizes."""
     found: list[float] = []
     for value in (value for item in items for value in item):
         if isinstance(value, list):

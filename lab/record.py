@@ -25,15 +25,12 @@ PIXEL = 0.8  # points; slightly less than a pixel, because the axes leave less r
 
 
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
-    """Record a scripted run of ``scene`` to files in ``folder``, and return their paths.
-
-    Files of an earlier recording are deleted first, so that none of them remain if the scene fails.
-    """
+    """Record a scripted run of ``scene`` to files in ``folder``, and return their paths."""
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / f"{name}{kind}" for kind in (".gif", ".png", ".csv")]
     for older in files:
-        older.unlink(missing_ok=True)
+        older.unlink(missing_ok=True)  # so that none remain if the scene fails
     figure = pyplot.figure(figsize=(8.0, 5.0), layout="constrained")
     canvas: Any = figure.canvas
     axes, title = figure.subplots(), figure.suptitle("", fontsize=10)
@@ -82,14 +79,12 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table: the time, the charted values and, if it is known, the error."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}
 
 
 def _save_sheet(tiles: list[Any], file: Path) -> None:
-    """Save several frames of a recording in a grid, so that they can be seen at a glance."""
     rows = -(-len(tiles) // 3)
     sheet, places = pyplot.subplots(rows, 3, figsize=(12, 2.6 * rows), layout="constrained")
     for axes in places.flat:

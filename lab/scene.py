@@ -23,11 +23,7 @@ class Question:
 
 
 class Scene:
-    """The base class of the lab's interactive scenes.
-
-    Lengths are in meters unless a scene says otherwise. A subclass sets the class attributes,
-    defines parameters, and overrides ``build``, ``step``, ``draw`` and the other methods it needs.
-    """
+    """The base class of the scenes. Lengths are in meters unless a scene says otherwise."""
 
     chapter: ClassVar[int]
     title: ClassVar[str]
@@ -45,11 +41,7 @@ class Scene:
     rate: Any = 60  # steps per second, unless the scene has a parameter of this name
 
     def __init__(self, **values: object) -> None:
-        """Build the scene with the given parameter values, and with defaults for all others.
-
-        Raises:
-            ValueError: A parameter does not exist, or its value is not allowed.
-        """
+        """Build the scene, or raise ValueError if a parameter or its value is not allowed."""
         known = parameters_of(type(self))
         if unknown := values.keys() - known.keys():
             raise ValueError(f"{name_of(type(self))} has no parameter {', '.join(sorted(unknown))}")

@@ -34,7 +34,6 @@ class Lab(Site):
         self.sockets: set[EngineSocket] = set()
 
     def application(self) -> Application:
-        """Create the tornado application that passes each request to its handler."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [

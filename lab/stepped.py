@@ -14,10 +14,7 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene that moves particles with an integrator of chapter 6, under the forces in a registry.
-
-    The ``build`` method of a subclass must create ``particles`` and ``registry``.
-    """
+    """A scene of particles and a registry of forces, which a subclass must create in ``build``."""
 
     integrator = Choice("semi-implicit Euler", "integrator", [*INTEGRATORS], live=True)
     rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
@@ -26,5 +23,4 @@ class Stepped(Scene):
     registry: ForceRegistry
 
     def step(self, duration: float) -> None:
-        """Advance the scene by one step of ``duration`` s, with the integrator that was chosen."""
         INTEGRATORS[self.integrator](self.particles, self.registry.update_forces, duration)

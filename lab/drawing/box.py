@@ -15,15 +15,11 @@ VIEWER = Vector3(*TOWARD, 1.0)
 
 def draw_box(
     pen: Pen,
-    sides: tuple[float, float, float],
-    turn: Callable[[Vector3], Vector3],
-    center: tuple[float, float] = (0.0, 0.0),
+    sides: tuple[float, float, float],  # m
+    turn: Callable[[Vector3], Vector3],  # from the box's own axes to the world's
+    center: tuple[float, float] = (0.0, 0.0),  # in the picture
 ) -> None:
-    """Draw a rotated box with sides of these lengths in m.
-
-    ``turn`` converts a vector from the box's own axes to those of the world, and ``center`` is the
-    position of the box's center in the picture.
-    """
+    """Draw a rotated box."""
     x0, y0 = center
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # counter-clockwise, if seen from outside
     for axis, sign in product(range(3), (-1, 1)):

@@ -1,8 +1,6 @@
 """Record what a scene draws as plain data, for a web page or matplotlib to draw later.
 
-Coordinates are in the scene's own units, with +x to the right and +y up. Widths and sizes of dots
-and letters are in pixels. Colors are stored by name, so that a page can choose shades for a light
-or a dark background.
+Coordinates are in the scene's units, with +y up. Widths, dots and letters are in pixels.
 """
 
 from __future__ import annotations
@@ -10,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Protocol
 
-COLORS = (
+COLORS = (  # names, so that a page can choose shades for a light or a dark background
     *("blue", "orange", "green", "red", "sky", "pink"),
     *("violet", "brown", "gray", "black", "water", "wood"),
 )
@@ -29,10 +27,7 @@ Item = list[Any]
 
 
 class Pen:
-    """Records the shapes that a scene draws, as lists such as ["ground", "gray", 0.0].
-
-    Each list starts with the shape's kind and color. The other values depend on the kind.
-    """
+    """Records the shapes that a scene draws, as lists of a kind, a color and the kind's values."""
 
     def __init__(self) -> None:
         self.items: list[Item] = []
@@ -50,7 +45,6 @@ class Pen:
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -61,13 +55,11 @@ class Pen:
         *,
         dashed: bool = False,
     ) -> None:
-        """Draw a line through several points."""
         self._add("line", color, _flat(points), width, dashed)
 
     def segments(
         self, pairs: Iterable[tuple[Point, Point]], color: str = "black", width: float = 1.0
     ) -> None:
-        """Draw separate line segments, each between two points."""
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
@@ -79,10 +71,7 @@ class Pen:
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow from ``start`` to ``start + vector``.
-
-        The reader can show or hide all arrows of a kind, such as "velocity" or "force".
-        """
+        """Draw an arrow to ``start + vector``. The reader can hide all arrows of a ``kind``."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:

@@ -24,17 +24,12 @@ TURNS = 24  # corners of a spring
 
 
 class Painter:
-    """Draws recorded shapes into matplotlib's axes, as the lab's page draws them on a canvas.
-
-    ``paint`` maps names of colors to colors. ``pixel`` is the length in points of a pixel, in which
-    a pen gives the widths of lines and the sizes of letters. There is a method for each kind of
-    shape. It gets the values that the pen recorded.
-    """
+    """Draws recorded shapes into matplotlib's axes, with a method for each kind of shape."""
 
     def __init__(self, axes: Axes, paint: Mapping[str, str], pixel: float) -> None:
         self.axes = axes
-        self.paint = paint
-        self.pixel = pixel
+        self.paint = paint  # from names of colors to colors
+        self.pixel = pixel  # in points; a pen gives the sizes of lines and letters in pixels
         left, right = axes.get_xlim()
         self.unit = (right - left) / WIDTH  # of the scene, for a pixel
 

@@ -45,10 +45,7 @@ class TwoVectors(Scene):
 
 
 class Projection(TwoVectors):
-    """A scene that shows how far one vector extends along the direction of another.
-
-    This length is the scalar product of the first vector and a unit vector along the second.
-    """
+    """A scene that shows how far a extends along b, its scalar product with b's unit vector."""
 
     title = "Projection: how much of a points along b?"
     question = "When is the dot product positive, zero or negative?"

@@ -46,16 +46,13 @@ class FrameRates(Scene):
         self.paths = [[(ball.position.x, ball.position.y)] for ball in self.balls]
 
     def advance(self, duration: float = FRAME) -> None:
-        """Advance each ball at its own rate, until it lands.
-
-        The error that the page shows is that of the last ball, so the simulated time is its own.
-        """
+        """Advance each ball at its own rate, until it lands."""
         self.clock.time += duration
         for rate, ball, path in zip(self.rates, self.balls, self.paths, strict=True):
             while len(path) / rate <= self.time + ROUNDING and ball.position.y > 0.0:
                 ball.integrate(1.0 / rate)
                 path.append((ball.position.x, ball.position.y))
-        self.clock.simulated = self.flown(-1)
+        self.clock.simulated = self.flown(-1)  # the error shown is that of the last ball
 
     def flown(self, i: int) -> float:
         """Return how long ball ``i`` has been flying, in s."""
@@ -72,12 +69,11 @@ class FrameRates(Scene):
             pen.circle((x, y), 0.3, color)
             pen.text((x + 0.2, y + 0.8), f"{rate} Hz", color)
 
-    def off(self, i: int) -> float:
-        """Compute the distance between ball ``i`` and its exact position, in m."""
-        return math.dist(self.paths[i][-1], self.exact(self.flown(i)))
-
     def chart(self) -> dict[str, float]:
-        return {f"error at {rate} Hz, m": self.off(i) for i, rate in enumerate(self.rates)}
+        return {
+            f"error at {rate} Hz, m": math.dist(self.paths[i][-1], self.exact(self.flown(i)))
+            for i, rate in enumerate(self.rates)
+        }
 
     def state(self) -> list[float]:
         return [*self.paths[-1][-1]]

@@ -15,10 +15,7 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A game of throwing a ball through a hoop, in which the student's engine moves the ball.
-
-    The exact path shows how much of a miss is the integrator's fault.
-    """
+    """A game of throwing a ball, whose exact path shows the integrator's part in a miss."""
 
     chapter = 3
     title = "Throw a ball at the hoop"
@@ -77,7 +74,6 @@ class Throw(Scene):
         self.ball = self.flight.particle(Particle)
 
     def throw(self) -> None:
-        """Throw the ball, unless it is still in the air."""
         if self.flies:
             return
         self.prepare()
@@ -190,7 +186,6 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Simulate a player who makes the throws in ORDERS."""
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

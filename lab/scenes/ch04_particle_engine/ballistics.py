@@ -24,10 +24,7 @@ MIDDLE = -20.0  # y at which the view from above is drawn, below the view from t
 
 
 class Ballistics(Scene):
-    """A shooting range where the reader fires bullets, shells and laser beams at blocks.
-
-    The upper half of the picture shows the range from the side, and the lower half from above.
-    """
+    """A shooting range, shown from the side in the upper half and from above in the lower."""
 
     chapter = 4
     title = "The ballistic range"
@@ -110,7 +107,6 @@ class Ballistics(Scene):
         return own if self.elevation is None else self.elevation
 
     def fire(self) -> None:
-        """Fire a shot of the chosen type."""
         self.range.fire(self.name, self.azimuth, self.elevation)
 
     def chart(self) -> dict[str, float]:

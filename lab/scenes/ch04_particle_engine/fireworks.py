@@ -85,10 +85,7 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Simulate a player who clicks on each rocket just before it bursts, until 3 s are left.
-
-        If the student has not written the game yet, rockets are launched instead.
-        """
+        """Click on each rocket just before it bursts, or launch some if the game is not written."""
         if time > self.seconds - 3.0:
             return
         if not self.plays:

@@ -16,10 +16,7 @@ RATES = (15, 30, 60, 120, 240)
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie.
-
-    The ball with the higher terminal speed wins. Without air, there is no such limit.
-    """
+    """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie."""
     left, right = scene.terminal_speeds()
     return 0 if left > 1.001 * right else 1 if right > 1.001 * left else 2
 
@@ -134,16 +131,11 @@ class Orbit(Scene):
         setup = self.orbit.setup()
         (self.planet,), self.registry = setup.particles, setup.registry()
         self.ellipse = [self.orbit.exact(i / 90.0 * self.orbit.period) for i in range(91)]
-        self.path: list[tuple[float, float]] = []
-        self.extend_path()
-
-    def extend_path(self) -> None:
-        """Add the planet's position to the path that is drawn."""
-        self.path = [*self.path[-600:], (self.planet.position.x, self.planet.position.y)]
+        self.path = [(self.planet.position.x, self.planet.position.y)]
 
     def advance(self, duration: float = FRAME) -> None:
         super().advance(duration)
-        self.extend_path()
+        self.path = [*self.path[-600:], (self.planet.position.x, self.planet.position.y)]
 
     def step(self, duration: float) -> None:
         self.registry.update_forces(duration)

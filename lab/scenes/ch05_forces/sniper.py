@@ -14,10 +14,7 @@ TURNS = {"left": (STEP, 0.0), "right": (-STEP, 0.0), "up": (0.0, STEP), "down": 
 
 
 class Sniper(Scene):
-    """A shooting range with targets at four distances, seen through the scope of a rifle.
-
-    Coordinates in the view are angles in milliradians.
-    """
+    """A shooting range, seen through a rifle's scope. Coordinates are angles in milliradians."""
 
     chapter = 5
     title = "The sniper range"

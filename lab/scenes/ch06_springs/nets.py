@@ -76,10 +76,9 @@ class SpringBridge(Stepped):
     def limit(self) -> float:
         """Compute the largest stiffness in N/m for which semi-implicit Euler is stable.
 
-        A plank has mass m, and a spring has stiffness k and damping c. In a long row of planks, the
-        fastest oscillation is the one in which neighboring planks move in opposite directions. Each
-        plank then moves as if it hung from a single spring with stiffness 4 k and damping 4 c. With
-        steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        In the fastest oscillation of a long row, neighboring planks move in opposite directions. A
+        plank of mass m then moves as if it hung from a spring with stiffness 4 k and damping 4 c.
+        With steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
         rate: float = self.rate
         return self.PLANK_MASS * rate * rate - 2.0 * self.DAMPING * rate

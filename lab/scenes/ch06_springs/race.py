@@ -16,11 +16,7 @@ FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """Seven balls on identical springs, each moved by a different integrator.
-
-    The axes are position and velocity, scaled so that the exact motion is a circle. A ball that
-    gains energy spirals out, and one that loses energy spirals in.
-    """
+    """Seven balls on identical springs, each moved by a different integrator, in phase space."""
 
     chapter = 6
     title = "Energy of seven integrators"

@@ -13,10 +13,7 @@ from scenes.twin import twin_of
 
 
 def is_stable(integrator: str, kappa: float, drag: float) -> bool:
-    """Return True if an integrator is stable for a spring with ``kappa`` = k h^2 / m.
-
-    The damping is given by ``drag`` = c h / m.
-    """
+    """Return True if a step is stable with ``kappa`` = k h^2 / m and ``drag`` = c h / m."""
     if integrator == "explicit Euler":
         return kappa < drag and 2.0 * drag < 4.0 + kappa
     if integrator == "velocity Verlet":
@@ -111,8 +108,6 @@ class OneSpring(Stepped):
 
 
 class ExactSpring(OneSpring):
-    """The ball follows the exact solution."""
-
     def step(self, duration: float) -> None:
         state = self.wall.state(self.simulated - self.since, self.x0, self.v0)
         self.ball.position.x, self.ball.velocity.x = state
@@ -122,8 +117,6 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """Pymunk simulates the ball and its spring."""
-
     def build(self) -> None:
         super().build()
         self.space, (self.body,) = twin_of(self.wall.setup())

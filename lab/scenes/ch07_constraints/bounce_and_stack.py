@@ -128,8 +128,6 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The same ball, simulated by pymunk."""
-
     def build(self) -> None:
         super().build()
         self.space, (self.body,) = twin_of(self.setup)
@@ -206,8 +204,6 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The same spheres, simulated by pymunk."""
-
     def build(self) -> None:
         super().build()
         self.space, self.bodies = twin_of(self.setup)

@@ -164,7 +164,6 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Count the intact bonds of the blob."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:

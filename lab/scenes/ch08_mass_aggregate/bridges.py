@@ -96,10 +96,7 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game of bouncing a ball from plank to plank of a rope bridge (project 8.1).
-
-    The player loses a ball whenever it falls to the ground.
-    """
+    """A game of bouncing a ball from plank to plank of a rope bridge (project 8.1)."""
 
     chapter = 8
     title = "A game on the bridge"

@@ -12,7 +12,7 @@ from scenes.parameters import Choice
 require("everything")  # SciPy computes the truths
 from scenes.clock import RATE  # noqa: E402
 from studies.accuracy.catalog import scenes_with  # noqa: E402
-from studies.accuracy.scene import Model, Place  # noqa: E402
+from studies.accuracy.scene import Place  # noqa: E402
 
 # Bodies at rest do not move, and most of their models take longer than a reader will wait.
 STILL = ("rope bridge at rest", "rope bridge asleep", "stack", "pile", "thousand")
@@ -23,10 +23,7 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 
 
 class Charts(Scene):
-    """A scene that replays a test of the accuracy study with the method that the reader chooses.
-
-    The method computes every frame in advance. The scene then plays the frames back one by one.
-    """
+    """Replays a test of the accuracy study, whose frames a method has computed in advance."""
 
     chapter = 8
     title = "Speed against accuracy"
@@ -44,7 +41,8 @@ class Charts(Scene):
 
     def build(self) -> None:
         self.scene = CHARTED[self.charted]
-        self.model = self.chosen()
+        models = {model.name: model for model in self.scene.models}
+        self.model = models.get(self.method, self.scene.models[0])  # not every method was run
         started = clock.perf_counter()
         try:
             outcome = self.model.run(self.fineness()[0])
@@ -58,20 +56,8 @@ class Charts(Scene):
         self.middle = (0.5 * (min(xs) + max(xs)), 0.5 * (min(ys) + max(ys)))
         self.size = max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)  # m
 
-    def chosen(self) -> Model:
-        """Find the simulation method that the reader chose.
-
-        If the study has not run the chosen method on this test, return the first method that it has
-        run.
-        """
-        models = {model.name: model for model in self.scene.models}
-        return models.get(self.method, self.scene.models[0])
-
     def fineness(self) -> tuple[int, str]:
-        """Return the number with which the method runs, and describe it in words.
-
-        The number comes from the parameter that this method takes. An exact method takes none.
-        """
+        """Return the number with which the method runs, and describe it in words."""
         if self.model.takes_tolerance:
             return round(1.0 / self.tolerance), f"a tolerance of {self.tolerance:g} m"
         if len(self.model.steps) == 1:
@@ -83,10 +69,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Convert the positions in ``place`` to picture coordinates.
-
-        They are scaled so that the whole path of the test fits into the picture.
-        """
+        """Convert positions to picture coordinates, so that the whole path fits in."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -125,10 +108,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Split a flat tuple of coordinates into points (x, y).
-
-    A single coordinate is taken as a height, and becomes a point with x = 0.
-    """
+    """Split a flat tuple of coordinates into points (x, y). A single one is a height at x = 0."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

@@ -17,11 +17,7 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box shaped like a thick book, which spins freely about one of its axes.
-
-    It also spins a little about another axis. About the middle axis, this disturbance makes it flip
-    over again and again.
-    """
+    """A box shaped like a thick book, which spins about an axis, and a little about another."""
 
     chapter = 9
     title = "A book thrown into the air"
@@ -77,10 +73,7 @@ class Spin(Scene):
         return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
     def state(self) -> list[float]:
-        """Return the box's energy in J and its angular momentum in kg m^2/s.
-
-        A freely spinning box conserves both, so any change since the start is an error.
-        """
+        """Return the energy in J and the angular momentum in kg m^2/s, both conserved."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return [self.box.energy(), *numbers(self.box.orientation.rotate(own))]
 

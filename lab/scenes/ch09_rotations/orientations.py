@@ -79,10 +79,7 @@ class Orientations(Scene):
         return [[turn(axis) for axis in (X, Y, Z)] for turn in ways]
 
     def errors(self) -> list[float]:
-        """Compute the largest distance between a tip of an axis and its exact position, by box.
-
-        It is given in percent of the length of an axis.
-        """
+        """Compute how far an axis of each box is off at most, in % of the axis's length."""
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.simulated)
         exact = [right.rotate(axis) for axis in (X, Y, Z)]
@@ -134,10 +131,7 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A clock hand that is rotated with Eq. 9.5, next to one that rotates steadily.
-
-    Eq. 9.5 moves the quaternion along a straight line in each step, so the hand falls behind.
-    """
+    """A clock hand that falls behind, because a step with Eq. 9.5 moves q along a straight line."""
 
     chapter = 9
     title = "What Eq. 9.5 leaves out"

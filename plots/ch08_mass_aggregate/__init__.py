@@ -15,7 +15,7 @@ from plots.ch08_mass_aggregate.projects import (
     wheel_deformation,
 )
 from plots.ch08_mass_aggregate.ropes import hanging_rope, mass_ratios
-from plots.ch08_mass_aggregate.trebuchet import trebuchet_range
+from plots.ch08_mass_aggregate.releases import trebuchet_range
 from plots.drawing import Picture
 
 PLOTS: tuple[Callable[[], Picture], ...] = (

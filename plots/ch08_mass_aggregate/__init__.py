@@ -14,8 +14,8 @@ from plots.ch08_mass_aggregate.projects import (
     sleeping_balls,
     wheel_deformation,
 )
-from plots.ch08_mass_aggregate.ropes import hanging_rope, mass_ratios
 from plots.ch08_mass_aggregate.releases import trebuchet_range
+from plots.ch08_mass_aggregate.ropes import hanging_rope, mass_ratios
 from plots.drawing import Picture
 
 PLOTS: tuple[Callable[[], Picture], ...] = (

@@ -15,11 +15,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of `make bench` to a file.
-
-    The file also contains the date, the Python version, the type of machine and the versions of the
-    libraries.
-    """
+    """Save the results of `make bench`, with the date, the machine and the libraries' versions."""
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
@@ -44,11 +40,7 @@ def rounded(figure: float) -> float:
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Load the median of every benchmark in the last `make bench`.
-
-    The keys of the returned dict are the benchmarks' descriptions. The dict is empty if no results
-    are stored yet.
-    """
+    """Load the medians by what they measure, or an empty dict if no results are stored yet."""
     if not file.exists():
         return {}
     lines = json.loads(file.read_text(encoding="utf-8"))["lines"]

@@ -42,7 +42,7 @@ def catenary(span: float = SPAN, length: float = LENGTH) -> Callable[[float], fl
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
     """Compute the exact positions of a rope's particles at rest.
 
-    All links have the same horizontal pull, and their vertical pulls differ by a weight each.
+    All links have the same horizontal pull. Their vertical pulls differ by a particle's weight.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link

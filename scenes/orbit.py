@@ -38,7 +38,7 @@ class KeplerOrbit:
         return alone(planet, InverseSquareGravity(Vector3(), self.mu))
 
     def exact(self, time: float) -> tuple[float, float]:
-        """Compute the position ``time`` s after the nearest point, from Kepler's equation.
+        """Compute a planet's position ``time`` s after its nearest point, from Kepler's equation.
 
         Newton's method with Danby's start converges for every eccentricity.
         """

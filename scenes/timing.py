@@ -121,7 +121,7 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Run all rounds of all benchmarks in mixed order. Between them, draw the progress bar."""
+    """Run all rounds of all benchmarks in mixed order. Draw no progress during a round."""
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
     with Progress(

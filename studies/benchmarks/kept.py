@@ -7,7 +7,6 @@ import platform
 from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
-from typing import Any
 
 from scenes.timing import Line
 
@@ -16,20 +15,20 @@ FILE = Path(__file__).with_name("figures.json")
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
     """Save the results of `make bench`, with the date, the machine and the libraries' versions."""
-    found: dict[str, Any] = {
+    found = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
         "machine": f"{platform.system()} {platform.machine()}",
         "libraries": versions,
-    }
-    found["lines"] = {
-        line.what: {
-            "ratio": rounded(line.median),
-            "quartiles": [rounded(line.low), rounded(line.high)],
-            "target": str(line.target or ""),
-            "verdict": line.verdict,
-        }
-        for line in lines
+        "lines": {
+            line.what: {
+                "ratio": rounded(line.median),
+                "quartiles": [rounded(line.low), rounded(line.high)],
+                "target": str(line.target or ""),
+                "verdict": line.verdict,
+            }
+            for line in lines
+        },
     }
     file.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
 

@@ -123,7 +123,7 @@ def catching() -> Scene:
     def make(frames: int) -> Plane:
         ties: list[Tie] = []
         for row in range(size):
-            y, length = -gap * row, 0.59 if row else 0.55
+            y, length = -gap * row, 0.59 if row else 0.55  # m, of the horizontal cables
             knots = [size * row + column for column in range(size)]
             ties.append(((-3.5 * gap, y), knots[0], length, 1))
             ties += [(a, b, length, 1) for a, b in pairwise(knots)]
@@ -135,7 +135,7 @@ def catching() -> Scene:
             for column in range(size)
         ]
         net = settled(Plane([0.2] * size**2, places, ties, frames))
-        top = net.places[2][1] + math.sqrt(radius**2 - 0.04) + 0.3
+        top = net.places[2][1] + math.sqrt(radius**2 - 0.04) + 0.3  # the ball falls 0.3 m
         ties += [(size**2, knot, radius, -1) for knot in range(2 * size)]
         return Plane([*net.masses, 1.0], [*net.places, (0.07, top)], ties, frames)
 

@@ -44,7 +44,7 @@ class Plane:
     places: Sequence[Sequence[float]]
     ties: Sequence[Tie]
     frames: int
-    walker: tuple[float, float, float] | None = None  # a load: its x in m, in m/s, and in N
+    walker: tuple[float, float, float] | None = None  # load's x in m, speed in m/s, weight in N
 
     def load(self, time: float, places: Any) -> Any:
         """Return the force on each knot in N: its weight, plus its part of the moving load."""

@@ -43,8 +43,7 @@ class Chain:
     def setup(self, link: Link | None = None) -> Setup:
         """Create the particles and their rods, the first of which is an AnchoredRod.
 
-        With ``link``, all rods are of that class, and the first one hangs from an immovable
-        particle, which is not listed.
+        With ``link``, all are of that class, the first on an immovable particle that is not listed.
         """
         particles = self.particles()
         if link:

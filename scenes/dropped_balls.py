@@ -44,17 +44,12 @@ class DroppedBalls:
         return math.sqrt(2.0 * (self.heights[0] - self.radius) / self.gravity)
 
     def end(self) -> float:
-        """Return when a single ball comes to rest, in s, if its restitution is less than 1.
-
-        Each flight takes as long as the one before times the restitution.
-        """
+        """Return when a single ball comes to rest, in s, if its restitution is less than 1."""
+        # Each flight takes as long as the one before times the restitution: a geometric series.
         return self.fall_time() * (1.0 + self.restitution) / (1.0 - self.restitution)
 
     def heights_at(self, times: Iterable[float]) -> list[tuple[float, ...]]:
-        """Compute the exact heights of the balls at ascending times in s, before they rest.
-
-        They follow parabolas from one impact to the next, independent of the engine and its bugs.
-        """
+        """Compute the exact heights at ascending times in s, before the balls rest."""
         y, v, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
         for time in times:

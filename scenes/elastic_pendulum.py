@@ -1,7 +1,4 @@
-"""An elastic pendulum: a body of 1 kg that swings on an undamped spring.
-
-Its motion has no closed form.
-"""
+"""A body of 1 kg that swings on an undamped spring. Its motion has no closed form."""
 
 from __future__ import annotations
 

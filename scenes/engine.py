@@ -1,7 +1,4 @@
-"""Choose the engine for plots, scenes and measurements: a student's work or the reference solution.
-
-An engine is a folder with one package for each chapter of the course.
-"""
+"""Choose the engine, a folder with a package per chapter: a student's work or the reference."""
 
 from __future__ import annotations
 
@@ -55,8 +52,7 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
     """Import the chapters from the folder ``engine``, and those ``given`` from the reference.
 
-    The student's code runs under the same restrictions as during grading. If a folder or a chapter
-    does not exist, ``parser`` exits with a usage error.
+    The code is restricted as during grading. A missing folder or chapter is a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -13,10 +13,7 @@ G = 9.81  # m/s^2
 
 
 def falling(bodies: Iterable[tuple[float, float, float]], height: float = 0.0) -> Setup:
-    """Create bodies at rest at a height in m, each with a mass in kg and the k1 and k2 of its drag.
-
-    A body with k1 = k2 = 0 falls without air.
-    """
+    """Create bodies at rest at a height in m, from a mass in kg and the k1 and k2 of its drag."""
     particles, forces = [], []
     for mass, k1, k2 in bodies:
         body = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -G), mass=mass)

@@ -1,7 +1,4 @@
-"""A flight with constant acceleration and linear drag: a throw, a shot or a fall.
-
-All values are plain numbers in SI units.
-"""
+"""A flight with constant acceleration and linear drag, in plain numbers in SI units."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""A rope that hangs between two nails at height 0, as particles of 1 kg between equal links.
-
-Its shape at rest is known exactly. With infinitely many links, it would be a catenary.
-"""
+"""A rope that hangs between two nails at height 0, as particles of 1 kg between equal links."""
 
 from __future__ import annotations
 
@@ -45,8 +42,7 @@ def catenary(span: float = SPAN, length: float = LENGTH) -> Callable[[float], fl
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
     """Compute the exact positions of a rope's particles at rest.
 
-    All links have the same horizontal pull. The vertical pull changes by a particle's weight from
-    link to link, so the slopes are evenly spaced.
+    All links have the same horizontal pull. Their vertical pulls differ by a particle's weight.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link

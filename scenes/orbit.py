@@ -38,10 +38,9 @@ class KeplerOrbit:
         return alone(planet, InverseSquareGravity(Vector3(), self.mu))
 
     def exact(self, time: float) -> tuple[float, float]:
-        """Compute the position of a planet ``time`` s after it was at the nearest point.
+        """Compute a planet's position ``time`` s after its nearest point, from Kepler's equation.
 
-        Kepler's equation M = E - e sin E is solved by Newton's method. Danby's start converges for
-        every eccentricity.
+        Newton's method with Danby's start converges for every eccentricity.
         """
         e, mean = self.eccentricity, self.rate * time
         anomaly = mean + math.copysign(0.85 * e, math.sin(mean))

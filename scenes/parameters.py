@@ -8,10 +8,9 @@ from typing import Any
 
 
 class Parameter:
-    """A value that the reader can change, such as the stiffness of a spring.
+    """A value that the reader can change. In an instance of a scene, it is the current value.
 
-    It is an attribute of a scene's class. In an instance, the attribute is the current value. A
-    change rebuilds the scene, unless the parameter is ``live``.
+    A change rebuilds the scene, unless the parameter is ``live``.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -93,10 +92,7 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Find an option such as "runge-kutta-4", with hyphens for spaces and in any case.
-
-        Raise ValueError if no option has this name.
-        """
+        """Find an option, in any case and with hyphens for spaces, or raise ValueError."""
         for option in self.options:
             if value == option or _plain(value) == _plain(option):
                 return option

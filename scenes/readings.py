@@ -1,7 +1,4 @@
-"""Read numbers and vectors from a student's engine, which may be wrong or unfinished.
-
-They become floats, so that plots compute with them without the student's code.
-"""
+"""Read floats and vectors from a student's engine, which may be wrong or unfinished."""
 
 from __future__ import annotations
 
@@ -33,10 +30,7 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run the simulations whose code is written, and return the results by key.
-
-    Raise NotImplementedError if there are simulations but none of them is written.
-    """
+    """Run the simulations that are written. Raise NotImplementedError if all of them are stubs."""
     found: dict[Key, Found] = {}
     stub: NotImplementedError | None = None
     for key, scene in scenes.items():

@@ -17,10 +17,7 @@ if TYPE_CHECKING:  # a handout for chapter 5 does not have these
 
 @dataclass(frozen=True)
 class Setup:
-    """The particles of a scene, the forces that act on them, and what finds their contacts.
-
-    Each of the ``forces`` is a pair of a particle and a force generator.
-    """
+    """The particles of a scene, the forces that act on them, and what finds their contacts."""
 
     particles: Sequence[Particle]
     forces: Sequence[tuple[Particle, ForceGenerator]] = ()

@@ -1,7 +1,4 @@
-"""Spheres that rest on one another, or fall: a stack and a pyramid of them.
-
-All spheres have the same radius. Gravity is 10 m/s^2, downward, unless a function takes another.
-"""
+"""Spheres of one size that rest on one another, or fall, with a gravity of 10 m/s^2."""
 
 from __future__ import annotations
 
@@ -20,20 +17,14 @@ Centers = Sequence[tuple[float, float]]
 
 
 def stack(count: int, top: float = 1.0, gravity: float = GRAVITY) -> Setup:
-    """Create a stack of touching spheres of 1 kg on the ground, with ``top`` kg for the top one.
-
-    The contacts are those with the ground, and then those of pairs.
-    """
+    """Create a stack of touching spheres of 1 kg on the ground, with ``top`` kg for the top one."""
     spheres = at([(0.0, (i + 0.5) * DIAMETER) for i in range(count)], gravity)
     spheres[-1].mass = top
     return Setup(spheres, contacts=touching(spheres))
 
 
 def overlap(heights: Iterable[float]) -> float:
-    """Compute the largest overlap in a stack, as a fraction of the diameter, or less than 0.
-
-    The ``heights`` of the centers are in m, from the lowest up. The lowest may overlap the ground.
-    """
+    """Compute a stack's largest overlap from its heights in m, in diameters, or less than 0."""
     return max(1.0 - (high - low) / DIAMETER for low, high in pairwise([-RADIUS, *heights]))
 
 

@@ -1,7 +1,4 @@
-"""A body on a damped spring that is fixed to a wall. It moves along a line, without gravity.
-
-The position of the body is measured from where the spring is relaxed.
-"""
+"""A body on a damped spring on a wall, along a line. At 0, the spring is relaxed."""
 
 from __future__ import annotations
 
@@ -39,11 +36,7 @@ class SpringOnAWall:
         return alone(body, AnchoredSpring(Vector3(), self.stiffness, 0.0, self.damping))
 
     def state(self, time: float, x: float = START, v: float = 0.0) -> tuple[float, float]:
-        """Compute the exact position in m and velocity in m/s at a time after the start, in s.
-
-        ``x`` and ``v`` are the position and the velocity at the start. Source: the closed form of
-        chapter 6.
-        """
+        """Compute the exact position in m and velocity in m/s at ``time`` s, as in chapter 6."""
         return damped_spring_state(x, v, self.stiffness, self.damping, self.mass, time)
 
     def solved_by(self, solver: Solver) -> Integrator:

@@ -1,7 +1,7 @@
 """A spring that is too stiff for the time step, and ground that acts as such a spring.
 
-The spring pulls a particle of 1 kg along X. A time step of h s multiplies (x, v h) by a matrix, so
-an oscillation grows if an eigenvalue of the matrix exceeds 1 in magnitude.
+A step of h s multiplies (x, v h) of 1 kg by a matrix. An oscillation grows if an eigenvalue of the
+matrix exceeds 1 in magnitude.
 """
 
 from __future__ import annotations
@@ -42,8 +42,7 @@ def stepping(
 ) -> tuple[Integrator, Pull, float]:
     """Return an integrator, a spring with k h^2 / m = ``kappa``, and the damping of the particle.
 
-    For an integrator, ``damping`` is d^h with the particle's d, where h is FRAME. For one of the
-    ``solvers``, it is c h / m with the spring's c.
+    ``damping`` is d^h with the particle's d, or for ``solvers``, c h / m with the spring's c.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -78,10 +77,7 @@ def swing(
 
 
 def step_matrix(integrator: Integrator, generator: ForceGenerator, damping: float = 1.0) -> Matrix:
-    """Measure the matrix of one step, which multiplies (x, v h), or NaN if the engine fails.
-
-    A step is linear, so the columns are its results for (1, 0) and (0, 1).
-    """
+    """Measure the matrix by which a step multiplies (x, v h), or NaN if the engine fails."""
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / FRAME)):
         body = Particle(Vector3(x), Vector3(v), damping=damping)
@@ -145,10 +141,7 @@ def _runge_kutta(kappa: float, kept: float) -> Matrix:
 
 
 def faked_growth(angle: float, share: float) -> float:
-    """Return the growth per step of a FakeStiffSpring with ``angle`` as the phase per step.
-
-    ``share`` is the fraction of critical damping.
-    """
+    """Return a FakeStiffSpring's growth per step, from its phase and share of critical damping."""
     chi = angle / FRAME
     return growth(semi_implicit_euler, FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi))
 

@@ -1,8 +1,6 @@
-"""Measure how long two pieces of code take, and report the ratio of their times.
+"""Measure how long two pieces of code take, one after the other, and report the ratio.
 
-A ratio is almost the same on every machine. The two times are measured one right after the other,
-and the rounds of all benchmarks are shuffled, so that a slow minute affects each of them only a
-little.
+A ratio is almost the same on every machine. Mixed rounds spread a slow minute over all benchmarks.
 """
 
 from __future__ import annotations
@@ -123,11 +121,7 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Run all rounds of all benchmarks in mixed order, and return their results for the report.
-
-    On a terminal, the progress bar is updated only between rounds, so that it does not slow them
-    down.
-    """
+    """Run all rounds of all benchmarks in mixed order. Draw no progress during a round."""
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
     with Progress(
@@ -152,11 +146,7 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return a benchmark's index for each round, in random order but evenly spread.
-
-    For a benchmark with n rounds, each of n equal parts of the whole run gets one, at a random
-    time.
-    """
+    """Return a benchmark's index for each round, in random order but evenly spread."""
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
 
@@ -173,10 +163,9 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Set up benchmarks of several libraries' times divided by ours, as geometric means.
+    """Divide the times of other libraries by ours, as the geometric mean of the operations.
 
-    An entry of ``peers`` is a library's module, its name in the report, and a target. If it is not
-    installed, ``console`` shows how to install it.
+    A peer is a module, a name and a target. If it is missing, ``console`` shows how to install it.
     """
     ours = statements["ours"]
     found = []

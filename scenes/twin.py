@@ -1,7 +1,4 @@
-"""Translate a scene into pymunk: particles, springs, rods, cables, ground and spheres.
-
-Pymunk is two-dimensional, so all particles of the scene must lie in the X-Y plane.
-"""
+"""Translate a scene in the X-Y plane into pymunk, such as particles, springs, rods and ground."""
 
 from __future__ import annotations
 

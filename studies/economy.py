@@ -43,11 +43,7 @@ def main(arguments: list[str]) -> int:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List the optional features whose cost is measured, such as gravity as a force generator.
-
-    Each feature is a tuple of its name and two functions. The first function simulates a frame with
-    the feature, and the second one simulates the same frame without it.
-    """
+    """List the optional features: a name, a frame with the feature, and the same one without it."""
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
@@ -65,11 +61,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Create two hundred falling particles, far from the ground and from each other.
-
-        If ``acceleration`` is false, they have no acceleration of their own, and a force generator
-        must supply gravity.
-        """
+        """Create particles far from the ground and each other, with or without gravity."""
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -135,11 +127,7 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that advances two hundred falling particles without using the engine.
-
-    Each call simulates one frame with plain floats. ``dimensions`` is 2 or 3, so that the cost of
-    the third dimension can be measured.
-    """
+    """Return a function that simulates a frame in two or three dimensions, in plain floats."""
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 
     def two() -> None:

@@ -1,4 +1,1 @@
-"""The benchmarks of `make bench`, in one module per subject, such as springs or rotations.
-
-Each module has a function ``lines`` that sets up its benchmarks and returns them.
-"""
+"""The benchmarks of `make bench`, by subject. The function ``lines`` of a module sets them up."""

@@ -1,9 +1,7 @@
 """Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
-Each result is the time of one of pymunk's models of a scene, divided by the time of one of ours.
-Each model makes the fewest steps per frame (1, 2, 4 and more) with which the error stays within a
-given fraction of the scene's size. If pymunk does not achieve this with up to MOST steps per run,
-its time is extrapolated from its order of convergence, or the result is only a lower bound.
+Each model makes the fewest steps per frame with which it meets a tolerance. If pymunk does not meet
+it in MOST steps, its time is extrapolated with its order, or the ratio is a lower bound.
 """
 
 from __future__ import annotations
@@ -67,11 +65,7 @@ def lines() -> list[Measurement]:
 
 
 def lines_of_adaptive() -> list[Measurement]:
-    """Set up the comparisons of Runge-Kutta 4 with `adaptive` on a comet's orbit.
-
-    The error must be at most 1e-6 of the semi-major axis in every frame. The tolerance of
-    `adaptive` is chosen from four per power of ten.
-    """
+    """Compare Runge-Kutta 4 with `adaptive` on a comet's orbit, at an error of at most 1e-6."""
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
     steps, fixed_run = coarsest(scene, fixed, range(1, 513), 1e-6)
@@ -92,9 +86,7 @@ def lines_of_adaptive() -> list[Measurement]:
 def lines_of_arithmetic() -> list[Measurement]:
     """Divide pymunk's time by that of bare arithmetic, in the scenes where we miss our goals.
 
-    The arithmetic is one evaluation of the forces per frame, and nothing else. A method with one
-    evaluation per frame stays below this ratio, however good it is. For the projectile, the
-    arithmetic is that of the velocity and the position.
+    It evaluates the forces once per frame. A method that does the same stays below this ratio.
     """
     double = accelerations_on_rods([1.0, 1.0], [1.0, 1.0], G)
     five = accelerations_on_rods([1.0, 1.0, 1.0, 1.0, 10.0], [1.0] * 5, G)
@@ -117,10 +109,7 @@ def lines_of_arithmetic() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Find the first of some ever finer settings with which a model meets ``tolerance``.
-
-    Return the setting and the result of its run. The search is by bisection.
-    """
+    """Find the first of ever finer settings with which a model meets ``tolerance``, and its run."""
 
     def is_within(choice: int) -> bool:
         return point_of(scene, model, choice, run(model, choice)).error <= tolerance
@@ -139,8 +128,7 @@ def line(
 ) -> Measurement:
     """Set up a benchmark that divides pymunk's time by ours in one scene, at the same accuracy.
 
-    ``part`` is part of the scene's name, and ``ours`` and ``theirs`` name the models. If ``ours``
-    is None, it is our fastest exact model.
+    ``part`` is part of the scene's name. If ``ours`` is None, it is our fastest exact model.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)
@@ -174,10 +162,7 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Run a model with more and more steps per frame, and return a point for each run.
-
-    This ends when a run meets ``tolerance``, or when the next run would take more than MOST steps.
-    """
+    """Run a model in ever more steps, until it meets ``tolerance`` or would exceed MOST."""
     tried: list[Point] = []
     for steps in model.steps:
         tried.append(point_of(scene, model, steps, run(model, steps)))

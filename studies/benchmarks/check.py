@@ -10,10 +10,7 @@ from scenes.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmark that measures how long `make check` takes for one chapter.
-
-    The result is this time, divided by the time that Python takes to import pytest.
-    """
+    """Set up the benchmark that compares `make check` for one chapter with importing pytest."""
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
         check()
@@ -23,9 +20,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a function that runs Python with these arguments and returns the time taken, in s.
-
-    For example, ``running("-c", "import pytest")`` measures how long it takes to import pytest.
-    """
+    """Return a function that runs Python with these arguments and returns the time taken, in s."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

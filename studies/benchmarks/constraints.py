@@ -1,8 +1,4 @@
-"""Measure how long it takes to find contacts, resolve them, and simulate a chain of rods.
-
-A resolver that keeps the contacts in a heap is compared with one that scans all of them each time.
-Two solvers for chains are compared with each other, and one of them is also compared with pymunk.
-"""
+"""Measure how long it takes to find contacts, resolve them, and simulate a chain of rods."""
 
 from __future__ import annotations
 
@@ -78,10 +74,7 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a function that measures how long a resolver takes for a rope's contacts, in s.
-
-    The rope has ``count`` cables, all of which are stretched beyond their maximum length.
-    """
+    """Return a function that times a resolver, in s, on a rope of ``count`` stretched cables."""
 
     def once() -> float:
         down = Vector3(0.0, -GRAVITY)
@@ -130,12 +123,8 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Find how many steps per second pymunk needs to be as accurate as DirectChain at the tip.
-
-    The search doubles the rate from four times ours. DirectChain at 16 times our rate serves as the
-    exact solution, since its error is 256 times smaller.
-    """
-    true = by_direct_chain(16 * RATE)
+    """Find how many steps per second pymunk needs to be as accurate as DirectChain at the tip."""
+    true = by_direct_chain(16 * RATE)  # with an error 256 times smaller than at RATE
     ours = math.dist(by_direct_chain(RATE), true)
     rate = 4 * RATE
     while rate < 100_000 and math.dist(by_pymunk(rate), true) > ours:

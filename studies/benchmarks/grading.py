@@ -1,7 +1,6 @@
 """Measure how much longer grading takes because the autograder isolates students' code.
 
-The code runs in isolated worker processes. For comparison, the same checks are run in one process,
-which imports the students' code itself.
+For comparison, one process imports the students' code itself and runs the same checks.
 """
 
 from __future__ import annotations
@@ -24,11 +23,7 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks for the autograder.
-
-    They measure the time for a single check, for 20 submissions of one chapter, and for a sample
-    class.
-    """
+    """Set up the benchmarks of a check, of 20 submissions of a chapter, and of a sample class."""
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
@@ -37,11 +32,7 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Set up a benchmark that measures the extra time of a check in an isolated worker, in ms.
-
-    All checks of a chapter are run with and without isolation. The extra time, including the start
-    of the worker process, is divided by the number of checks.
-    """
+    """Measure the extra time per check in an isolated worker, with its start, in ms."""
 
     def checked(where: Behind | None) -> int:
         return len(run_checks(chapter, ENGINE, seed="1", behind=where))
@@ -75,10 +66,7 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Set up a benchmark that grades the sample class with and without isolated workers.
-
-    Some of the submissions contain endless loops, which run until the time limit stops them.
-    """
+    """Grade a class with and without workers. Its endless loops run until the time limit."""
     submissions = read_class(ROOT / "sample_class").submissions
     chapters = load_chapters()
 

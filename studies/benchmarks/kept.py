@@ -7,7 +7,6 @@ import platform
 from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
-from typing import Any
 
 from scenes.timing import Line
 
@@ -15,25 +14,21 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of `make bench` to a file.
-
-    The file also contains the date, the Python version, the type of machine and the versions of the
-    libraries.
-    """
-    found: dict[str, Any] = {
+    """Save the results of `make bench`, with the date, the machine and the libraries' versions."""
+    found = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
         "machine": f"{platform.system()} {platform.machine()}",
         "libraries": versions,
-    }
-    found["lines"] = {
-        line.what: {
-            "ratio": rounded(line.median),
-            "quartiles": [rounded(line.low), rounded(line.high)],
-            "target": str(line.target or ""),
-            "verdict": line.verdict,
-        }
-        for line in lines
+        "lines": {
+            line.what: {
+                "ratio": rounded(line.median),
+                "quartiles": [rounded(line.low), rounded(line.high)],
+                "target": str(line.target or ""),
+                "verdict": line.verdict,
+            }
+            for line in lines
+        },
     }
     file.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
 
@@ -44,11 +39,7 @@ def rounded(figure: float) -> float:
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Load the median of every benchmark in the last `make bench`.
-
-    The keys of the returned dict are the benchmarks' descriptions. The dict is empty if no results
-    are stored yet.
-    """
+    """Load the medians by what they measure, or an empty dict if no results are stored yet."""
     if not file.exists():
         return {}
     lines = json.loads(file.read_text(encoding="utf-8"))["lines"]

@@ -65,11 +65,7 @@ def _ratio(what: str, first: Timer, second: Timer, target: Target | None = None)
 
 
 def _against_pymunk(bodies: int, read: str) -> Measurement:
-    """Set up a benchmark that compares pymunk and our engine on bodies that fall with damping.
-
-    ``read`` says how the positions of pymunk's bodies are read after each step. Our positions are
-    Python objects, but pymunk has to get each of its positions from its C library.
-    """
+    """Compare falling bodies. Pymunk gets each position that is read from its C library."""
     frames = max(1, 4000 // bodies)
     particles = [DAMPED_FALL.particle(Particle) for _ in range(bodies)]
     twins = [DAMPED_FALL.particle(chapter_5.Particle) for _ in range(bodies)]
@@ -162,10 +158,7 @@ def generator_steps(particle: chapter_5.Particle, frames: list[float]) -> None:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Do the arithmetic of ``forced_steps`` without objects, and return the final position.
-
-    As in the engine, each step adds the force to a sum, uses the sum, and clears it.
-    """
+    """Do the arithmetic of ``forced_steps``, which sums the forces, uses the sum and clears it."""
     x, y, z = PROJECTILE.position
     vx, vy, vz = PROJECTILE.velocity
     ax, ay, az = PROJECTILE.acceleration

@@ -1,8 +1,4 @@
-"""Measure the steps of integrators with one spring, and the springs of a cloth.
-
-A cloth is simulated with ``connect``, with two ``Spring`` objects for each spring, and in a loop
-that does the same arithmetic without any objects.
-"""
+"""Measure the steps of integrators with one spring, and three versions of a cloth of springs."""
 
 from __future__ import annotations
 
@@ -38,10 +34,7 @@ LONE_ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of springs.
-
-    The engine's cloths are built only once, so they keep falling from one round to the next.
-    """
+    """Set up the benchmarks of springs. The cloths are built once, and fall on in every round."""
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
     once = timer(stepping(INTEGRATORS["semi-implicit Euler"]))

@@ -1,7 +1,6 @@
-"""Measure bouncing balls, beside pymunk: one that keeps its energy, one that loses some, and two.
+"""Measure one and two bouncing balls beside pymunk.
 
-The work is the number of searches for contacts, usually one per step. Time division searches once
-per impact and once per frame. A formula counts each height that it computes.
+The work is the number of searches for contacts, or of the heights that a formula computes.
 """
 
 from __future__ import annotations
@@ -96,10 +95,7 @@ def bouncing_ball(restitution: float) -> Scene:
 
 
 def two_balls() -> Scene:
-    """Create the scene of a light ball on a heavy ball, dropped from 1 m for 1.5 s (exercise 7.3).
-
-    At the start, there is a gap of 1 mm between the balls.
-    """
+    """Create the scene of a light ball 1 mm above a heavy one, dropped from 1 m (exercise 7.3)."""
     heights = (1.0 + RADIUS, 1.0 + 3.0 * RADIUS + 1e-3)
     balls = DroppedBalls(heights, 0.9, (1.0, 0.1), 0.8, RADIUS)
     return scene_of("a light ball dropped on a heavy one", balls, 90, 1.0)

@@ -1,11 +1,8 @@
 """Test how well our engine and pymunk keep the loaded rope bridge of chapter 8 at rest.
 
-Every simulation starts slightly below the rest position, where rounding errors would decide which
-cables are taut. The work of a simulation is the number of contacts that it resolves. In pymunk, it
-is the number of joints times the number of iterations.
-
-Pymunk is two-dimensional, so both sides of its bridge lie in one plane, with no rods between them,
-and its cables are as long as their projections. Only the x and y coordinates are compared.
+Every simulation starts slightly too low, because at rest rounding errors would decide which cables
+are taut. The work is the number of contacts resolved, or of pymunk's joints times its iterations.
+Pymunk is two-dimensional, so its bridge is flat: no rods, and cables as long as their projections.
 """
 
 from __future__ import annotations
@@ -81,10 +78,7 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 
 
 def whole(links: Links = links_of) -> Setup:
-    """Build the rope bridge slightly below its rest position, so that all cables are taut.
-
-    ``links`` creates the cables and rods. The ends of the planks on one side come first.
-    """
+    """Build the bridge with all cables taut. The ends of the planks on one side come first."""
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
     for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):

@@ -1,8 +1,7 @@
 """Measure swinging chains of rods beside pymunk: two pendulums, five rods and a rope.
 
-Most methods count the contacts that they resolve as work. A method that solves for all rods at once
-counts every rod once per evaluation. In pymunk, pin joints act as the rods, and each joint counts
-once per iteration.
+The work is the number of contacts resolved. Where all rods are solved for at once, each of them
+counts once per evaluation. In pymunk, each pin joint counts once per iteration.
 """
 
 from __future__ import annotations
@@ -62,10 +61,7 @@ def pendulum() -> Scene:
     chain, frames = Chain([1.0], 1.0, 0.5 * math.pi), 300
 
     def truth(time: float) -> Place:
-        """Compute the exact position of the bob from Jacobi's elliptic functions cn and dn.
-
-        With u = t sqrt(g / l), sin(angle / 2) = sin(start / 2) cn(u) / dn(u).
-        """
+        """Compute sin(angle / 2) = sin(start / 2) cn(u) / dn(u), with u = t sqrt(g / l)."""
         m = math.sin(0.25 * math.pi) ** 2
         _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)
         half = math.asin(math.sqrt(m) * cn / dn)
@@ -117,11 +113,7 @@ def exact(chain: Chain, frames: int) -> Callable[[float], Place]:
 
 
 def models_of(chain: Chain, frames: int, steps: Sequence[int], *iterations: int) -> list[Model]:
-    """Create all models of a chain, ours first and then pymunk's.
-
-    ``steps`` lists the numbers of steps per frame of most of our models, and ``iterations`` the
-    iterations per step of pymunk at its best.
-    """
+    """Create our models of a chain, and pymunk's, at best with each number of ``iterations``."""
     count = len(chain.masses)
     lengths, angles, still = [chain.length] * count, [chain.angle] * count, [0.0] * count
 
@@ -218,15 +210,10 @@ def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
 
 
 def rates(chain: Chain, _: float, state: Any) -> Any:
-    """Return the rates of a chain's angles and angular velocities, which SciPy integrates.
+    """Return the rates of a chain's angles a and angular velocities w, which SciPy integrates.
 
-    Rod i is at the angle a_i, and its angular velocity is w_i. Every rod has length l, and g is
-    gravity. Lagrange's equation for rod i is
-
-        sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
-
-    M_i is the total mass from rod i out to the tip. M_ij is M_i or M_j, whichever belongs to
-    the rod farther from the anchor.
+    sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i (Lagrange), where M_i
+    is the mass from rod i out to the tip, and M_ij is that from the outer one of rods i and j.
     """
     count = len(chain.masses)
     below = numpy.cumsum(chain.masses[::-1])[::-1]

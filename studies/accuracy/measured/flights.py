@@ -1,7 +1,4 @@
-"""Measure single bodies beside pymunk: a projectile, a fall with drag, orbits and a floating block.
-
-The functions without arguments, and ``orbit``, each create one of these scenes.
-"""
+"""Measure single bodies beside pymunk: a projectile, a fall, orbits and a floating block."""
 
 from __future__ import annotations
 
@@ -130,11 +127,7 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
 
 def floating_block() -> Scene:
-    """Create the scene of a block that bobs up and down in water, always partly submerged.
-
-    Its buoyancy is proportional to the depth of its lower side, so it moves like a body on a
-    spring.
-    """
+    """Create the scene of a block that bobs in water, partly submerged, as if on a spring."""
     frames, s, volume, mass, amplitude = 240, 0.05, 0.001, 0.5, 0.04
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth
     low = s * (1.0 - 2.0 * mass / (1000.0 * volume))
@@ -152,7 +145,6 @@ def floating_block() -> Scene:
         return alone(block(), Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0))
 
     def on_spring(duration: float) -> InSpace:
-        """Replace the weight and the buoyancy by a spring."""
         spring = AnchoredSpring(Vector3(0.0, low), stiffness, 0.0)
         return twin_of(alone(block(), spring), ahead=duration, iterations=1)
 

@@ -32,10 +32,9 @@ def truth(_: float) -> Place:
 
 @cache
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """List the start, the end and the length of the cables on one side of the bridge.
+    """List the start, the end and the length in m of each cable on one side, seen from the side.
 
-    The end is the index of a plank. The start is the index of another plank, or the position of an
-    anchor. The length is in m, as seen from the side.
+    The end is the index of a plank, and the start that of another one, or an anchor's position.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
@@ -47,10 +46,7 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute where the planks' ends on one side come to rest if all cables are ``extra`` m longer.
-
-    At rest, all cables are taut, and their tensions balance the weights.
-    """
+    """Compute where the planks' ends on one side rest if all cables are ``extra`` m longer."""
 
     def off(state: Any) -> Any:
         """Compute the net force on each end in N, and the excess length of each cable in m."""

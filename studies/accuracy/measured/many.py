@@ -1,8 +1,7 @@
 """Measure scenes with many bodies, beside pymunk: free fall, stacks and a pile of spheres.
 
-Nothing moves in the stacks and in the pile, and each sphere just touches its neighbors. The error
-is how far a solver lets the spheres move, as a fraction of their diameter. A model that knows that
-nothing moves lets the spheres sleep. The work is the number of steps times the number of bodies.
+Each sphere just touches its neighbors and should not move. The error is how far it does, as a
+fraction of the diameter. The work is the number of steps times the number of bodies.
 """
 
 from __future__ import annotations
@@ -36,8 +35,7 @@ COUNTED = "steps of a body"
 def falling() -> Scene:
     """Create the scene of a thousand bodies that are thrown upward and fall for 5 s.
 
-    The exact positions are parabolas. If the velocities start half a step ahead, each step computes
-    them exactly. The scene therefore compares only how long a step and the reading take.
+    Half a step ahead, every step is exact. Only the times of the step and the reading then differ.
     """
     thrown = [(float(i % 40), 0.1 * (i % 7)) for i in range(BODIES)]  # m, and m/s to the right
 
@@ -136,10 +134,7 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         return space, bodies
 
     def first_step(space: Any, _: Any) -> Step:
-        """Return a step that makes few iterations, except for the first time.
-
-        Pymunk's solver starts from the impulses of the last step, which stay the same here.
-        """
+        """Return a step with few iterations after the first, whose impulses the solver reuses."""
 
         def step(duration: float) -> None:
             space.step(duration)

@@ -37,10 +37,8 @@ def scene_of(
 ) -> Scene:
     """Create the scene of a net of cables, which ``make`` builds when it is first needed.
 
-    ``Scene.differs`` compares SciPy's solution with our own simulation in short steps. ``solvers``
-    lists the numbers of iterations that pymunk makes in each step, and whether its joints correct
-    their whole error. If all cables stay taut, ``taut`` lists the same for pin joints. Only then is
-    the motion smooth enough for long steps and extrapolation.
+    ``solvers`` lists pymunk's iterations, each with whether joints correct their whole error. If no
+    cable becomes slack, ``taut`` lists those with pin joints. Only then are long steps possible.
     """
     plane = cache(lambda: make(frames))
     exact = cache(lambda: plane().exact())
@@ -101,41 +99,31 @@ def bridge(masses: Sequence[float], frames: int, walker: Any = None, wind: float
 
 
 def swinging() -> Scene:
-    """Create the scene of a rope bridge that swings for 2 s after a steady wind has stopped.
-
-    All cables stay taut, and there is no damping.
-    """
+    """Create the scene of a rope bridge that swings for 2 s after a wind, with taut cables."""
     taut = ((5, False), (10, True), (15, True))
     make = partial(bridge, MASSES, wind=3.0)
     return scene_of("rope bridge swinging", CABLE_LENGTH, 120, make, [(10, True)], taut)
 
 
 def walked_over() -> Scene:
-    """Create the scene of a ball of 5 kg that moves across a rope bridge at 2 m/s, for 3.6 s.
-
-    Only one side of the bridge is simulated, so it carries half of the ball's weight. All cables
-    stay taut.
-    """
+    """Create the scene of a ball of 5 kg that crosses a rope bridge at 2 m/s, with taut cables."""
     taut = ((3, False), (10, True), (15, True))
-    walker = (-3.6, 2.0, 0.5 * 5.0 * G)
+    walker = (-3.6, 2.0, 0.5 * 5.0 * G)  # one side carries half of the weight
     make = partial(bridge, [PLANK_MASS] * ROWS, walker=walker)
     return scene_of("rope bridge walked over", CABLE_LENGTH, 216, make, [(10, True)], taut)
 
 
 def catching() -> Scene:
-    """Create the scene of a net that catches a ball, for 0.6 s.
+    """Create the scene of a net between two poles that catches a ball, slightly off center.
 
-    The net has 6 by 6 knots of 0.2 kg each, and hangs between two poles. The horizontal cables are
-    0.55 m long in the top row, and 0.59 m in the rows below, where they hang slack. The vertical
-    cables are 0.45 m long. The ball of 1 kg has a radius of 0.5 m. It falls 0.3 m, lands slightly
-    off center, and can collide with the knots of the upper two rows.
+    The horizontal cables below the top row hang slack. The ball can hit only the upper two rows.
     """
     size, gap, radius = 6, 0.5, 0.5
 
     def make(frames: int) -> Plane:
         ties: list[Tie] = []
         for row in range(size):
-            y, length = -gap * row, 0.59 if row else 0.55
+            y, length = -gap * row, 0.59 if row else 0.55  # m, of the horizontal cables
             knots = [size * row + column for column in range(size)]
             ties.append(((-3.5 * gap, y), knots[0], length, 1))
             ties += [(a, b, length, 1) for a, b in pairwise(knots)]
@@ -147,7 +135,7 @@ def catching() -> Scene:
             for column in range(size)
         ]
         net = settled(Plane([0.2] * size**2, places, ties, frames))
-        top = net.places[2][1] + math.sqrt(radius**2 - 0.04) + 0.3
+        top = net.places[2][1] + math.sqrt(radius**2 - 0.04) + 0.3  # the ball falls 0.3 m
         ties += [(size**2, knot, radius, -1) for knot in range(2 * size)]
         return Plane([*net.masses, 1.0], [*net.places, (0.07, top)], ties, frames)
 

@@ -38,17 +38,13 @@ Solver = type[DirectNet] | type[SmoothNet]
 
 @dataclass(frozen=True)
 class Plane:
-    """A net in the X-Y plane: knots of given masses in kg, connected by cables and struts.
-
-    ``walker`` is a load that moves across the net, with its initial x in m, its speed in m/s and
-    its weight in N. The two knots next to it share the weight, and the nearer one carries more.
-    """
+    """A net in the X-Y plane: knots of given masses in kg, connected by cables and struts."""
 
     masses: Sequence[float]
     places: Sequence[Sequence[float]]
     ties: Sequence[Tie]
     frames: int
-    walker: tuple[float, float, float] | None = None
+    walker: tuple[float, float, float] | None = None  # load's x in m, speed in m/s, weight in N
 
     def load(self, time: float, places: Any) -> Any:
         """Return the force on each knot in N: its weight, plus its part of the moving load."""
@@ -87,19 +83,13 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find the knot behind a load at ``x``, and the fraction of the weight that the next one bears.
-
-    ``xs`` are the x coordinates of the knots. The fraction is 0 at one knot, and 1 at the next.
-    """
+    """Find the knot behind a load at ``x``, and the fraction of its weight on the next knot."""
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """A force generator for a load that moves across a net, such as a ball.
-
-    Register it for only one knot, since it adds forces to both knots next to the load itself.
-    """
+    """A force generator for a load that moves across a net. Register it for only one knot."""
 
     def __init__(self, knots: Sequence[Particle], start: float, pace: float, weight: float) -> None:
         self.knots, self.weight = knots, weight
@@ -190,10 +180,10 @@ def in_pymunk(
     corrects: bool = False,
     is_taut: bool = False,
 ) -> Callable[[int], Outcome]:
-    """Return a simulation of a net in pymunk, with ``iterations`` iterations per step.
+    """Return a simulation of a net in pymunk, half a step ahead if ``is_ahead``.
 
-    ``is_ahead`` starts half a step ahead. With ``corrects``, the joints correct their whole error
-    in each step. With ``is_taut``, pin joints act as the cables, which must not become slack.
+    With ``corrects``, the joints correct their whole error in each step. With ``is_taut``, pin
+    joints act as the cables, which must not become slack.
     """
     first = cache(lambda: plane().motion().first_accelerations())
 

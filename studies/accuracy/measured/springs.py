@@ -27,6 +27,7 @@ from studies.accuracy.scene import (
     by_formula,
     by_integrators,
     by_setup,
+    exact_steps,
     in_frames,
     solved,
 )
@@ -45,9 +46,9 @@ def spring(stiffness: float, damping: float) -> Scene:
         a, b = -0.5 * damping + root, -0.5 * damping - root
         return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
 
-    def in_equal_frames(_: int) -> Outcome:
+    def in_equal_frames() -> list[Place]:
         places = oscillation_in_frames(START, stiffness, damping, 1.0 / RATE, FRAMES)
-        return Outcome([(x, 0.0) for x in places], FRAMES)
+        return [(x, 0.0) for x in places]
 
     def faked() -> Setup:
         fake = FakeStiffSpring(Vector3(), stiffness, damping)
@@ -66,7 +67,7 @@ def spring(stiffness: float, damping: float) -> Scene:
     best = by_pymunk(BEST, ahead, FRAMES)
     models = [
         by_formula(lambda time: (wall.state(time)[0], 0.0), FRAMES),
-        Model("exact steps", in_equal_frames, (1,), is_formula=True),
+        exact_steps(in_equal_frames),
         *by_integrators(wall.setup, FRAMES),
         *in_plane([START], [0.0], on_all(acceleration), FRAMES, is_damped=True),
         *(Model(name, partial(by_solver, solver, wall)) for name, solver in SOLVERS.items()),

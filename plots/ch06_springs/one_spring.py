@@ -1,9 +1,4 @@
-"""Plots for chapter 6: the forces of springs, and the energy and error of oscillations.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine. A curve is omitted if the student has not yet written the function that it
-needs.
-"""
+"""Plots for chapter 6: the forces of springs, and the energy and error of oscillations."""
 
 from __future__ import annotations
 
@@ -38,10 +33,7 @@ EVALUATIONS = {"velocity Verlet": 2, "Runge-Kutta 4": 4}  # of the force in a st
 
 
 def force_against_length() -> Picture:
-    """Plot the forces of chapter 6: springs and bungees, buoyancy, and the lift of a balloon.
-
-    Spring forces are plotted against the length of the spring, and the other two against height.
-    """
+    """Plot the forces of springs by length, and of buoyancy and a balloon by height."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -162,10 +154,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot the largest error of each integration method within 1 s against its work.
-
-    The work is the number of force evaluations, or of solutions of a linear spring.
-    """
+    """Plot the largest error of each method within 1 s against its force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []

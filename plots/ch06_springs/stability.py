@@ -1,8 +1,4 @@
-"""Plots for chapter 6: when springs, cloths and penalty forces become unstable.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine.
-"""
+"""Plots for chapter 6: when springs, cloths and penalty forces become unstable."""
 
 from __future__ import annotations
 

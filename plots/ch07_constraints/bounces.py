@@ -1,8 +1,4 @@
-"""Plots for chapter 7: bounces, resting contacts, and the restitution of dropped balls.
-
-Titles report measured results, such as the largest error, which reveal bugs in the student's
-engine. A curve is omitted if the student has not yet solved its exercise.
-"""
+"""Plots for chapter 7: bounces, resting contacts, and the restitution of dropped balls."""
 
 from __future__ import annotations
 
@@ -41,10 +37,10 @@ def ball(
     resolve: Resolve | None = None,
     gravity: str = "built-in",
 ) -> Track:
-    """Drop a ball, and record its height above the ground over time.
+    """Drop a ball, and record its height above the ground in m.
 
     ``method`` is "time division", or an integrator, after which ``resolve`` or a ContactResolver
-    resolves the contacts. If ``gravity`` is "generated", it comes from a force generator.
+    acts. If ``gravity`` is "generated", it comes from a force generator.
     """
     balls = DroppedBalls([height], restitution)
     setup = balls.setup()
@@ -128,9 +124,8 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Plot the height of a ball that should lie still on the ground.
+    """Plot the height of a ball at rest, with the engine's resting rule and with others.
 
-    The plot compares the engine's rule for resting contacts with a stricter rule and with no rule.
     A small gap at the start keeps explicit Euler from finding a contact in its first step.
     """
     figure, (*panels, last) = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
@@ -201,10 +196,10 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
+    """Plot the restitution of several balls, computed from measured bounce heights.
 
-    The coefficient is the square root of the bounce height divided by the drop height. A second set
-    of marks shows the quotient itself, because our copy of the book omits the root in exercise 7.1.
+    It is the root of bounce height / drop height. Marks show the quotient as well, because our copy
+    of the book omits the root in exercise 7.1.
     """
     path, drops = _drops()
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]

@@ -151,10 +151,9 @@ def pendulum_energy() -> Picture:
 def stretch(
     chain: Chain, link: Link | None, frames: int, iterations: int | None = None, substeps: int = 1
 ) -> tuple[Track, Track]:
-    """Release a chain of rods, or a DirectChain if ``link`` is None, and record how it stretches.
+    """Release a chain of rods, or a DirectChain if ``link`` is None.
 
-    Return the excess length of the whole chain over time, and the largest error in the length of a
-    rod. The resolver makes ``iterations`` iterations per contact, or 2 by default.
+    Return the excess length of the chain in m, and the largest error in the length of a rod.
     """
     setup = chain.setup(link)
     move = moving(setup, link and semi_implicit_euler, iterations, substeps)
@@ -167,9 +166,9 @@ def stretch(
 
 
 def energy(step: Integrator | None, rate: int) -> Track:
-    """Release a pendulum of 1 kg and 1 m from horizontal, and record its energy in J for 10 s.
+    """Record a pendulum's energy in J relative to the lowest point, for 10 s from horizontal.
 
-    The energy is relative to the lowest point. If ``step`` is None, the pendulum is a DirectChain.
+    If ``step`` is None, the pendulum of 1 kg and 1 m is a DirectChain.
     """
     pendulum = Chain([1.0], 1.0, 0.5 * math.pi)
     setup = pendulum.setup()

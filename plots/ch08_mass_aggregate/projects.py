@@ -168,10 +168,7 @@ def sleeping_balls() -> Picture:
 
 
 def _sleepers(kind: type[ParticleWorld], seconds: float) -> list[Track]:
-    """Record the number of awake balls, the contacts resolved, and the kinetic energy in J.
-
-    The balls fall to the ground one by one. The last one lands between two others and wakes them.
-    """
+    """Record the balls awake, contacts resolved and energy in J; a late ball wakes two others."""
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * BALL_RADIUS + 0.6 * i) for i in range(BALLS)]
     places.append(Vector3(0.6 * (BALLS - 1) + 0.3, LATE_HEIGHT))

@@ -28,10 +28,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far the cables of the rope bridge stretch under balls of 1 kg to 1 t.
-
-    Each curve is for a different number of iterations or substeps.
-    """
+    """Plot how far the cables of the rope bridge stretch under balls of 1 kg to 1 t."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.

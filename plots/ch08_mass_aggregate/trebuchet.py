@@ -95,9 +95,8 @@ def trebuchet_range() -> Picture:
 def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A sling lets go as soon as the direction of flight has dropped to the release angle. A step is
-    therefore listed only if this direction is lower than in all earlier steps. Ranges and energies
-    are computed as in Trebuchet.throw, but with plain numbers.
+    A sling lets go as soon as the direction of flight has dropped to the release angle. So a step
+    is listed only if this direction is lower than in all earlier steps.
     """
     machine = Trebuchet(design)
     start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]

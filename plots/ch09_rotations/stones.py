@@ -1,8 +1,4 @@
-"""A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7).
-
-The student's code computes the lines on which the box would balance, and the mass on either side of
-each. The plot compares them with the exact center of mass and the exact masses.
-"""
+"""A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7)."""
 
 from __future__ import annotations
 
@@ -38,11 +34,7 @@ class Line(NamedTuple):
 
 
 def balance_lines() -> Picture:
-    """Draw a box of the student's stones, its center of mass and its balance lines (exercise 9.7).
-
-    The box would balance on each of these lines. A second panel shows how much mass lies on either
-    side of each line.
-    """
+    """Draw a box of the student's stones, its balance lines, and the masses beside them."""
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())
     if not stones:

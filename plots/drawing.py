@@ -60,6 +60,16 @@ def finish(axes: Axes, title: str, x: str, y: str, legend: int = 0, **settings: 
         axes.legend(fontsize=legend)
 
 
+def legends(*panels: Axes, size: float = 8, **settings: Any) -> None:
+    """Add a grid and a legend to each of the panels, or say that nothing is drawn in it yet."""
+    for axes in panels:
+        axes.grid(alpha=0.3)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(fontsize=size, **settings)
+        else:
+            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+
+
 def tell(figure: Figure, notes: Sequence[str]) -> None:
     """Write the reasons why simulations stopped early below a plot, but at most three."""
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]

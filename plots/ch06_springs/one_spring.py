@@ -23,7 +23,7 @@ from ch06_springs.springs import (
     LighterThanAir,
     Spring,
 )
-from plots.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, slope
+from plots.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, legends, slope
 from scenes.clock import FRAME
 from scenes.readings import is_written, number, numbers, written
 from scenes.spring_on_a_wall import SpringOnAWall
@@ -58,11 +58,7 @@ def force_against_length() -> Picture:
     left.plot(lengths, printed, "--", color=GRAY, lw=1, label="printed, with abs (E-3)")
     for axes in (left, right):
         axes.axhline(0.0, color=BLACK, lw=0.8)
-        axes.grid(alpha=0.3)
-        if axes.lines[1:]:
-            axes.legend(fontsize=8, loc="upper right")
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+    legends(left, right, loc="upper right")
     left.set_xlabel(f"length, m (rest length {rest:g} m, {k:g} N/m)")
     left.set_ylabel("force, N (positive: push)")
     right.set(xlabel="height above the water or the ground, m", ylabel="upward force, N")

@@ -13,7 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod, TwoSidedRod
-from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
 from scenes.chain import Chain, Link
 from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS
@@ -108,11 +108,7 @@ def rods_hold() -> Picture:
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
         axes.set_xlabel("number of rods in the chain, 0.1 m each (dotted)")
-        axes.grid(alpha=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=8)
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+        legends(axes)
     panels[0].set_ylabel("largest error of a rod from 1.5 to 2 s, m (60 Hz; 1e-10 or less at edge)")
     tell(figure, [f"{key}: {run.message}" for key, (_, run) in found.items() if run.message])
     rows = [(*key, value) for key, value in worst.items()]
@@ -141,8 +137,7 @@ def pendulum_energy() -> Picture:
         fontsize=11,
     )
     axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J", ylim=(0.0, None))
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
+    legends(axes)
     stopped = {f"{name}, {rate} Hz": run.message for (name, rate), run in found.items()}
     tell(figure, [f"{key}: {message}" for key, message in stopped.items() if message])
     return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)

@@ -12,7 +12,7 @@ from matplotlib import pyplot
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
-from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
+from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, legends, tell
 from scenes.clock import FRAME
 from scenes.readings import number, numbers, written
 from scenes.resolving import by_resolver, resolving
@@ -49,8 +49,7 @@ def resolver_convergence() -> Picture:
         )
         axes.axvline(2 * contacts, color=GRAY, lw=1, ls=":", label=f"default: {2 * contacts}")
         axes.set(xlabel="resolutions", ylabel=f"largest {what}, {unit}")
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+        legends(axes)
     rows = [
         (name, count, *pair)
         for name, seen in found.items()
@@ -82,8 +81,7 @@ def stack_height() -> Picture:
         right.loglog(done, most, "o-", color=color, label=f"{count} spheres")
     for axes, lines in zip((left, right), titles, strict=True):
         axes.set_title("\n".join(lines), fontsize=10)
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+        legends(axes)
     left.set(xlabel="time, s", ylabel="height of the center of the top sphere, m")
     right.set(xlabel="iterations per contact", ylabel="largest overlap in 2 s, % of a diameter")
     right.set_xticks(limits, [str(limit) for limit in limits])
@@ -133,7 +131,9 @@ def residuals(iterations: int, in_order: bool) -> tuple[float, float]:
     """
     spheres, contacts = falling_pile()
     if iterations and in_order:
-        _sweep(contacts, iterations, _closing, VELOCITY_TOLERANCE, _stop)
+        _sweep(
+            contacts, iterations, _closing, VELOCITY_TOLERANCE, lambda c: c.resolve_velocity(FRAME)
+        )
         _sweep(contacts, iterations, _depth, DEPTH_TOLERANCE, _separate)
     elif iterations:
         ContactResolver(iterations).resolve_contacts(contacts, FRAME)
@@ -159,10 +159,6 @@ def _sweep(contacts: list[Contact], limit: int, error: Error, least: float, reso
 
 def _closing(contact: Contact) -> float:
     return -contact.separating_velocity()
-
-
-def _stop(contact: Contact) -> None:
-    contact.resolve_velocity(FRAME)
 
 
 def _depth(contact: Contact) -> float:

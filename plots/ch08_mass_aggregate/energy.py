@@ -9,14 +9,13 @@ from functools import partial
 from typing import Any
 
 from matplotlib import pyplot
-from matplotlib.axes import Axes
 
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform
 from ch08_mass_aggregate.world import mechanical_energy
-from plots.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, legends, tell
 from scenes.clock import FRAME, RATE
 from scenes.links import over_length
 from scenes.readings import Numbers, number, numbers, stopped, written
@@ -32,16 +31,6 @@ SPIKES, SPIKE = (0.75, 1.75), 0.5  # s; at these times a frame takes that long
 Make = Callable[[], Any]  # creates a mass aggregate of chapter 8, such as the rope bridge
 Measure = Callable[[Any], float]
 Framed = tuple[Track, dict[int, list[Numbers]]]
-
-
-def legends(*panels: Axes) -> None:
-    """Add a grid and a legend to each of the panels, or say that nothing is drawn in it yet."""
-    for axes in panels:
-        axes.grid(alpha=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=8)
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
 
 
 def recorded(make: Make, measure: Measure, rate: float, seconds: float) -> Track:

@@ -15,8 +15,8 @@ from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS, Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld
-from plots.ch08_mass_aggregate.energy import legends, recorded
-from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, tell
+from plots.ch08_mass_aggregate.energy import recorded
+from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, legends, tell
 from scenes.clock import RATE
 from scenes.readings import written
 from scenes.track import Track, tracks

@@ -21,7 +21,7 @@ from ch08_mass_aggregate.trebuchet import (
     Trebuchet,
     my_design,
 )
-from plots.drawing import BLACK, BLUE, GRAY, GREEN, RED, SKY, Picture
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, RED, SKY, Picture, legends
 from scenes.readings import is_written, number, numbers, stopped, written
 
 PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # drawn until my_design is written
@@ -85,9 +85,7 @@ def trebuchet_range() -> Picture:
     left.set(xlim=(0.0, 90.0), ylim=(0.0, None))
     right.set(xlabel="counterweight, kg", ylabel="energy that reaches the projectile, %")
     right.set(xlim=(0.0, 1.25 * max(weights)), ylim=(0.0, 105.0))
-    for axes in (left, right):
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8.5)
+    legends(left, right, size=8.5)
     columns = ("counterweight, kg", "release angle, degrees", "range, m", "fraction of the energy")
     return Picture(figure, columns, rows)
 

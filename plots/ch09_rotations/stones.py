@@ -13,7 +13,7 @@ from matplotlib.patches import Circle
 from ch09_rotations.exercises import Stone, balance_offset, masses_beside
 from ch09_rotations.stones import own_stones, read_stones
 from plots.ch09_rotations.orientations import largest
-from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, legends, tell
 from scenes.readings import number, stopped
 
 SMALL = LABEL | {"fontsize": 9}
@@ -95,8 +95,7 @@ def balance_lines() -> Picture:
     right.set(xlabel="angle of the balance line, degrees", ylabel="mass, kg")
     right.set_xticks(range(0, 181, 30))
     right.set_ylim(0.0, 1.3 * math.fsum(stone[1] for stone in stones))
-    right.legend(fontsize=9, loc="upper right")
-    right.grid(alpha=0.3)
+    legends(right, size=9, loc="upper right")
     tell(figure, [*dict.fromkeys(line.message for line in lines if line.message)])
     rows: list[Sequence[object]] = [("stone", *stone) for stone in stones]
     rows += [("line", *line[:6]) for line in lines]

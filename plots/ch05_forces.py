@@ -225,8 +225,8 @@ def _fall(
 def _momentum_drift(h: float) -> float:
     """Predict how much angular momentum the book's integrator adds per orbit.
 
-    A step adds h^2 (v x a), as r x a is 0. On an exact orbit, v x a is L / r^3,
-    L is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
+    A step adds h^2 (v x a), as r x a is 0. On an exact orbit, v x a is L / r^3, where L
+    is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
     """
     return h * math.tau / (1.0 - ECCENTRICITY**2)
 

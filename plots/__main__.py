@@ -13,10 +13,7 @@ COMMANDS = {"draw": "pictures", "figures": "everything"}
 
 
 def main() -> int:
-    """Run the command named by the first argument, and return its exit status.
-
-    The status is 2 if the command could not run, for example because it does not exist.
-    """
+    """Run the command named by the first argument, and return its status, or 2 if it cannot run."""
     there = [name for name in COMMANDS if importlib.util.find_spec(f"plots.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name not in there:

@@ -1,8 +1,4 @@
-"""Plots for chapter 2, drawn with the vectors of a student's engine.
-
-The title of each plot reports a measured result, such as an error or an angle. It is computed
-without the engine's functions, so that they cannot hide their own bugs.
-"""
+"""Plots for chapter 2. Their titles are computed without the engine's functions."""
 
 from __future__ import annotations
 
@@ -131,10 +127,7 @@ def basis() -> Picture:
 
 
 def filmed_motion() -> Picture:
-    """Plot the heights of a filmed ball, and the velocities and accelerations computed from them.
-
-    The camera rounds the heights to 1 mm, and each difference makes this error larger.
-    """
+    """Plot the heights of a filmed ball, and the velocities and accelerations from them."""
     start, speed, gravity = 1.5, 6.0, 9.81  # the motion that was filmed, in m, m/s and m/s^2
     times, positions = thrown_ball()
     middles, velocities = _rates(times, positions)

@@ -1,7 +1,4 @@
-"""Plots for chapter 3, drawn with the particle of a student's engine.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs.
-"""
+"""Plots for chapter 3: three forms of damping, and the error of the integrator."""
 
 from __future__ import annotations
 
@@ -32,10 +29,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot what fraction of its velocity a falling body loses to damping in 1 s (exercise 3.5).
-
-    Three formulas are compared over a range of frame rates.
-    """
+    """Plot the velocity lost to three forms of damping by frame rate (exercise 3.5)."""
     exact = 1.0 + Flight(damping=KEPT).exact(1.0).velocity[1] / G
     rows = [(rate, *_losses(rate), exact) for rate in RATES]
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
@@ -120,10 +114,7 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float) -> list[float]:
-    """Measure what fraction of its velocity a falling body loses to each form of damping in 1 s.
-
-    It is the mean of several runs with frames of random lengths around 1 / ``rate`` s.
-    """
+    """Measure the fraction of velocity lost to each form in 1 s, as a mean of random runs."""
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)
     sums = [0.0, 0.0, 0.0]

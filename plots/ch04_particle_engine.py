@@ -138,10 +138,7 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot, and yield the type, position and velocity of its pieces in each frame.
-
-    Most shots stay in one piece, but a grenade bursts into fragments.
-    """
+    """Fire a shot, and yield the type, position and velocity of its pieces in each frame."""
     at = BallisticRange()
     at.fire(name)
     for _ in range(LONGEST):

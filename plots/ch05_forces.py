@@ -1,8 +1,4 @@
-"""Plots for chapter 5: terminal speeds, a fall with drag, an orbit, and the cost of generators.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine.
-"""
+"""Plots for chapter 5: terminal speeds, a fall with drag, an orbit, and the cost of generators."""
 
 from __future__ import annotations
 
@@ -118,10 +114,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Plot how a planet gains energy and angular momentum in 20 orbits by the book's integrator.
-
-    An exact orbit would gain neither.
-    """
+    """Plot how a planet gains energy and angular momentum in 20 orbits, which it should not."""
     figure, panels = pyplot.subplots(1, 3, figsize=(14, 4.6), layout="constrained")
     path, *others = panels
     kepler = KeplerOrbit(ECCENTRICITY)
@@ -161,10 +154,7 @@ def orbit() -> Picture:
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot the computing time per frame for a particle with each type of force generator.
-
-    Each time is divided by that for chapter 3's particle, whose gravity is an acceleration.
-    """
+    """Plot the computing time of each type of generator, relative to chapter 3's step."""
     down = Vector3(0.0, -G, 0.0)
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = forces.Airbrake(0.5)
@@ -235,9 +225,8 @@ def _fall(
 def _momentum_drift(h: float) -> float:
     """Predict how much angular momentum the book's integrator adds per orbit.
 
-    A step of length h changes the angular momentum r x v by h^2 (v x a), because r x a is 0. On an
-    exact orbit, v x a is L / r^3. Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of
-    1 / r^3 is (1 - e^2)^(-3/2).
+    A step adds h^2 (v x a), as r x a is 0. On an exact orbit, v x a is L / r^3, where L
+    is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
     """
     return h * math.tau / (1.0 - ECCENTRICITY**2)
 
@@ -245,9 +234,8 @@ def _momentum_drift(h: float) -> float:
 def _energy_drift(h: float) -> float:
     """Predict how much energy the book's integrator adds per orbit.
 
-    A step of length h adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of the potential -1 /
-    r. On an exact orbit, a^2 + v . H v is 1 / r^4 + (v^2 - 3 v_r^2) / r^3. This function integrates
-    that expression over one orbit.
+    A step adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of the potential -1 / r. On an
+    exact orbit, the last factor is 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is integrated here.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

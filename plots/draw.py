@@ -27,11 +27,7 @@ TIME_LIMIT = 120.0  # s for one plot, which takes a few seconds, or longer with 
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the plots of the given chapters, or of all chapters.
-
-    If there is a display, the plots are also shown in windows. Return 1 if a plot could not be
-    drawn, and 0 otherwise.
-    """
+    """Draw the plots of the given chapters, and return 1 if a plot could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m plots draw", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)
@@ -53,20 +49,13 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record which engine drew the plots in ``folder``, in a text file next to the plots.
-
-    `make check` reads this file when a student finishes a chapter. It mentions a plot only if the
-    student's own engine drew it.
-    """
+    """Record which engine drew the plots: `make check` mentions only those of the student's."""
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw all plots of a chapter, and return True if none of them failed.
-
-    For each plot, print the names of its files, or the reason why it failed.
-    """
+    """Draw all plots of a chapter, and return True if none of them failed."""
     if importlib.util.find_spec(f"plots.{chapter.name}") is None:
         print(f"chapter {chapter.number} has no plots")
         return True
@@ -84,15 +73,13 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Draw a plot, save it as a PNG file, and save its numbers as a CSV file of the same name.
+    """Draw a plot, save it as PNG and its numbers as CSV, and return False if it fails.
 
-    Files of an earlier run are deleted first, so that nobody mistakes them for the new plot. If the
-    plot fails, print the reason and return False. If the plot takes longer than ``limit`` seconds,
-    the program ends.
+    If the plot takes longer than ``limit`` seconds, the program ends.
     """
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
-    for older in (png, table):
+    for older in (png, table):  # so that nobody mistakes them for the new plot
         older.unlink(missing_ok=True)
     faulthandler.dump_traceback_later(limit, exit=True)
     print(f"{name}: ", end="", flush=True)  # printed first, so that a plot that never ends is named

@@ -1,7 +1,4 @@
-"""Define the colors, labels and arrows that the plots of all chapters and studies share.
-
-For example, each integrator has the same color in every plot.
-"""
+"""The colors, labels, legends and arrows that the plots of all chapters and studies share."""
 
 from __future__ import annotations
 
@@ -48,33 +45,33 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A plot, as a matplotlib figure, and the numbers that it shows.
-
-    The numbers are saved in a CSV file next to the image, with ``columns`` as the header row.
-    """
+    """A plot and the numbers that it shows, which are saved in a CSV file next to the image."""
 
     figure: Figure
-    columns: Sequence[str]
+    columns: Sequence[str]  # the header row
     rows: Sequence[Sequence[object]]
 
 
 def finish(axes: Axes, title: str, x: str, y: str, legend: int = 0, **settings: Any) -> None:
-    """Add a title, the labels of both axes and a grid to a panel.
-
-    ``legend`` is the size of the legend's letters. If it is 0, there is no legend.
-    """
+    """Add a title, labels, a grid, and a legend with letters of size ``legend`` if it is not 0."""
     axes.set(title=title, xlabel=x, ylabel=y, **settings)
     axes.grid(alpha=0.3, which="both")
     if legend:
         axes.legend(fontsize=legend)
 
 
-def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write an explanation below a plot if some of its simulations stopped early.
+def legends(*panels: Axes, size: float = 8, **settings: Any) -> None:
+    """Add a grid and a legend to each of the panels, or say that nothing is drawn in it yet."""
+    for axes in panels:
+        axes.grid(alpha=0.3)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(fontsize=size, **settings)
+        else:
+            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
 
-    Each of the ``notes`` is the reason for one simulation, such as an error in the student's code.
-    At most three notes are shown, followed by the number of remaining ones.
-    """
+
+def tell(figure: Figure, notes: Sequence[str]) -> None:
+    """Write the reasons why simulations stopped early below a plot, but at most three."""
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
         lines.append(f"and {len(notes) - 3} more like these")
@@ -85,10 +82,7 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw a vector as a labeled arrow in the X-Y plane.
-
-    A vector from a student's code may contain NaN or infinity. In that case nothing is drawn.
-    """
+    """Draw a vector as a labeled arrow in the X-Y plane, unless it has NaN or infinity."""
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -100,11 +94,7 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw a vector as an arrow in a 3D plot in which +Y points up.
-
-    The label is placed beyond the tip, and may be empty. If a coordinate is NaN or infinite,
-    nothing is drawn.
-    """
+    """Draw a vector in a plot from ``axes_3d``, unless it has NaN or infinity."""
     if not is_drawable(tip, tail):
         return
     x, y, z = (end - start for end, start in zip(tip, tail, strict=True))
@@ -117,11 +107,7 @@ def arrow_3d(
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:
-    """Add a 3D plot to a figure, with +Y pointing up and axes from -size to size.
-
-    ``place`` is where the plot goes in the figure, in any form that ``add_subplot`` accepts. Draw
-    vectors in the plot with ``arrow_3d``.
-    """
+    """Add a 3D plot to a figure, with +Y pointing up and axes from -size to size."""
     axes: Any = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
     axes.set(xlabel="z", ylabel="x", zlabel="y")
@@ -131,12 +117,7 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Fit a power law y ~ x^p to data, and return the exponent p.
-
-    It is the slope of a straight line through the data on logarithmic axes. For example, if x is
-    the time step of an integrator and y is its error, p is the order of the integrator. Return NaN
-    if a value is not positive.
-    """
+    """Fit a power law y ~ x^p to data, and return p, or NaN if a value is not positive."""
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
     return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope
@@ -152,10 +133,7 @@ def growth_map(
 ) -> Any:
     """Draw a heat map of how much oscillations grow in one time step.
 
-    ``grown`` has one row of factors for each damping, which is that of the spring or that of the
-    particle. A factor above 1 means that the simulation explodes, and is drawn in red. Pass the
-    result to ``growth_bar``, which draws the color scale. Factors outside the scale get the color
-    of its nearest end.
+    ``grown`` has a row of factors for each damping. Pass the result to ``growth_bar``.
     """
     axes.set(xscale="log", xlim=(kappas[0], kappas[-1]), xlabel="k h$^2$ / m")
     axes.set_ylabel(f"damping of the {'spring, c h / m' if in_spring else 'particle, d$^h$'}")
@@ -164,10 +142,7 @@ def growth_map(
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
-    """Draw the color scale of a heat map from ``growth_map`` beside the panels.
-
-    It goes from 1/4 in blue, which means that an oscillation decays, to 4 in red.
-    """
+    """Draw the color scale of a heat map from ``growth_map`` beside the panels."""
     label = "growth of the oscillation per step (red: explodes)"
     bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
     bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])
@@ -175,9 +150,5 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 
 
 def _shade(growth: float) -> float:
-    """Move a growth factor slightly away from 1, so that its color is clearly red or blue.
-
-    A factor above 1 becomes at least 1.001, which is red. Any other factor becomes at most 0.999,
-    which is blue. A factor that exceeds 1 only by a rounding error counts as 1.
-    """
+    """Make a factor clearly red or blue. One above 1 by a rounding error counts as 1."""
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

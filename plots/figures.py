@@ -146,10 +146,9 @@ def _few_colors(picture: Image.Image) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Reduce ``picture`` to ``count`` colors that are as different from one another as possible.
+    """Reduce ``picture`` to ``count`` colors that are as different as possible.
 
-    Most of the frequent colors are grays along the edges of letters. With them, the few colored
-    lines of a plot would turn gray.
+    The most frequent colors are grays along letters, with which colored lines would turn gray.
     """
     few = picture.quantize(
         count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=3
@@ -162,7 +161,7 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Save one image, or several as a looping GIF animation, and print the path and file size."""
+    """Save one image, or several as a looping GIF, and print the path and file size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

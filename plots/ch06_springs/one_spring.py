@@ -1,9 +1,4 @@
-"""Plots for chapter 6: the forces of springs, and the energy and error of oscillations.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine. A curve is omitted if the student has not yet written the function that it
-needs.
-"""
+"""Plots for chapter 6: the forces of springs, and the energy and error of oscillations."""
 
 from __future__ import annotations
 
@@ -28,7 +23,7 @@ from ch06_springs.springs import (
     LighterThanAir,
     Spring,
 )
-from plots.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, slope
+from plots.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, legends, slope
 from scenes.clock import FRAME
 from scenes.readings import is_written, number, numbers, written
 from scenes.spring_on_a_wall import SpringOnAWall
@@ -38,10 +33,7 @@ EVALUATIONS = {"velocity Verlet": 2, "Runge-Kutta 4": 4}  # of the force in a st
 
 
 def force_against_length() -> Picture:
-    """Plot the forces of chapter 6: springs and bungees, buoyancy, and the lift of a balloon.
-
-    Spring forces are plotted against the length of the spring, and the other two against height.
-    """
+    """Plot the forces of springs by length, and of buoyancy and a balloon by height."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -66,11 +58,7 @@ def force_against_length() -> Picture:
     left.plot(lengths, printed, "--", color=GRAY, lw=1, label="printed, with abs (E-3)")
     for axes in (left, right):
         axes.axhline(0.0, color=BLACK, lw=0.8)
-        axes.grid(alpha=0.3)
-        if axes.lines[1:]:
-            axes.legend(fontsize=8, loc="upper right")
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+    legends(left, right, loc="upper right")
     left.set_xlabel(f"length, m (rest length {rest:g} m, {k:g} N/m)")
     left.set_ylabel("force, N (positive: push)")
     right.set(xlabel="height above the water or the ground, m", ylabel="upward force, N")
@@ -162,10 +150,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot the largest error of each integration method within 1 s against its work.
-
-    The work is the number of force evaluations, or of solutions of a linear spring.
-    """
+    """Plot the largest error of each method within 1 s against its force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []

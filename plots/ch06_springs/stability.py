@@ -1,8 +1,4 @@
-"""Plots for chapter 6: when springs, cloths and penalty forces become unstable.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine.
-"""
+"""Plots for chapter 6: when springs, cloths and penalty forces become unstable."""
 
 from __future__ import annotations
 
@@ -18,7 +14,7 @@ from ch02_vectors.vector import Vector3
 from ch06_springs.going_further.cloth import make_cloth
 from ch06_springs.springs import FakeStiffSpring
 from plots.ch06_springs.one_spring import true_places
-from plots.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map
+from plots.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map, legends
 from scenes import stability
 from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS, SOLVERS
@@ -97,7 +93,6 @@ def fake_spring() -> Picture:
             words.append(f"{name}: x {factor:.4f} per frame, period {_period(seen):.3f} s")
         axes.set_title("\n".join(words), fontsize=9)
         axes.set(xlabel="time, s", ylabel="x, m (400 N/m, 1 kg, 60 Hz)", ylim=(-4.0, 4.0))
-        axes.legend(fontsize=8, loc="upper left")
     angles = [0.1 + 0.02 * i for i in range(596)]
     words = []
     for share, color, label in ((0.0, RED, "no damping"), (0.05, BLUE, "1/20 of critical damping")):
@@ -112,9 +107,8 @@ def fake_spring() -> Picture:
     right.set_xlabel(r"$\chi$ h (dotted: $\pi$ and 3 $\pi$)")
     right.set_ylabel("growth per frame with semi-implicit Euler")
     right.set_title("\n".join(words), fontsize=9)
-    right.legend(fontsize=8)
-    for axes in (bare, damped, right):
-        axes.grid(alpha=0.3)
+    legends(bare, damped, loc="upper left")
+    legends(right)
     kind, time = "c or fraction of critical", "time, s, or chi h"
     columns = ("part", "step", kind, time, "true m, or growth", "faked m")
     return Picture(figure, columns, rows)
@@ -153,8 +147,7 @@ def cloth_frame_rates() -> Picture:
     axes.axhline(CLOTH_SECONDS, color=GRAY, lw=1, ls=":")
     axes.set_xticks(book, [f"{rate:g}" for rate in book])
     axes.minorticks_off()
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8, ncols=2, loc="upper center")
+    legends(axes, ncols=2, loc="upper center")
     axes.set_title(f"Frame rates at which a cloth of 180 springs lasts for {CLOTH_SECONDS} s")
     figure.supxlabel("\n".join(textwrap.wrap(note, 110)), fontsize=8)
     return Picture(figure, ("step", "damping, N s/m", "frame rate, Hz", "lasts, s"), rows)

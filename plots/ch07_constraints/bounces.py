@@ -1,8 +1,4 @@
-"""Plots for chapter 7: bounces, resting contacts, and the restitution of dropped balls.
-
-Titles report measured results, such as the largest error, which reveal bugs in the student's
-engine. A curve is omitted if the student has not yet solved its exercise.
-"""
+"""Plots for chapter 7: bounces, resting contacts, and the restitution of dropped balls."""
 
 from __future__ import annotations
 
@@ -21,7 +17,7 @@ from ch07_constraints.contacts import Contact
 from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import restitution_of_drop, table_of_drops
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
-from plots.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
+from plots.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
 from scenes.dropped_balls import DroppedBalls
 from scenes.integrators import INTEGRATORS
 from scenes.readings import number, numbers, written
@@ -41,10 +37,10 @@ def ball(
     resolve: Resolve | None = None,
     gravity: str = "built-in",
 ) -> Track:
-    """Drop a ball, and record its height above the ground over time.
+    """Drop a ball, and record its height above the ground in m.
 
     ``method`` is "time division", or an integrator, after which ``resolve`` or a ContactResolver
-    resolves the contacts. If ``gravity`` is "generated", it comes from a force generator.
+    acts. If ``gravity`` is "generated", it comes from a force generator.
     """
     balls = DroppedBalls([height], restitution)
     setup = balls.setup()
@@ -115,12 +111,11 @@ def bounce_heights() -> Picture:
     right.set_title("\n".join(["Restitution 0.5", *ends]), fontsize=10)
     for axes in (left, right):
         axes.set(xlabel="time, s", ylabel="height, m (60 Hz, 10 m/s$^2$)")
-        axes.grid(alpha=0.3)
     # A faulty engine may compute huge heights.
     drawable = [y for run in found.values() for y in run.values if abs(y) < 10.0 * HEIGHT]
     left.set_ylim(top=max([1.25 * HEIGHT, *drawable]) * 1.15)
-    left.legend(fontsize=8, ncols=3, loc="upper center")
-    right.legend(fontsize=8)
+    legends(left, ncols=3, loc="upper center")
+    legends(right)
     # With restitution 0.5, time division should report that the impacts end.
     _notes(figure, {key: run for key, run in found.items() if key != ("time division", 0.5)})
     rows = [(*key, *row) for key, run in found.items() for row in run.points]
@@ -128,9 +123,8 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Plot the height of a ball that should lie still on the ground.
+    """Plot the height of a ball at rest, with the engine's resting rule and with others.
 
-    The plot compares the engine's rule for resting contacts with a stricter rule and with no rule.
     A small gap at the start keeps explicit Euler from finding a contact in its first step.
     """
     figure, (*panels, last) = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
@@ -166,7 +160,7 @@ def resting_jitter() -> Picture:
             f"A ball at rest at 1 $\\mu$m, restitution {c:g}: largest height\n{', '.join(words)}",
             fontsize=10,
         )
-        axes.legend(fontsize=7.5, loc="upper left")
+        legends(axes, size=7.5, loc="upper left")
     fall, c = 0.04, 0.9
     falls = written(
         {
@@ -189,10 +183,9 @@ def resting_jitter() -> Picture:
         fontsize=10,
     )
     last.set_ylim(-3.0, 75.0)
-    last.legend(fontsize=8, loc="upper right")
+    legends(last, loc="upper right")
     for axes in (*panels, last):
         axes.set(xlabel="time, s", ylabel="height, mm (60 Hz)")
-        axes.grid(alpha=0.3)
     _notes(figure, {**found, **falls})
     rows = [(key[0], ", ".join(key[1:]), *row) for key, run in found.items() for row in run.points]
     for name, run in falls.items():
@@ -201,10 +194,10 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
+    """Plot the restitution of several balls, computed from measured bounce heights.
 
-    The coefficient is the square root of the bounce height divided by the drop height. A second set
-    of marks shows the quotient itself, because our copy of the book omits the root in exercise 7.1.
+    It is the root of bounce height / drop height. Marks show the quotient as well, because our copy
+    of the book omits the root in exercise 7.1.
     """
     path, drops = _drops()
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]

@@ -13,7 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod, TwoSidedRod
-from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
 from scenes.chain import Chain, Link
 from scenes.clock import FRAME
 from scenes.integrators import INTEGRATORS
@@ -108,11 +108,7 @@ def rods_hold() -> Picture:
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
         axes.set_xlabel("number of rods in the chain, 0.1 m each (dotted)")
-        axes.grid(alpha=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=8)
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+        legends(axes)
     panels[0].set_ylabel("largest error of a rod from 1.5 to 2 s, m (60 Hz; 1e-10 or less at edge)")
     tell(figure, [f"{key}: {run.message}" for key, (_, run) in found.items() if run.message])
     rows = [(*key, value) for key, value in worst.items()]
@@ -141,8 +137,7 @@ def pendulum_energy() -> Picture:
         fontsize=11,
     )
     axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J", ylim=(0.0, None))
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
+    legends(axes)
     stopped = {f"{name}, {rate} Hz": run.message for (name, rate), run in found.items()}
     tell(figure, [f"{key}: {message}" for key, message in stopped.items() if message])
     return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)
@@ -151,10 +146,9 @@ def pendulum_energy() -> Picture:
 def stretch(
     chain: Chain, link: Link | None, frames: int, iterations: int | None = None, substeps: int = 1
 ) -> tuple[Track, Track]:
-    """Release a chain of rods, or a DirectChain if ``link`` is None, and record how it stretches.
+    """Release a chain of rods, or a DirectChain if ``link`` is None.
 
-    Return the excess length of the whole chain over time, and the largest error in the length of a
-    rod. The resolver makes ``iterations`` iterations per contact, or 2 by default.
+    Return the excess length of the chain in m, and the largest error in the length of a rod.
     """
     setup = chain.setup(link)
     move = moving(setup, link and semi_implicit_euler, iterations, substeps)
@@ -167,9 +161,9 @@ def stretch(
 
 
 def energy(step: Integrator | None, rate: int) -> Track:
-    """Release a pendulum of 1 kg and 1 m from horizontal, and record its energy in J for 10 s.
+    """Record a pendulum's energy in J relative to the lowest point, for 10 s from horizontal.
 
-    The energy is relative to the lowest point. If ``step`` is None, the pendulum is a DirectChain.
+    If ``step`` is None, the pendulum of 1 kg and 1 m is a DirectChain.
     """
     pendulum = Chain([1.0], 1.0, 0.5 * math.pi)
     setup = pendulum.setup()

@@ -25,11 +25,9 @@ FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def contact_solvers(file: Path = FIGURES) -> Picture:
-    """Draw the error against the computing time, and the time to keep the error below 1 %.
+    """Draw the error against the computing time, and the time to keep it below 1 %.
 
-    The upper panels are for a stack and for a swinging rope, and the lower panels for stacks and
-    ropes at rest with several mass ratios. The table has the time in ms per frame that a solver
-    needs to meet a tolerance, or a dash if it never does.
+    The table has the time in ms per frame to meet a tolerance, or a dash if it is never met.
     """
     data = json.loads(file.read_text(encoding="utf-8"))
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")

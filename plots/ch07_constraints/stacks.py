@@ -1,8 +1,4 @@
-"""Plots for chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
-
-Titles report measured results, such as the largest error, which reveal bugs in the student's
-engine. A curve is omitted if the student has not yet solved its exercise.
-"""
+"""Plots for chapter 7: errors that the contact resolver leaves in a pile, and sinking stacks."""
 
 from __future__ import annotations
 
@@ -16,7 +12,7 @@ from matplotlib import pyplot
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
-from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
+from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, legends, tell
 from scenes.clock import FRAME
 from scenes.readings import number, numbers, written
 from scenes.resolving import by_resolver, resolving
@@ -28,10 +24,7 @@ Act = Callable[[Contact], object]
 
 
 def resolver_convergence() -> Picture:
-    """Plot the errors left in a pile of spheres against the number of contacts resolved.
-
-    The errors are the largest closing velocity and the largest penetration depth.
-    """
+    """Plot the errors left in a pile of spheres against the number of contacts resolved."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(
@@ -56,8 +49,7 @@ def resolver_convergence() -> Picture:
         )
         axes.axvline(2 * contacts, color=GRAY, lw=1, ls=":", label=f"default: {2 * contacts}")
         axes.set(xlabel="resolutions", ylabel=f"largest {what}, {unit}")
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+        legends(axes)
     rows = [
         (name, count, *pair)
         for name, seen in found.items()
@@ -68,10 +60,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Plot how far stacks of 3 and 10 spheres sink, and how far the spheres overlap.
-
-    The stacks are simulated with different limits on the number of iterations per contact.
-    """
+    """Plot how far stacks of 3 and 10 spheres sink and overlap, by iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     limits, titles = (1, 2, 5, 10, 20, 50), ([], [])
     runs = {(n, limit): partial(sinking, n, limit) for n in (3, 10) for limit in (None, *limits)}
@@ -92,8 +81,7 @@ def stack_height() -> Picture:
         right.loglog(done, most, "o-", color=color, label=f"{count} spheres")
     for axes, lines in zip((left, right), titles, strict=True):
         axes.set_title("\n".join(lines), fontsize=10)
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+        legends(axes)
     left.set(xlabel="time, s", ylabel="height of the center of the top sphere, m")
     right.set(xlabel="iterations per contact", ylabel="largest overlap in 2 s, % of a diameter")
     right.set_xticks(limits, [str(limit) for limit in limits])
@@ -110,9 +98,8 @@ def stack_height() -> Picture:
 
 
 def sinking(count: int, iterations: int | None) -> list[Track]:
-    """Simulate a stack of spheres for 2 s, and record its height and the overlap of the spheres.
+    """Record the height of a stack's top sphere in m and the overlap / diameter, for 2 s.
 
-    The height is that of the top sphere's center, and the overlap is a fraction of the diameter.
     The limit of ``iterations`` per contact is 2 by default.
     """
     setup = stack(count)
@@ -138,17 +125,15 @@ def falling_pile() -> tuple[list[Particle], list[Contact]]:
 
 
 def residuals(iterations: int, in_order: bool) -> tuple[float, float]:
-    """Resolve a pile's contacts in ``iterations`` iterations, and measure the remaining errors.
+    """Resolve a pile's contacts, in list order or with a ContactResolver, worst first.
 
-    If ``in_order`` is true, the contacts are resolved in list order, in repeated passes. Otherwise
-    a ContactResolver always resolves the worst contact first.
-
-    Returns:
-        The largest closing velocity in m/s, and the largest depth in m at the final positions.
+    Return the largest closing velocity in m/s, and the largest depth in m.
     """
     spheres, contacts = falling_pile()
     if iterations and in_order:
-        _sweep(contacts, iterations, _closing, VELOCITY_TOLERANCE, _stop)
+        _sweep(
+            contacts, iterations, _closing, VELOCITY_TOLERANCE, lambda c: c.resolve_velocity(FRAME)
+        )
         _sweep(contacts, iterations, _depth, DEPTH_TOLERANCE, _separate)
     elif iterations:
         ContactResolver(iterations).resolve_contacts(contacts, FRAME)
@@ -174,10 +159,6 @@ def _sweep(contacts: list[Contact], limit: int, error: Error, least: float, reso
 
 def _closing(contact: Contact) -> float:
     return -contact.separating_velocity()
-
-
-def _stop(contact: Contact) -> None:
-    contact.resolve_velocity(FRAME)
 
 
 def _depth(contact: Contact) -> float:

@@ -1,8 +1,4 @@
-"""Plots for chapter 8: the energy of scenes at rest, and how scenes react to uneven frames.
-
-The title of each plot reports a measured result, such as the largest error, which reveals bugs in
-the student's engine. A curve is omitted if the student has not yet solved its exercise.
-"""
+"""Plots for chapter 8: the energy of scenes at rest, and how scenes react to uneven frames."""
 
 from __future__ import annotations
 
@@ -13,14 +9,13 @@ from functools import partial
 from typing import Any
 
 from matplotlib import pyplot
-from matplotlib.axes import Axes
 
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform
 from ch08_mass_aggregate.world import mechanical_energy
-from plots.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, legends, tell
 from scenes.clock import FRAME, RATE
 from scenes.links import over_length
 from scenes.readings import Numbers, number, numbers, stopped, written
@@ -38,16 +33,6 @@ Measure = Callable[[Any], float]
 Framed = tuple[Track, dict[int, list[Numbers]]]
 
 
-def legends(*panels: Axes) -> None:
-    """Add a grid and a legend to each of the panels, or say that nothing is drawn in it yet."""
-    for axes in panels:
-        axes.grid(alpha=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=8)
-        else:
-            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
-
-
 def recorded(make: Make, measure: Measure, rate: float, seconds: float) -> Track:
     """Simulate a mass aggregate, and record a value after each step."""
     made = make()
@@ -57,7 +42,7 @@ def recorded(make: Make, measure: Measure, rate: float, seconds: float) -> Track
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Put a ball on a rope bridge, and record the excess length of the worst cable in percent.
+    """Record the excess length of a loaded bridge's worst cable in percent.
 
     It is infinite once the ball has fallen through. Also return the number of contacts resolved.
     """
@@ -102,11 +87,7 @@ def energy_of_platform() -> Picture:
 
 
 def _energies(what: str, make: Make, more: dict[str, tuple[Make, int, str]]) -> Picture:
-    """Plot the energy of a scene at two frame rates, and how much it varies once it is at rest.
-
-    The second panel shows how far the energy is from the middle of its range, in percent. ``more``
-    lists further runs, each with a frame rate and a color.
-    """
+    """Plot the energy of a scene by frame rate, and how much it varies once at rest."""
     ways = {f"{rate} Hz": (make, rate, color) for rate, color in COLORS.items()} | more
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
 
@@ -223,11 +204,7 @@ def _uneven_frames(seed: int) -> list[float]:
 
 
 def _framed(make: Make, measure: Measure, frames: list[float], *, fixed: bool = False) -> Framed:
-    """Simulate a mass aggregate in frames of different lengths, and record a value after each.
-
-    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is a
-    step. Also return the positions of all particles by the number of steps so far.
-    """
+    """Record a value, and all positions by the number of steps, in uneven frames."""
     made = make()
     times, values, states = [0.0], [], {}
 

@@ -15,8 +15,8 @@ from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS, Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld
-from plots.ch08_mass_aggregate.energy import legends, recorded
-from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, tell
+from plots.ch08_mass_aggregate.energy import recorded
+from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, legends, tell
 from scenes.clock import RATE
 from scenes.readings import written
 from scenes.track import Track, tracks
@@ -168,10 +168,7 @@ def sleeping_balls() -> Picture:
 
 
 def _sleepers(kind: type[ParticleWorld], seconds: float) -> list[Track]:
-    """Record the number of awake balls, the contacts resolved, and the kinetic energy in J.
-
-    The balls fall to the ground one by one. The last one lands between two others and wakes them.
-    """
+    """Record the balls awake, contacts resolved and energy in J; a late ball wakes two others."""
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * BALL_RADIUS + 0.6 * i) for i in range(BALLS)]
     places.append(Vector3(0.6 * (BALLS - 1) + 0.3, LATE_HEIGHT))

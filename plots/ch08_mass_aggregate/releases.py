@@ -21,7 +21,7 @@ from ch08_mass_aggregate.trebuchet import (
     Trebuchet,
     my_design,
 )
-from plots.drawing import BLACK, BLUE, GRAY, GREEN, RED, SKY, Picture
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, RED, SKY, Picture, legends
 from scenes.readings import is_written, number, numbers, stopped, written
 
 PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # drawn until my_design is written
@@ -85,9 +85,7 @@ def trebuchet_range() -> Picture:
     left.set(xlim=(0.0, 90.0), ylim=(0.0, None))
     right.set(xlabel="counterweight, kg", ylabel="energy that reaches the projectile, %")
     right.set(xlim=(0.0, 1.25 * max(weights)), ylim=(0.0, 105.0))
-    for axes in (left, right):
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8.5)
+    legends(left, right, size=8.5)
     columns = ("counterweight, kg", "release angle, degrees", "range, m", "fraction of the energy")
     return Picture(figure, columns, rows)
 
@@ -95,9 +93,8 @@ def trebuchet_range() -> Picture:
 def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A sling lets go as soon as the direction of flight has dropped to the release angle. A step is
-    therefore listed only if this direction is lower than in all earlier steps. Ranges and energies
-    are computed as in Trebuchet.throw, but with plain numbers.
+    A sling lets go as soon as the direction of flight has dropped to the release angle. So a step
+    is listed only if this direction is lower than in all earlier steps.
     """
     machine = Trebuchet(design)
     start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]

@@ -9,7 +9,7 @@ from functools import partial
 from matplotlib import pyplot
 
 from plots.ch08_mass_aggregate.energy import load_on_bridge
-from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, legends, tell
 from scenes.hanging_rope import (
     LENGTH,
     SPAN,
@@ -28,10 +28,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far the cables of the rope bridge stretch under balls of 1 kg to 1 t.
-
-    Each curve is for a different number of iterations or substeps.
-    """
+    """Plot how far the cables of the rope bridge stretch under balls of 1 kg to 1 t."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -77,8 +74,7 @@ def mass_ratios() -> Picture:
     )
     axes.set(xlabel="mass of the ball : mass of the end of a plank")
     axes.set(ylabel="excess length of the worst cable from 3 to 4 s, % (60 Hz)", ylim=(8e-4, 2e5))
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8.5, loc="upper left")
+    legends(axes, size=8.5, loc="upper left")
     tell(figure, [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message])
     columns = ("method", "ball : plank's end", "resolutions", "excess length of the worst cable, %")
     return Picture(figure, columns, rows)

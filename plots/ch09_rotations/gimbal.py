@@ -19,11 +19,7 @@ X, Z = 0.4, 1.1  # rad, the first and the last Euler angle; any values would do
 
 
 def gimbal_lock() -> Picture:
-    """Plot how Euler angles fail near gimbal lock, where the middle angle is 90°.
-
-    In gimbal lock, no change of the angles can rotate a body about a certain axis. Near it, a
-    rotation about that axis makes the angles change faster and faster.
-    """
+    """Plot how Euler angles fail near gimbal lock, where the middle angle is 90°."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     degrees = range(-90, 91, 3)
     distances = [10.0 ** (-0.25 * n) for n in range(-7, 25)]  # degrees
@@ -84,20 +80,16 @@ def _singular_values(y: float) -> list[float]:
 
 
 def _worst_axis(distance: float, z: float) -> Vector3:
-    """Return the axis of a rotation for which the Euler angles change fastest near gimbal lock.
+    """Return the axis halfway between Z and the rotated X, which changes the angles fastest.
 
-    The Euler angle y is ``distance`` below 90 degrees, in radians. The axis lies halfway between
-    the world's Z axis and the rotated X axis.
+    The Euler angle y is ``distance`` rad below 90 degrees.
     """
     along = math.cos(0.5 * distance)
     return Vector3(math.cos(z) * along, math.sin(z) * along, math.sin(0.5 * distance))
 
 
 def _worst_rate(distance: float) -> tuple[float, str]:
-    """Measure how fast Euler angles change if the body rotates at 1 rad/s about the worst axis.
-
-    Return the length of the Euler rates in rad/s, and the text of any error.
-    """
+    """Return the length of the Euler rates at 1 rad/s about the worst axis, and any error."""
     found = [math.nan]
 
     def act() -> None:

@@ -1,7 +1,6 @@
 """Exact orientations, and measures of what an engine makes of them, without its functions.
 
-An orientation is a quaternion of plain numbers r, i, j and k, or three arrows: the directions of a
-body's axes X, Y and Z in world coordinates.
+They are quaternions r, i, j and k, or three arrows: a body's axes in world coordinates.
 """
 
 from __future__ import annotations
@@ -66,10 +65,7 @@ def entries(matrix: Any) -> list[float]:
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Compute the angle in degrees between two orientations, given as quaternions of any length.
-
-    Return NaN if a length is 0 or not finite.
-    """
+    """Compute the angle between two orientations, or NaN if a length is 0 or not finite."""
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
     r, *axis = product(b, inverse(a))
@@ -77,10 +73,7 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Compute the angle in degrees between two orientations, or NaN if they are not finite.
-
-    It follows from the trace of the matrix that rotates one orientation to the other.
-    """
+    """Compute the angle between two orientations, or NaN if they are not finite."""
     if not is_drawable(*a, *b):
         return math.nan
     cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)

@@ -46,10 +46,7 @@ def steady(time: float) -> tuple[Numbers, Components]:
 
 
 def coning(time: float) -> tuple[Numbers, Components]:
-    """Return the angular velocity and the exact orientation if the axis moves along a cone.
-
-    The orientation is that of a rotation about a fixed axis, which then rotates about Z.
-    """
+    """Return the angular velocity and the exact orientation if the axis moves along a cone."""
     around = turn(Z, CONING * time)
     x, y, z = rotated(around, SLANTING)
     return (x, y, z + CONING), product(around, product(turn(SLANTING, TAU * time), START))
@@ -84,11 +81,7 @@ WAYS: dict[str, tuple[Step, Motion, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot the two errors of Eq. 9.5, the book's formula for rotating a quaternion by one step.
-
-    Each step makes the quaternion longer, and rotates it by the wrong angle. Better integration
-    methods are shown for comparison.
-    """
+    """Plot the errors of Eq. 9.5 in length and angle, and those of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -192,10 +185,7 @@ def _turned(
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the length of the quaternion, and the angle in degrees by which it lags behind.
-
-    The student's first_order_drift predicts them for Eq. 9.5. They are NaN if it is not written.
-    """
+    """Return the length and lag in degrees by first_order_drift, or NaN if not written."""
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
         length, angle = found[0] if isinstance(found[0], tuple) else (None, None)

@@ -1,8 +1,4 @@
-"""A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7).
-
-The student's code computes the lines on which the box would balance, and the mass on either side of
-each. The plot compares them with the exact center of mass and the exact masses.
-"""
+"""A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7)."""
 
 from __future__ import annotations
 
@@ -17,7 +13,7 @@ from matplotlib.patches import Circle
 from ch09_rotations.exercises import Stone, balance_offset, masses_beside
 from ch09_rotations.stones import own_stones, read_stones
 from plots.ch09_rotations.orientations import largest
-from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, tell
+from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, legends, tell
 from scenes.readings import number, stopped
 
 SMALL = LABEL | {"fontsize": 9}
@@ -38,11 +34,7 @@ class Line(NamedTuple):
 
 
 def balance_lines() -> Picture:
-    """Draw a box of the student's stones, its center of mass and its balance lines (exercise 9.7).
-
-    The box would balance on each of these lines. A second panel shows how much mass lies on either
-    side of each line.
-    """
+    """Draw a box of the student's stones, its balance lines, and the masses beside them."""
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())
     if not stones:
@@ -103,8 +95,7 @@ def balance_lines() -> Picture:
     right.set(xlabel="angle of the balance line, degrees", ylabel="mass, kg")
     right.set_xticks(range(0, 181, 30))
     right.set_ylim(0.0, 1.3 * math.fsum(stone[1] for stone in stones))
-    right.legend(fontsize=9, loc="upper right")
-    right.grid(alpha=0.3)
+    legends(right, size=9, loc="upper right")
     tell(figure, [*dict.fromkeys(line.message for line in lines if line.message)])
     rows: list[Sequence[object]] = [("stone", *stone) for stone in stones]
     rows += [("line", *line[:6]) for line in lines]

@@ -1,8 +1,4 @@
-"""Plots for chapter 9: a disc that spins as it flies, and the order of two rotations.
-
-The titles report errors that are computed without the student's engine, so that they reveal bugs in
-it. What needs functions that the student has not written yet is left out.
-"""
+"""Plots for chapter 9: a disc that spins as it flies, and the order of two rotations."""
 
 from __future__ import annotations
 
@@ -142,10 +138,9 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> tuple[list[Arrows], str]:
-    """Simulate the rotation with the engine's integrate_rotation, in ``rate`` steps per second.
+    """Simulate the disc's rotation with integrate_rotation, in ``rate`` steps per second.
 
-    Return the directions of the axes at the start and after each step, and the text of the error
-    that ended the flight early, if there was one.
+    Return the axes at the start and after each step, and the text of any error.
     """
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
@@ -162,10 +157,7 @@ def throw_disc(rate: int) -> tuple[list[Arrows], str]:
 
 
 def order_of_turns() -> Picture:
-    """Draw a letter L rotated by 90° about the world's X and Y axes, in both orders.
-
-    The two results differ, because rotations do not commute.
-    """
+    """Draw a letter L rotated by 90° about the world's X and Y axes, in both orders."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -220,11 +212,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Let the engine rotate X, Y and Z with two matrices.
-
-    Return their directions before, after the first rotation, and after both. If the engine fails or
-    its matrices are not written yet, return an empty list.
-    """
+    """Return X, Y and Z before, between and after two turns by matrix, or [] if that fails."""
     found: list[Arrows] = []
 
     def act() -> None:

@@ -27,7 +27,8 @@ from web.python.browser.process import SHALLOW, code, forget_folders
 from web.python.browser.watchdog import watchdog
 
 NOT_HERE = {"pymunk": "pymunk is not available in the browser."}
-OF_A_LINK = re.compile(r"(ch\d\d_|(lab|studies)\.)")  # an engine's modules, and their importers
+# An engine's modules, and their importers.
+OF_A_LINK = re.compile(r"(ch\d\d_|(lab|plots|scenes|studies)\.)")
 SHARED = set(sys.modules)  # modules that all links share
 
 

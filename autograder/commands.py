@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import errno
+import importlib
 import importlib.util
 import io
 import os
 import shutil
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 from autograder.manifest import ROOT
@@ -92,6 +94,26 @@ def prepare(group: str = "requirements") -> bool:
         print(error, file=sys.stderr)
         return False
     return True
+
+
+def run_named(package: str, commands: Mapping[str, str]) -> int:
+    """Run the command that the first argument names, a module of ``package`` with a ``main``.
+
+    ``commands`` are the names, each with the group of packages that the command needs. A handout
+    may lack some of them. Return the exit status, which is 2 if the command could not run.
+    """
+    there = [name for name in commands if importlib.util.find_spec(f"{package}.{name}")]
+    name = sys.argv[1] if len(sys.argv) > 1 else ""
+    if name not in there:
+        print(f"usage: python -m {package} {'|'.join(there)}", file=sys.stderr)
+        return 2
+    if not prepare(commands[name]):
+        return 2
+    try:
+        return int(importlib.import_module(f"{package}.{name}").main(sys.argv[2:]))
+    except OSError as error:
+        print(f"{name}: {sentence(error)}", file=sys.stderr)
+        return 2
 
 
 def advice(error: BaseException) -> str:

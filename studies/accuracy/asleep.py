@@ -6,9 +6,17 @@ from collections.abc import Callable
 
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.sleeping import SleepingWorld
+from scenes.setup import Setup
 from scenes.twin import InSpace
 from studies.accuracy.in_pymunk import in_turn
 from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
+
+
+def put_to_sleep(setup: Setup) -> SleepingWorld:
+    """Create the world of a scene in which nothing moves, with all particles asleep."""
+    world = SleepingWorld(setup.particles, setup.contacts, sleep_frames=1)
+    world.fall_asleep(world.contacts())
+    return world
 
 
 def asleep(

@@ -22,7 +22,7 @@ from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.asleep import asleep, asleep_in_pymunk
+from studies.accuracy.asleep import asleep, asleep_in_pymunk, put_to_sleep
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, by_pymunk
 from studies.accuracy.measured.hanging import HAIR, MASSES, cables, hanging, truth
 from studies.accuracy.measured.planes import by_net
@@ -122,9 +122,7 @@ def by_world(
 def sleeping() -> tuple[SleepingWorld, list[Particle]]:
     """Build the rope bridge with all of its planks asleep, and return it with the planks' ends."""
     setup = whole()
-    world = SleepingWorld(setup.particles, setup.contacts, sleep_frames=1)
-    world.fall_asleep(world.contacts())
-    return world, [*setup.particles]
+    return put_to_sleep(setup), [*setup.particles]
 
 
 def found_by_equilibrium() -> tuple[SleepingWorld, list[Particle]]:

@@ -21,7 +21,7 @@ from scenes import spheres
 from scenes.clock import RATE
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.asleep import asleep, asleep_in_pymunk
+from studies.accuracy.asleep import asleep, asleep_in_pymunk, put_to_sleep
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, Step, at_best, by_pymunk, in_turn
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
@@ -115,9 +115,7 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
 
     def sleeping() -> tuple[SleepingWorld, list[Particle]]:
         setup = make()
-        world = SleepingWorld(setup.particles, setup.contacts, sleep_frames=1)
-        world.fall_asleep(world.contacts())
-        return world, [*setup.particles[fixed:]]
+        return put_to_sleep(setup), [*setup.particles[fixed:]]
 
     def in_space(iterations: int, slop: float | None, _: float = 0.0) -> InSpace:
         space, bodies = twin_of(make(), iterations=iterations)

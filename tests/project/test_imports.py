@@ -11,8 +11,8 @@ from pathlib import Path
 from autograder.manifest import ROOT
 
 # From the bottom to the top. A room imports only from itself and from the rooms below it.
-ROOMS = ("scenes", "plots", "studies", "lab", "web")
-FOLDERS = ("autograder", "solutions", "chapters", *ROOMS)
+ROOMS = ("autograder", "scenes", "plots", "studies", "lab", "web")
+FOLDERS = ("solutions", "chapters", *ROOMS)
 
 
 def modules() -> dict[str, Path]:

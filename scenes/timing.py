@@ -151,6 +151,11 @@ def mixed(rounds: Sequence[int]) -> list[int]:
     return [i for _, i in sorted(at)]
 
 
+def significant(figure: float, digits: int = 3) -> float:
+    """Round a figure to its significant digits, because further ones vary from run to run."""
+    return float(f"{figure:.{digits}g}")
+
+
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
     """Return the lower and upper quartiles, without interpolating between the values."""
     ordered = sorted(values)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
 
-from scenes.timing import Line
+from scenes.timing import Line, significant
 
 FILE = Path(__file__).with_name("figures.json")
 
@@ -22,8 +22,8 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
         "libraries": versions,
         "lines": {
             line.what: {
-                "ratio": rounded(line.median),
-                "quartiles": [rounded(line.low), rounded(line.high)],
+                "ratio": significant(line.median),
+                "quartiles": [significant(line.low), significant(line.high)],
                 "target": str(line.target or ""),
                 "verdict": line.verdict,
             }
@@ -31,11 +31,6 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
         },
     }
     file.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
-
-
-def rounded(figure: float) -> float:
-    """Round a result to three significant digits, because further digits vary from run to run."""
-    return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from scenes.timing import significant
 from studies.accuracy.measure import Point
 from studies.accuracy.results import TOLERANCES, Row, Side, row
 
@@ -68,10 +69,10 @@ def figures_of(rows: Sequence[Row]) -> list[Figure]:
             "tolerance": row.tolerance,
             "ours": row.ours.model,
             "pymunk": row.pymunk.model,
-            "ratio": float(f"{row.ratio:.3g}") if row.ratio else None,
+            "ratio": significant(row.ratio) if row.ratio else None,
             "is_extrapolated": row.is_extrapolated,
-            "low": float(f"{row.bounds[0]:.3g}"),
-            "high": float(f"{row.bounds[1]:.3g}") if row.bounds[1] < math.inf else None,
+            "low": significant(row.bounds[0]),
+            "high": significant(row.bounds[1]) if row.bounds[1] < math.inf else None,
             "never": "ours" * row.ours.never or "pymunk" * row.pymunk.never,
         }
         for row in rows

@@ -23,7 +23,7 @@ from autograder.text.marked import with_text
 from autograder.text.wrapping import plain_console, print_wrapped
 from plots.drawing import BLUE, GRAY
 from scenes.reason import shown
-from scenes.timing import Line, Measurement, Timer, measure, versus
+from scenes.timing import Line, Measurement, Timer, measure, significant, versus
 from studies.clarity.lines import lines_of
 from studies.clarity.steps import SCENES
 
@@ -95,8 +95,8 @@ def row(line: Line) -> dict[str, Any]:
     parts = SCENES[line.what].parts
     return {
         "scene": line.what,
-        "ratio": float(f"{line.median:.2g}"),
-        "quartiles": [float(f"{line.low:.2g}"), float(f"{line.high:.2g}")],
+        "ratio": significant(line.median, 2),
+        "quartiles": [significant(line.low, 2), significant(line.high, 2)],
         "what": ", ".join(f"`{name}`" for _, name in parts),
         "clear": sum(lines_of(find_engine(CLEAR), *part) for part in parts),
         "tuned": sum(lines_of(find_engine(TUNED), *part) for part in parts),

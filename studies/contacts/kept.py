@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
 
+from scenes.timing import significant
 from studies.accuracy.measure import Point
 from studies.accuracy.results import models_of, time_to
 from studies.contacts.scenes import FRAMES
@@ -23,7 +24,7 @@ def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]
         models = models_of([point for point in points if point.scene == scene])
         for tolerance in TOLERANCES:
             times = {name: time_to(own, tolerance) for name, own in models.items()}
-            ms = {name: _rounded(1e3 * time / FRAMES, 4) for name, time in times.items() if time}
+            ms = {name: significant(1e3 * time / FRAMES, 4) for name, time in times.items() if time}
             found.append((scene, tolerance, ms))
     return found
 
@@ -34,7 +35,7 @@ def keep(points: Sequence[Point], file: Path) -> None:
     A point is (scene, model, by, steps, error, ms per frame).
     """
     rows = [
-        (p.scene, p.model, p.by, p.steps, _rounded(p.error), _rounded(1e3 * p.time / FRAMES))
+        (p.scene, p.model, p.by, p.steps, significant(p.error), significant(1e3 * p.time / FRAMES))
         for p in points
     ]
     start = {"measured": date.today().isoformat(), "python": platform.python_version()}
@@ -42,7 +43,3 @@ def keep(points: Sequence[Point], file: Path) -> None:
     file.write_text(
         text.replace(": [[", ": [\n  [").replace("], [", "],\n  [") + "\n", encoding="utf-8"
     )
-
-
-def _rounded(value: float, digits: int = 3) -> float:
-    return float(f"{value:.{digits}g}")

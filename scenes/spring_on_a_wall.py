@@ -1,4 +1,7 @@
-"""A body on a damped spring on a wall, along a line. At 0, the spring is relaxed."""
+"""A body that moves along a line, on a damped spring that is fixed to a wall.
+
+Its position is 0 where the spring is relaxed.
+"""
 
 from __future__ import annotations
 

@@ -77,7 +77,7 @@ def swing(
 
 
 def step_matrix(integrator: Integrator, generator: ForceGenerator, damping: float = 1.0) -> Matrix:
-    """Measure the matrix by which a step multiplies (x, v h), or NaN if the engine fails."""
+    """Measure the matrix of a step, which multiplies (x, v h). It is NaN if the engine fails."""
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / FRAME)):
         body = Particle(Vector3(x), Vector3(v), damping=damping)
@@ -90,7 +90,7 @@ def step_matrix(integrator: Integrator, generator: ForceGenerator, damping: floa
 
 
 def growth(integrator: Integrator, generator: ForceGenerator, damping: float = 1.0) -> float:
-    """Return the factor by which an oscillation grows per time step in the long run."""
+    """Return how much an oscillation grows in each time step, in the long run, as a factor."""
     return spectral_radius(*step_matrix(integrator, generator, damping))
 
 

@@ -22,7 +22,7 @@ from scenes.readings import Numbers, number, numbers, stopped, written
 from scenes.track import Track, track
 
 SETTLED = 5.0  # s, after which scenes should be at rest
-STEADY = 0.1  # %, by which the energy of a scene at rest may vary
+STEADY = 0.1  # %, how much the energy of a scene at rest may vary
 SECONDS = 7.5  # s, the length of each run; the energies vary no more in longer runs
 COLORS = {30: RED, 60: BLUE}  # by frame rate in Hz
 FRAMED = 3.0  # s, the length of a run in uneven frames

@@ -138,7 +138,7 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor by which a step with k1 h / m = ``z`` multiplies the velocity."""
+    """Return the factor between the velocities after and before a step with k1 h / m = ``z``."""
     if name in INTEGRATORS:
         return stability.step_matrix(INTEGRATORS[name], Drag(z / FRAME, 0.0))[3]
     slack = stability.stepping(name, z, 0.0, ALL_SOLVERS)  # a spring of stiffness 0

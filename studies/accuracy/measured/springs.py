@@ -101,7 +101,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, wall: SpringOnAWall, steps: int) -> Outcome:
-    """Simulate a body on a spring with a solver, of which each step counts as one evaluation."""
+    """Simulate a body on a spring with a solver. Each step counts as one evaluation."""
     x, v = START, 0.0
 
     def step(duration: float) -> None:

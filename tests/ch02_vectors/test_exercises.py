@@ -207,7 +207,7 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
 @pytest.mark.robust
 def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
     a, x = unit_vector(rng), Triple((1.0, 0.0, 0.0))
-    # The length of both is exactly 1, and their Y component is d.
+    # Both have length 1, except for rounding, and d is as long as their Y component.
     short, enough = (Triple((math.sqrt(1.0 - y * y), y, 0.0)) for y in (5e-7, 1.5e-6))
     parallel = (
         "You accept parallel vectors, although d is then only a rounding error without a "

@@ -63,9 +63,11 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
             p = Particle(mass=mass)
         if p.inverse_mass == 0.0:
             expect_close(p.inverse_mass, 1.0 / mass, then=".inverse_mass")
-        with calls("You return False for a finite mass. Return True unless the mass is infinite."):
-            p = Particle(mass=mass)
-            got = p.has_finite_mass
+        with calls(
+            "You return False for a finite mass. Return True unless the mass is infinite.",
+            f"a particle p with a mass of {mass} kg; p.has_finite_mass",
+        ):
+            got = Particle(mass=mass).has_finite_mass
         if not isinstance(got, bool):
             what = "a number" if isinstance(got, (int, float)) else "neither True nor False"
             about(cause=f"You return {what}. Return the result of a comparison, True or False.")

@@ -224,7 +224,7 @@ def test_a_late_click_scores_more() -> None:
         expect_exactly(played.misses, 0, then="; display.misses", cause=also)
     with calls(
         "You replace the score at each hit. Add the points of the hit to display.score instead.",
-        "two rockets, at (0, 20) and (9, 20); a click on each of them; display.score",
+        "two rockets; click(display, 0, 20); click(display, 9, 20); display.score",
     ):
         played = clicked(ROCKET, OTHER, xs=(0.0, 9.0))
     expect_exactly(played.score, 2, unit="points")

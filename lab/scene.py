@@ -25,7 +25,6 @@ class Question:
 class Scene:
     """The base class of the scenes. Lengths are in meters unless a scene says otherwise."""
 
-    chapter: ClassVar[int]
     title: ClassVar[str]
     question: ClassVar[str]  # one sentence that says what to find out
     view: ClassVar[tuple[float, float, float, float]]  # min x, max x, min y, max y
@@ -137,7 +136,6 @@ def described(scene: type[Scene]) -> dict[str, Any]:
     ask = scene.predict
     return {
         "name": name_of(scene),
-        "chapter": scene.chapter,
         "title": scene.title,
         "question": scene.question,
         "view": list(scene.view),

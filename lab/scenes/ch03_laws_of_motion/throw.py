@@ -17,7 +17,6 @@ Point = tuple[float, float]
 class Throw(Scene):
     """A game of throwing a ball, whose exact path shows the integrator's part in a miss."""
 
-    chapter = 3
     title = "Throw a ball at the hoop"
     question = "Does a perfectly aimed ball go in at 10 steps per second?"
     view = (-0.5, 20.0, -1.0, 11.0)
@@ -190,6 +189,3 @@ class Throw(Scene):
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)
             self.throw()
-
-
-SCENES = (Throw,)

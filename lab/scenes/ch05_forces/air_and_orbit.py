@@ -24,7 +24,6 @@ def lands_first(scene: FallInAir) -> int:
 class FallInAir(Scene):
     """A scene of two balls dropped from a tower, with quadratic drag from the air."""
 
-    chapter = 5
     title = "Which ball lands first?"
     question = "Why does a heavy ball fall faster in air, but not on the moon?"
     view = (-6.0, 10.0, -4.0, 104.0)
@@ -107,7 +106,6 @@ class FallInAir(Scene):
 class Orbit(Scene):
     """A scene of a planet that orbits a star, with two versions of the time step."""
 
-    chapter = 5
     title = "An orbit that should close"
     question = "Which order of the two moves keeps a planet on its orbit?"
     view = (-3.4, 2.4, -2.2, 2.2)
@@ -172,6 +170,3 @@ class Orbit(Scene):
 
     def say(self) -> str:
         return f"The planet is {self.planet.position.magnitude():.2f} m from the star."
-
-
-SCENES = (FallInAir, Orbit)

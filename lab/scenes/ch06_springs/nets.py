@@ -18,7 +18,6 @@ from scenes.parameters import Choice, Slider
 class SpringBridge(Stepped):
     """A person walks across a bridge whose planks hang from springs (exercise G6.2)."""
 
-    chapter = 6
     title = "A bridge on springs"
     question = "How stiff may the springs be before the bridge explodes?"
     view = (-1.0, 9.0, -2.0, 4.2)
@@ -100,7 +99,6 @@ class SpringBridge(Stepped):
 class Cloth(Stepped):
     """A cloth hangs from two corners, which the reader can drag."""
 
-    chapter = 6
     title = "A cloth of 180 springs"
     question = "How many steps per second does each integrator need for a cloth?"
     view = (-1.7, 2.6, -2.1, 0.9)
@@ -141,9 +139,6 @@ class Cloth(Stepped):
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:
             self.drag("right", 1.7 - 0.4 * (time - 5.0), 0.4 - 0.2 * (time - 5.0))
-
-
-SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:

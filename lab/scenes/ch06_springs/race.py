@@ -18,7 +18,6 @@ FAR = 3.0  # m; a ball farther out is not drawn
 class IntegratorRace(Scene):
     """Seven balls on identical springs, each moved by a different integrator, in phase space."""
 
-    chapter = 6
     title = "Energy of seven integrators"
     question = "Which paths stay on the circle, which spiral out, and which spiral in?"
     view = (-2.6, 4.4, -2.3, 2.3)
@@ -90,6 +89,3 @@ class IntegratorRace(Scene):
     def say(self) -> str:
         x, y = self.phase(self.balls["explicit Euler"])
         return f"Explicit Euler has {100.0 * min(x * x + y * y, 1e6):.0f} % of its initial energy."
-
-
-SCENES = (IntegratorRace,)

@@ -30,7 +30,6 @@ def is_stable(integrator: str, kappa: float, drag: float) -> bool:
 class OneSpring(Stepped):
     """A ball on a spring, confined to a line so that its exact motion is known."""
 
-    chapter = 6
     title = "One spring, five integrators"
     question = "Which integrator keeps the energy, and how stiff may the spring be?"
     view = (-2.2, 2.2, -1.2, 1.2)
@@ -136,4 +135,3 @@ class PymunkSpring(OneSpring):
 
 
 OneSpring.peers = {"exact": ExactSpring, "pymunk": PymunkSpring}
-SCENES = (OneSpring,)

@@ -41,7 +41,6 @@ def rises(scene: Bounce) -> int:
 class Bounce(Scene):
     """A ball that bounces on the ground and keeps some or all of its speed."""
 
-    chapter = 7
     title = "A ball that bounces"
     question = "Does the ball come back to the height from which it fell?"
     view = (-2.6, 2.6, -0.4, 4.4)
@@ -143,7 +142,6 @@ Bounce.peers = {"pymunk": PymunkBounce}
 class Stack(Scene):
     """A stack of spheres that the resolver has to carry, and whose top sphere can be dragged."""
 
-    chapter = 7
     title = "A stack of spheres"
     question = "How many iterations keep a tall stack from sinking?"
     view = (-4.0, 4.0, -0.5, 10.5)
@@ -220,4 +218,3 @@ class PymunkStack(Stack):
 
 
 Stack.peers = {"pymunk": PymunkStack}
-SCENES = (Bounce, Stack)

@@ -21,7 +21,6 @@ METHODS = {"one step": "red", "substeps": "blue", "DirectChain": "green"}
 class Ropes(Scene):
     """Three copies of a rope that should not stretch, each simulated with another method."""
 
-    chapter = 7
     title = "One rope, three methods"
     question = "Which method keeps the rods at their true length?"
     view = (-9.5, 9.5, -4.2, 2.2)
@@ -81,6 +80,3 @@ class Ropes(Scene):
     def say(self) -> str:
         longest = 100.0 * self.too_long(0)
         return f"With one step per frame the rope is {longest:.1f} cm too long."
-
-
-SCENES = (Ropes,)

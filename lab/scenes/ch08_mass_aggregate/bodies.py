@@ -28,7 +28,6 @@ def lower_end(scene: Platform) -> int:
 class Platform(WorldScene):
     """A platform that tilts on a pivot, under a weight that the reader moves (mini-project 8.1)."""
 
-    chapter = 8
     title = "A platform that tips"
     question = "Where does the weight balance the platform?"
     view = (-7.0, 7.0, -1.2, 6.3)
@@ -111,7 +110,6 @@ class Platform(WorldScene):
 class Blob(WorldScene):
     """A blob of particles with bonds that can break and heal, which the reader pushes around."""
 
-    chapter = 8
     title = "A blob that tears"
     question = "How hard a push tears the blob apart, and can cables prevent it?"
     view = (-4.1, 4.1, -0.4, 4.1)
@@ -189,6 +187,3 @@ class Blob(WorldScene):
         """Push the blob upward, downward and to both sides."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         self.press(orders.get(round(60.0 * time) % 360, ""))
-
-
-SCENES = (Platform, Blob)

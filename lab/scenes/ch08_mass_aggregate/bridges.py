@@ -19,7 +19,6 @@ VIEW = (-8.0, 8.0, -1.0, 7.6)
 class Bridge(WorldScene):
     """A rope bridge and a heavy ball, which the reader moves across. Some frames may be late."""
 
-    chapter = 8
     title = "A rope bridge"
     question = "How many iterations do the cables need to carry the ball?"
     view = VIEW
@@ -98,7 +97,6 @@ class Bridge(WorldScene):
 class BallGame(Scene):
     """A game of bouncing a ball from plank to plank of a rope bridge (project 8.1)."""
 
-    chapter = 8
     title = "A game on the bridge"
     question = "Can you land on every plank before you lose three balls?"
     view = VIEW
@@ -164,6 +162,3 @@ class BallGame(Scene):
             return "down"
         there = 0.5 * (left[0][0].position.x + left[0][1].position.x)
         return "right" if there > ball.position.x + self.FORESIGHT * ball.velocity.x else "left"
-
-
-SCENES = (Bridge, BallGame)

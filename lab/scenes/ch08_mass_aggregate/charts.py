@@ -25,7 +25,6 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 class Charts(Scene):
     """Replays a test of the accuracy study, whose frames a method has computed in advance."""
 
-    chapter = 8
     title = "Speed against accuracy"
     question = "Which method is the fastest that is accurate enough?"
     view = (-1.6, 1.6, -1.3, 1.3)
@@ -113,6 +112,3 @@ def points(place: Place) -> list[tuple[float, float]]:
     if len(numbers) == 1:
         return [(0.0, numbers[0])]
     return list(zip(numbers[::2], numbers[1::2], strict=True))
-
-
-SCENES = (Charts,)

@@ -18,7 +18,6 @@ DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # used if my_design is no
 class Trebuchet(WorldScene):
     """The student's trebuchet, whose counterweight and release angle the reader can change."""
 
-    chapter = 8
     title = "A trebuchet"
     question = "Which angle of release throws farthest?"
     view = (-14.0, 134.0, -5.0, 66.0)
@@ -110,6 +109,3 @@ class Trebuchet(WorldScene):
         if self.end:
             return f"{self.end} It received {100.0 * self.share():.0f} % of the energy."
         return "The projectile flies." if self.engine.flies else "The beam swings."
-
-
-SCENES = (Trebuchet,)

@@ -19,7 +19,6 @@ SPINS = ("smallest", "middle", "largest")
 class Spin(Scene):
     """A box shaped like a thick book, which spins about an axis, and a little about another."""
 
-    chapter = 9
     title = "A book thrown into the air"
     question = "About which of its axes does a free body keep spinning?"
     view = (-0.45, 0.45, -0.34, 0.34)
@@ -86,6 +85,3 @@ class Spin(Scene):
     def say(self) -> str:
         times = "once" if self.turned_over == 1 else f"{self.turned_over} times"
         return f"The book has turned over {times}."
-
-
-SCENES = (Spin,)

@@ -23,7 +23,6 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 class Orientations(Scene):
     """Three boxes that rotate alike, but store their orientations in three ways."""
 
-    chapter = 9
     title = "Matrix, quaternion, Euler angles"
     question = "Which way to store an orientation stays accurate over many steps?"
     view = (-3.8, 3.8, -1.6, 1.9)
@@ -133,7 +132,6 @@ class Orientations(Scene):
 class FirstOrder(Scene):
     """A clock hand that falls behind, because a step with Eq. 9.5 moves q along a straight line."""
 
-    chapter = 9
     title = "What Eq. 9.5 leaves out"
     question = "Does normalizing remove the whole error of a step?"
     view = (-2.4, 2.4, -1.7, 1.7)
@@ -203,6 +201,3 @@ class FirstOrder(Scene):
         return (
             f"The hand is {self.behind():.1f}° behind. The length of q is {self.q.magnitude():.3g}."
         )
-
-
-SCENES = (Orientations, FirstOrder)

@@ -61,15 +61,21 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
         return True
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
-        plots = importlib.import_module(f"plots.{chapter.name}").PLOTS
+        plots = plots_of(chapter.name)
     except (Exception, SystemExit) as error:
         print(f"chapter {chapter.number} cannot be drawn: {reason(error)}")
         return False
     finally:
         faulthandler.cancel_dump_traceback_later()
     folder.mkdir(parents=True, exist_ok=True)
-    drawn = [draw(plot, folder) for plot in plots]
+    drawn = [draw(plot, folder) for plot in plots.values()]
     return all(drawn)
+
+
+def plots_of(chapter: str, listed: str = "PLOTS") -> dict[str, Callable[[], Picture]]:
+    """Import the plots that a chapter's module lists under a name, and return them by name."""
+    found = getattr(importlib.import_module(f"plots.{chapter}"), listed, ())
+    return {plot.__name__: plot for plot in found}
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import bisect
 import functools
-import importlib
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -18,36 +18,18 @@ from matplotlib import pyplot
 from PIL import Image, ImageChops, ImageSequence, ImageStat
 
 from autograder.manifest import ROOT
-from plots import draw
+from plots.draw import draw, plots_of
 from scenes.engine import use_engine
 from scenes.reason import shown
 
-PLOTS = (
-    "ch02_vectors/addition",
-    "ch02_vectors/projection",
-    "ch02_vectors/cross_product",
-    "ch02_vectors/filmed_motion",
-    "ch03_laws_of_motion/trajectories",
-    "ch03_laws_of_motion/integration_error",
-    "ch03_laws_of_motion/damping_comparison",
-    "ch04_particle_engine/shots",
-    "ch04_particle_engine/step_error",
-    "ch05_forces/terminal_speeds",
-    "ch05_forces/fall_with_drag",
-    "ch05_forces/orbit",
-    "ch06_springs/force_against_length",
-    "ch06_springs/three_regimes",
-    "ch06_springs/energy_over_time",
-    "ch06_springs/stability_map",
-    "ch07_constraints/bounce_heights",
-    "ch07_constraints/stack_height",
-    "ch07_constraints/contact_solvers",
-    "ch08_mass_aggregate/mass_ratios",
-    "ch08_mass_aggregate/wheel_deformation",
-    "ch09_rotations/order_of_turns",
-    "ch09_rotations/drift_of_first_order",
-    "ch09_rotations/gimbal_lock",
-)
+# The plots that lessons show, such as "ch02_vectors/addition".
+PLOTS = [
+    f"{lesson.parent.name}/{name}"
+    for lesson in sorted(ROOT.glob("chapters/*/README.md"))
+    for name in re.findall(
+        r"\(pictures/(\w+)(?<!_still)\.png\)", lesson.read_text(encoding="utf-8")
+    )
+]
 # The length of each animation in s, and the time of the still picture that a page shows instead, so
 # that nothing moves unless the reader wants it to.
 ANIMATIONS = {
@@ -79,8 +61,8 @@ def main(arguments: list[str]) -> int:
     for name in PLOTS:
         folder = work / Path(name).parent
         folder.mkdir(parents=True, exist_ok=True)
-        plots = importlib.import_module(f"plots.{Path(name).parent}")
-        done.append(draw.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
+        plots = plots_of(folder.name) | plots_of(folder.name, "FOR_LESSONS")
+        done.append(draw(plots[folder.joinpath(name).name], folder, TIME_LIMIT))
         if done[-1]:
             with Image.open(work / f"{name}.png") as drawn:
                 _write([_few_colors(drawn)], _file(options.out, f"{name}.png"))

@@ -19,7 +19,7 @@ from scenes.hanging_rope import (
     hang_by_rods,
     polygon_sag,
 )
-from scenes.readings import stopped, written
+from scenes.readings import tried, written
 from scenes.track import Track
 
 BOUND = 2.0  # %, allowed excess length of a cable
@@ -98,7 +98,7 @@ def hanging_rope() -> Picture:
     }
     for links in (10, MANY):
         scenes[links, from_v] = partial(hang_by_direct_chain, links, 240, 8.0, True)
-    tries = written({key: partial(_tried, scene) for key, scene in scenes.items()})
+    tries = written({key: partial(tried, scene, None) for key, scene in scenes.items()})
     found = {key: hanging for key, (hanging, _) in tries.items() if hanging}
     errors = {key: hanging.sag - polygon_sag(key[0]) for key, hanging in found.items()}
     exact, xs = catenary(), [SPAN * i / 100 for i in range(101)]
@@ -160,10 +160,3 @@ def _late(run: Track, since: float) -> float:
     """Find the largest value after ``since`` s, or infinity if the engine raised an exception."""
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
-
-
-def _tried(scene: Callable[[], Hanging]) -> tuple[Hanging | None, str]:
-    """Simulate a rope, and return the result and the message of any exception."""
-    hung: list[Hanging] = []
-    message = stopped(lambda: hung.append(scene()))
-    return (hung[0] if hung else None), message

@@ -13,7 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.euler import euler_rates, rate_map
 from plots.ch09_rotations.orientations import entries, largest
 from plots.drawing import BLUE, GRAY, GREEN, ORANGE, RED, Picture, slope, tell
-from scenes.readings import numbers, stopped, written
+from scenes.readings import numbers, stopped, tried, written
 
 X, Z = 0.4, 1.1  # rad, the first and the last Euler angle; any values would do
 
@@ -90,14 +90,9 @@ def _worst_axis(distance: float, z: float) -> Vector3:
 
 def _worst_rate(distance: float) -> tuple[float, str]:
     """Return the length of the Euler rates at 1 rad/s about the worst axis, and any error."""
-    found = [math.nan]
-
-    def act() -> None:
-        rates = euler_rates(X, 0.5 * math.pi - distance, Z, _worst_axis(distance, Z))
-        found.append(math.hypot(*numbers(rates)))
-
-    message = stopped(act)
-    return found[-1], message
+    angles = X, 0.5 * math.pi - distance, Z
+    rates, message = tried(lambda: euler_rates(*angles, _worst_axis(distance, Z)), None)
+    return math.hypot(*numbers(rates)), message
 
 
 def _refuses(z: float) -> bool:

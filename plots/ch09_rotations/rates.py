@@ -12,16 +12,8 @@ from matplotlib import pyplot
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import first_order_drift
 from ch09_rotations.quaternion import Quaternion
-from plots.ch09_rotations.orientations import (
-    Components,
-    Z,
-    components,
-    degrees_apart,
-    largest,
-    product,
-    rotated,
-    turn,
-)
+from plots.ch09_rotations import orientations as exact
+from plots.ch09_rotations.orientations import Components, Z, components, largest, product, turn
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, slope, tell
 from scenes.readings import Numbers, is_written, number, numbers, stopped, written
 
@@ -48,13 +40,11 @@ def steady(time: float) -> tuple[Numbers, Components]:
 def coning(time: float) -> tuple[Numbers, Components]:
     """Return the angular velocity and the exact orientation if the axis moves along a cone."""
     around = turn(Z, CONING * time)
-    x, y, z = rotated(around, SLANTING)
+    x, y, z = exact.rotated(around, SLANTING)
     return (x, y, z + CONING), product(around, product(turn(SLANTING, TAU * time), START))
 
 
-def eq_9_5(q: Quaternion, velocity: Vector3, duration: float) -> None:
-    """Make a step of the book's first-order formula."""
-    q.add_scaled(velocity, duration)
+eq_9_5 = Quaternion.add_scaled  # makes a step of the book's first-order formula
 
 
 def eq_9_5_normalized(q: Quaternion, velocity: Vector3, duration: float) -> None:
@@ -161,7 +151,7 @@ def _errors(way: str, notes: list[str]) -> list[float]:
     errors = []
     for rate in RATES:
         found, message = _turned(step, motion, END, rate, fraction)
-        errors.append(math.nan if message else degrees_apart(found[-1], motion(END)[1]))
+        errors.append(math.nan if message else exact.degrees_apart(found[-1], motion(END)[1]))
         notes += [f"{way}, {rate} Hz: {message}"] if message else []
     return errors
 

@@ -1,6 +1,6 @@
 """The plots for chapter 7."""
 
-from plots.ch07_constraints import bounces, rods, solvers, stacks
+from plots.ch07_constraints import bounces, rods, stacks
 
 PLOTS = (
     bounces.bounce_heights,
@@ -12,4 +12,4 @@ PLOTS = (
     rods.pendulum_energy,
     bounces.restitution_of_materials,
 )
-FOR_LESSONS = (solvers.contact_solvers,)  # drawn only by make figures
+FOR_LESSONS = (stacks.contact_solvers,)  # drawn only by make figures

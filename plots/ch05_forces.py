@@ -127,7 +127,9 @@ def orbit() -> Picture:
         energy = [0.5 * math.hypot(*v) ** 2 - 1.0 / math.hypot(*p) for p, v in seen]
         momentum = [cross(p, v)[2] for p, v in seen]
         path.plot([p[0] for p, _ in seen], [p[1] for p, _ in seen], color=color, lw=0.4)
-        drifts.append((_energy_drift(h), _momentum_drift(h)))
+        # A step adds h^2 (v x a) to the angular momentum, as r x a is 0. On an exact orbit, v x a
+        # is L / r^3, where L is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
+        drifts.append((_energy_drift(h), h * math.tau / (1.0 - ECCENTRICITY**2)))
         for axes, values, drift in zip(others, (energy, momentum), drifts[-1], strict=True):
             axes.plot(turns, values, color=color, lw=1.2, label=f"{frames} frames per turn")
             theory = [values[0] + drift * turn for turn in turns]
@@ -220,15 +222,6 @@ def _fall(
     """Simulate a fall, and return the distance and the speed at the start and after each frame."""
     states = _states(falling([(mass, k1, k2)]), frame, frames)
     return [(0.0 - p[1], 0.0 - v[1]) for p, v in states]  # 0 is not to become -0
-
-
-def _momentum_drift(h: float) -> float:
-    """Predict how much angular momentum the book's integrator adds per orbit.
-
-    A step adds h^2 (v x a), as r x a is 0. On an exact orbit, v x a is L / r^3, where L
-    is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
-    """
-    return h * math.tau / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:

@@ -41,17 +41,13 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
-    for chapter in chapters:
-        note_engine(options.out / chapter.name, ROOT / options.engine)
+    for folder in (options.out / chapter.name for chapter in chapters):
+        if [*folder.glob("*.png")]:  # `make check` mentions only plots of the student's engine
+            engine = (ROOT / options.engine).resolve()
+            (folder / DRAWN_WITH).write_text(f"{engine}\n", encoding="utf-8")
     if pyplot.get_backend().lower() != "agg":  # matplotlib has found a display
         pyplot.show()
     return 0 if all(drawn) else 1
-
-
-def note_engine(folder: Path, engine: Path) -> None:
-    """Record which engine drew the plots: `make check` mentions only those of the student's."""
-    if [*folder.glob("*.png")]:
-        (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:

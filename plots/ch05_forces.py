@@ -14,13 +14,12 @@ from ch05_forces import forces
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.particle import Particle
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, THEORY, Picture, finish, slope
-from scenes.clock import FRAME
+from scenes.clock import FRAME, Move
 from scenes.fall_in_air import G, falling
 from scenes.orbit import KeplerOrbit
 from scenes.readings import Numbers, cross, is_written, numbers
 from scenes.setup import Setup, alone
 from scenes.timing import Measurement, measure, timer, versus
-from scenes.track import Move
 
 MASS = 2.0
 ECCENTRICITY = 0.5

@@ -18,11 +18,11 @@ from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import restitution_of_drop, table_of_drops
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from plots.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
+from scenes.clock import Track, track
 from scenes.dropped_balls import DroppedBalls
 from scenes.integrators import INTEGRATORS
 from scenes.readings import number, numbers, written
 from scenes.resolving import Resolve, by_resolver, no_forces, resolving
-from scenes.track import Track, track
 
 HEIGHT = 2.0  # m
 GRAVITY = 10.0  # m/s^2

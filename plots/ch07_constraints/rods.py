@@ -15,12 +15,11 @@ from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod, TwoSidedRod
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
 from scenes.chain import Chain, Link
-from scenes.clock import FRAME
+from scenes.clock import FRAME, Move, Track, tracks
 from scenes.integrators import INTEGRATORS
 from scenes.readings import numbers, written
 from scenes.resolving import by_resolver, resolving
 from scenes.setup import Setup
-from scenes.track import Move, Track, tracks
 
 LINKS, LINK = 25, 0.1  # rods of a rope, and their length in m
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}

@@ -18,11 +18,10 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
 from plots.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture, legends, tell
-from scenes.clock import FRAME
+from scenes.clock import FRAME, Track, tracks
 from scenes.readings import number, numbers, written
 from scenes.resolving import by_resolver, resolving
 from scenes.spheres import DIAMETER, RADIUS, at, overlap, pyramid, stack, touching
-from scenes.track import Track, tracks
 
 Error = Callable[[Contact], float]
 Act = Callable[[Contact], object]

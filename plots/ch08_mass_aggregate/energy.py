@@ -16,10 +16,9 @@ from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform
 from ch08_mass_aggregate.world import mechanical_energy
 from plots.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, legends, tell
-from scenes.clock import FRAME, RATE
+from scenes.clock import FRAME, RATE, Track, track
 from scenes.links import over_length
 from scenes.readings import Numbers, number, numbers, stopped, written
-from scenes.track import Track, track
 
 SETTLED = 5.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, how much the energy of a scene at rest may vary

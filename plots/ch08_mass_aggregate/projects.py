@@ -17,9 +17,8 @@ from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS, Wheel, deformation, s
 from ch08_mass_aggregate.world import ParticleWorld
 from plots.ch08_mass_aggregate.energy import recorded
 from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, legends, tell
-from scenes.clock import RATE
+from scenes.clock import RATE, Track, tracks
 from scenes.readings import written
-from scenes.track import Track, tracks
 
 FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # N
 DRIVE, SPINNING = 10.0, 2.0  # N and s, of the wheel whose spin is drawn

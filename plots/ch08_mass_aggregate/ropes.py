@@ -10,6 +10,7 @@ from matplotlib import pyplot
 
 from plots.ch08_mass_aggregate.energy import load_on_bridge
 from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, legends, tell
+from scenes.clock import Track
 from scenes.hanging_rope import (
     LENGTH,
     SPAN,
@@ -20,7 +21,6 @@ from scenes.hanging_rope import (
     polygon_sag,
 )
 from scenes.readings import tried, written
-from scenes.track import Track
 
 BOUND = 2.0  # %, allowed excess length of a cable
 MANY, SECONDS = 30, 0.5  # links and s; a resolver takes far longer for more of either

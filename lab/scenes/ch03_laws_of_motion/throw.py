@@ -80,16 +80,11 @@ class Throw(Scene):
         self.start = self.clock.simulated = self.time
         self.end = math.inf
         self.old = [*self.old, *self.path][-400:]
-        self.path, self.truth = [self.HAND], self.exact_path()
+        self.path, self.truth = [self.HAND], [self.HAND]
+        while self.truth[-1][1] >= 0.0 and len(self.truth) < 60.0 * self.LONGEST:
+            self.truth.append(self.flight.exact(len(self.truth) / 60.0).position[:2])
         self.throws += 1
         self.message, self.flies = "", True
-
-    def exact_path(self) -> list[Point]:
-        """Compute the exact path of the throw, from the hand down to the ground."""
-        path: list[Point] = []
-        while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
-            path.append(self.flight.exact(len(path) / 60.0).position[:2])
-        return path
 
     def step(self, duration: float) -> None:
         if not self.flies:

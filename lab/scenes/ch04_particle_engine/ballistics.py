@@ -23,12 +23,6 @@ COLORS = {
 MIDDLE = -20.0  # y at which the view from above is drawn, below the view from the side
 
 
-def best_of_three(scene: Artillery) -> int:
-    """Predict which elevation carries a shell farthest: 0 for 30, 1 for 45, or 2 for 60 degrees."""
-    lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
-    return lengths.index(max(lengths))
-
-
 class Artillery(Scene):
     """A scene that predicts where a shell will land before it is fired."""
 
@@ -40,7 +34,7 @@ class Artillery(Scene):
     predict = Question(
         "With these settings, which elevation carries the shell the farthest?",
         ["30°.", "45°.", "60°."],
-        best_of_three,
+        lambda scene: max(range(3), key=lambda i: scene.landing(30.0 + 15.0 * i)[0]),
         "Without drag it is 45°. Drag slows the shell down throughout its flight, so a flatter "
         "shot flies farther: it covers more of the distance while it is still fast.",
         8.0,

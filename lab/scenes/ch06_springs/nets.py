@@ -10,7 +10,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.going_further.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
-from lab.stepped import Stepped
+from lab.scenes.ch06_springs.spring import Stepped
 from scenes.clock import RATE
 from scenes.parameters import Choice, Slider
 

@@ -4,17 +4,33 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 
+from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
-from lab.stepped import RATES, Stepped
+from scenes.integrators import INTEGRATORS
 from scenes.parameters import Choice, Slider
 from scenes.spring_on_a_wall import DAMPING, MASS, START, STIFFNESS, SpringOnAWall
 from scenes.twin import twin_of
 
+RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 COLORS = ("red", "blue", "violet", "sky", "green", "orange", "pink")  # one for each integrator
 FAR = 3.0  # m; a ball farther out is not drawn
+
+
+class Stepped(Scene):
+    """A scene of particles and a registry of forces, which a subclass must create in ``build``."""
+
+    integrator = Choice("semi-implicit Euler", "integrator", [*INTEGRATORS], live=True)
+    rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
+
+    particles: Sequence[Particle]
+    registry: ForceRegistry
+
+    def step(self, duration: float) -> None:
+        INTEGRATORS[self.integrator](self.particles, self.registry.update_forces, duration)
 
 
 class IntegratorRace(Scene):
@@ -23,7 +39,6 @@ class IntegratorRace(Scene):
     title = "Energy of seven integrators"
     question = "Which paths stay on the circle, which spiral out, and which spiral in?"
     view = (-2.6, 4.4, -2.3, 2.3)
-    seconds = 6.0
     exact_from = "the closed form"
     predict = Question(
         "The circle is the exact motion. What does the path of backward Euler do?",
@@ -114,7 +129,6 @@ class OneSpring(Stepped):
     title = "One spring, five integrators"
     question = "Which integrator keeps the energy, and how stiff may the spring be?"
     view = (-2.2, 2.2, -1.2, 1.2)
-    seconds = 6.0
     exact_from = "the closed form"
     predict = Question(
         "The ball starts 1 m from the middle. What will it do?",

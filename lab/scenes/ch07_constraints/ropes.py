@@ -24,7 +24,6 @@ class Ropes(Scene):
     title = "One rope, three methods"
     question = "Which method keeps the rods at their true length?"
     view = (-9.5, 9.5, -4.2, 2.2)
-    seconds = 6.0
     exact_from = "the length of the rods"
     predict = Question(
         "Which rope stretches the most?",

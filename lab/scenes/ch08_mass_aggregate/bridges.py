@@ -146,19 +146,14 @@ class BallGame(Scene):
 
     def play(self, time: float) -> None:
         """Win one game, by always steering to the next row of planks, and lose another one."""
+        ball, visited = self.game.ball, self.game.rules.visited
+        left = [row for i, row in enumerate(self.game.rows) if i not in visited]
         frame = round(60.0 * time)
-        if frame == 424:
-            self.press("n")
-        elif frame > 424:
-            self.press("left" if frame > 474 else "down")
+        if frame >= 424:
+            self.press("n" if frame == 424 else "left" if frame > 474 else "down")
+        elif not left:
+            self.press("down")
         else:
-            self.press(self.next_key())
-
-    def next_key(self) -> str:
-        """Choose the key that steers the ball toward the first unvisited row of planks."""
-        ball, rules = self.game.ball, self.game.rules
-        left = [row for i, row in enumerate(self.game.rows) if i not in rules.visited]
-        if not left:
-            return "down"
-        there = 0.5 * (left[0][0].position.x + left[0][1].position.x)
-        return "right" if there > ball.position.x + self.FORESIGHT * ball.velocity.x else "left"
+            there = 0.5 * (left[0][0].position.x + left[0][1].position.x)
+            seen = ball.position.x + self.FORESIGHT * ball.velocity.x
+            self.press("right" if there > seen else "left")

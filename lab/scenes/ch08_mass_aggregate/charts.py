@@ -82,13 +82,9 @@ class Charts(Scene):
             pen.line(own, "blue", 1.5)
         for point in own:
             pen.circle(point, 0.04, "blue")
-        pen.text((0.0, 1.2), self.shown(), "black", 14.0)
-
-    def shown(self) -> str:
-        """Name the method that is shown, and say so if it is not the one that the reader chose."""
-        if self.model.name == self.method:
-            return self.model.name
-        return f"{self.model.name} (there is no {self.method} in this scene)"
+        chosen = self.model.name == self.method
+        note = "" if chosen else f" (there is no {self.method} in this scene)"
+        pen.text((0.0, 1.2), self.model.name + note, "black", 14.0)
 
     def state(self) -> list[float]:
         return [float(x) / self.scene.scale for x in self.places[self.frame]]

@@ -114,7 +114,6 @@ class Cube(WorldScene):
     title = "A cube of rods"
     question = "How many rods can be removed before the cube collapses?"
     view = (-3.5, 3.5, -1.1, 3.2)
-    seconds = 6.0
     predict = Question(
         "The cube falls on a corner. Does it keep its shape?",
         ["Yes, it stays a cube.", "No, it collapses."],

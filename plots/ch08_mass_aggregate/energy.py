@@ -93,12 +93,8 @@ def _energies(what: str, make: Make, more: dict[str, tuple[Make, int, str]]) -> 
     def energy(made: Any) -> float:
         return mechanical_energy(made.world.particles)
 
-    found = written(
-        {
-            name: partial(recorded, make, energy, rate, SECONDS)
-            for name, (make, rate, _) in ways.items()
-        }
-    )
+    runs = {name: partial(recorded, way[0], energy, way[1], SECONDS) for name, way in ways.items()}
+    found = written(runs)
     rows: list[Sequence[object]] = []
     bad, reach = [], 0.0
     for name, run in found.items():

@@ -38,13 +38,12 @@ def mass_ratios() -> Picture:
         "default, 4 substeps": (None, 4, ratios, SKY),
         "default, 16 substeps": (None, 16, (1000,), BLUE),
     }
-    found = written(
-        {
-            (way, ratio): partial(load_on_bridge, float(ratio), iterations, substeps, 4.0)
-            for way, (iterations, substeps, some, _) in ways.items()
-            for ratio in some
-        }
-    )
+    runs = {
+        (way, ratio): partial(load_on_bridge, float(ratio), iterations, substeps, 4.0)
+        for way, (iterations, substeps, some, _) in ways.items()
+        for ratio in some
+    }
+    found = written(runs)
     rows: list[Sequence[object]] = []
     words = []
     for way, (*_, some, color) in ways.items():

@@ -198,12 +198,11 @@ def gimbal_lock() -> Picture:
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     degrees = range(-90, 91, 3)
     distances = [10.0 ** (-0.25 * n) for n in range(-7, 25)]  # degrees
-    found: dict[str, list[Any]] = written(
-        {
-            "map": lambda: [_singular_values(math.radians(y)) for y in degrees],
-            "rates": lambda: [_worst_rate(math.radians(distance)) for distance in distances],
-        }
-    )
+    runs: dict[str, Callable[[], list[Any]]] = {
+        "map": lambda: [_singular_values(math.radians(y)) for y in degrees],
+        "rates": lambda: [_worst_rate(math.radians(distance)) for distance in distances],
+    }
+    found = written(runs)
     rows: list[Sequence[object]] = []
     if "map" in found:
         sines = [abs(math.sin(math.radians(y))) for y in degrees]

@@ -30,6 +30,7 @@ class Scene:
     view: ClassVar[tuple[float, float, float, float]]  # min x, max x, min y, max y
     seconds: ClassVar[float] = 6.0  # length of the scripted run
     keys: ClassVar[dict[str, str]] = {}  # what a key does, such as {"left": "walk to the left"}
+    script: ClassVar[dict[int, str]] = {}  # the key that the scripted player presses, by frame
     predict: ClassVar[Question | None] = None
     # Subclasses that run the same scene by another method, such as "exact" or "pymunk".
     peers: ClassVar[dict[str, type[Scene]]] = {}
@@ -94,6 +95,7 @@ class Scene:
 
     def play(self, time: float) -> None:
         """Do what a player would do at ``time``, in s, before each frame of a recording or test."""
+        self.press(self.script.get(round(time / FRAME), ""))
 
     def advance(self, duration: float = FRAME) -> None:
         """Make every time step that ends by the end of the next frame, which may be none."""

@@ -58,14 +58,14 @@ def main(arguments: list[str]) -> int:
     pyplot.switch_backend("Agg")  # writes scenes to files even if there is a display
     work = ROOT / "build" / "figures"
     done = []
-    for name in PLOTS:
-        folder = work / Path(name).parent
+    for chapter, name in (name.split("/") for name in PLOTS):
+        folder = work / chapter
         folder.mkdir(parents=True, exist_ok=True)
-        plots = plots_of(folder.name) | plots_of(folder.name, "FOR_LESSONS")
-        done.append(draw(plots[folder.joinpath(name).name], folder, TIME_LIMIT))
+        plots = plots_of(chapter) | plots_of(chapter, "FOR_LESSONS")
+        done.append(draw(plots[name], folder, TIME_LIMIT))
         if done[-1]:
-            with Image.open(work / f"{name}.png") as drawn:
-                _write([_few_colors(drawn)], _file(options.out, f"{name}.png"))
+            with Image.open(folder / f"{name}.png") as drawn:
+                _write([_few_colors(drawn)], options.out / chapter / "pictures" / f"{name}.png")
         pyplot.close("all")
     for name, (seconds, still) in ANIMATIONS.items():
         animation = work / f"{name}.gif"
@@ -73,15 +73,11 @@ def main(arguments: list[str]) -> int:
         command = [sys.executable, "-m", "lab", "record", animation.stem, *map(str, how)]
         done.append(not subprocess.run(command, check=False).returncode)
         if done[-1]:
-            _write(_shrunk(animation), _file(options.out, f"{name}.gif"))
-            _write([_still(animation, still)], _file(options.out, f"{name}_still.png"))
+            folder = options.out / animation.parent.name / "pictures"
+            _write(_shrunk(animation), folder / animation.name)
+            _write([_still(animation, still)], folder / f"{animation.stem}_still.png")
     print(f"{sum(done)} of {len(done)} pictures drawn with {options.engine}")
     return 0 if all(done) else 1
-
-
-def _file(out: Path, name: str) -> Path:
-    """Return the path of a picture, such as ch02_vectors/pictures/addition.png."""
-    return out / Path(name).parent / "pictures" / Path(name).name
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:

@@ -226,7 +226,10 @@ def gimbal_lock() -> Picture:
         right.loglog(distances, curve, color=GRAY, lw=4, alpha=0.4, label="1 / sqrt(1 - sin y)")
         label = "length of the result of euler_rates"
         right.loglog(distances, lengths, "o", color=RED, ms=4, label=label)
-        refused = [_refuses(math.radians(angle)) for angle in range(0, 360, 30)]
+        # In gimbal lock, euler_rates should raise an error for the axis that is lost.
+        last = [math.radians(angle) for angle in range(0, 360, 30)]
+        locked = [(FIRST, 0.5 * math.pi, z, _worst_axis(0.0, z)) for z in last]
+        refused = [bool(stopped(partial(euler_rates, *angles))) for angles in locked]
         right.set_title(
             "The Euler rates of 1 rad/s about the worst axis: slope "
             f"{slope(distances[16:], lengths[16:]):.4f};\n"
@@ -267,8 +270,3 @@ def _worst_rate(distance: float) -> tuple[float, str]:
     angles = FIRST, 0.5 * math.pi - distance, LAST
     rates, message = tried(lambda: euler_rates(*angles, _worst_axis(distance, LAST)), None)
     return math.hypot(*numbers(rates)), message
-
-
-def _refuses(z: float) -> bool:
-    """Return True if euler_rates raises an error for the axis that is lost in gimbal lock."""
-    return bool(stopped(lambda: euler_rates(FIRST, 0.5 * math.pi, z, _worst_axis(0.0, z))))

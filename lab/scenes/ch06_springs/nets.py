@@ -11,7 +11,6 @@ from ch06_springs.going_further.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
 from lab.scenes.ch06_springs.spring import Stepped
-from scenes.clock import RATE
 from scenes.parameters import Choice, Slider
 
 
@@ -31,6 +30,7 @@ class SpringBridge(Stepped):
     DAMPING = 40.0  # N s/m
     WEIGHT = 600.0  # N, of the walker
     PACE = 0.2  # m
+    script = {frame: "right" if frame < 240 else "left" for frame in range(0, 480, 6)}
 
     def build(self) -> None:
         down = Vector3(0.0, -G, 0.0)
@@ -88,12 +88,6 @@ class SpringBridge(Stepped):
     def press(self, key: str) -> None:
         pace = {"left": -self.PACE, "right": self.PACE}.get(key, 0.0)
         self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
-
-    def play(self, time: float) -> None:
-        """Walk to the right end of the bridge and back."""
-        frame = round(RATE * time)
-        if frame % 6 == 0:
-            self.press("right" if frame < 240 else "left")
 
 
 class Cloth(Stepped):

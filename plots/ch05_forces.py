@@ -14,7 +14,7 @@ from ch05_forces import forces
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.particle import Particle
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, THEORY, Picture, finish, slope
-from scenes.clock import FRAME, Move
+from scenes.clock import FRAME
 from scenes.fall_in_air import G, falling
 from scenes.orbit import KeplerOrbit
 from scenes.readings import Numbers, cross, is_written, numbers
@@ -172,7 +172,8 @@ def cost_of_a_generator() -> Picture:
     for name, generator in generators.items():
         particle = Particle(place, motion)
         if is_written(partial(generator.update_force, particle, FRAME)):
-            moves[f"{name}, via the registry"] = _registered(particle, generator)
+            registry = alone(particle, generator).registry()
+            moves[f"{name}, via the registry"] = partial(_registered, registry, particle)
     base, *timers = (
         timer(partial(move, FRAME), 500)
         for move in (chapter_3.Particle(place, motion, down).integrate, *moves.values())
@@ -242,12 +243,7 @@ def _energy_drift(h: float) -> float:
     return h / 2.0 * total
 
 
-def _registered(particle: Particle, generator: forces.ForceGenerator) -> Move:
-    """Return a function that moves a particle by one frame under the force of a generator."""
-    registry = alone(particle, generator).registry()
-
-    def frame(duration: float) -> None:
-        registry.update_forces(duration)
-        particle.integrate(duration)
-
-    return frame
+def _registered(registry: forces.ForceRegistry, particle: Particle, duration: float) -> None:
+    """Move a particle by one frame under the forces of a registry."""
+    registry.update_forces(duration)
+    particle.integrate(duration)

@@ -25,6 +25,16 @@ from scenes.spheres import DIAMETER, RADIUS, at, overlap, pyramid, stack, touchi
 
 Error = Callable[[Contact], float]
 Act = Callable[[Contact], object]
+FIGURES = ROOT / "studies" / "contacts" / "figures.json"
+STYLES = {
+    "the book's resolver": (RED, "s"),
+    "without warm starting": (SKY, "v"),
+    "sequential impulses": (BLUE, "o"),
+    "soft constraints": (ORANGE, "D"),
+    "direct net": (GREEN, "^"),
+}
+RATIOS = (1, 10, 100, 1000)
+FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def resolver_convergence() -> Picture:
@@ -178,18 +188,6 @@ def _separate(contact: Contact) -> None:
     contact.resolve_penetration()
 
 
-FIGURES = ROOT / "studies" / "contacts" / "figures.json"
-STYLES = {
-    "the book's resolver": (RED, "s"),
-    "without warm starting": (SKY, "v"),
-    "sequential impulses": (BLUE, "o"),
-    "soft constraints": (ORANGE, "D"),
-    "direct net": (GREEN, "^"),
-}
-RATIOS = (1, 10, 100, 1000)
-FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
-
-
 def contact_solvers(file: Path = FIGURES) -> Picture:
     """Draw the error against the computing time, and the time to keep it below 1 %.
 
@@ -197,11 +195,27 @@ def contact_solvers(file: Path = FIGURES) -> Picture:
     """
     data = json.loads(file.read_text(encoding="utf-8"))
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
-    _errors(panels[0, 0], data, "stack, ratio 1", "overlap in a stack", "overlap / diameter")
-    swing = "change in energy of a swinging rope", "change / energy"
-    _errors(panels[0, 1], data, "swing, energy", *swing)
-    _ratios(panels[1, 0], data, "stack", "overlap of a stack")
-    _ratios(panels[1, 1], data, "rope", "stretch of a rope")
+    scenes = ("stack, ratio 1", "swing, energy")
+    names = ("overlap in a stack", "change in energy of a swinging rope")
+    units = ("overlap / diameter", "change / energy")
+    for axes, scene, name, unit in zip(panels[0], scenes, names, units, strict=True):
+        points = [
+            (solver, ms, error)
+            for own, solver, _, _, error, ms in data["points"]
+            if own == scene and FLOOR <= error <= CEILING
+        ]
+        title, x = f"largest {name} in 1 s", "time, ms per frame"
+        _curves(axes, points, title, x, f"largest {unit}")
+        axes.axhline(1e-2, color=GRAY, lw=1, ls=":")
+    within = {scene: ms for scene, error, ms in data["within"] if error == 1e-2}
+    names = ("overlap of a stack", "stretch of a rope")
+    for axes, scene, name in zip(panels[1], ("stack", "rope"), names, strict=True):
+        times = {ratio: within.get(f"{scene}, ratio {ratio:,}", {}) for ratio in RATIOS}
+        points = [(solver, ratio, ms) for ratio in times for solver, ms in times[ratio].items()]
+        x = "mass ratio (no mark: not reached by the longest run)"
+        _curves(axes, points, f"time to keep the {name} below 1 %", x, "time, ms per frame")
+        axes.set_xticks(RATIOS, [f"{ratio:,}" for ratio in RATIOS])
+        axes.set_xticks([], minor=True)
     shown = {}
     for axes in panels.flat:
         axes.grid(alpha=0.3)
@@ -216,30 +230,10 @@ def contact_solvers(file: Path = FIGURES) -> Picture:
     return Picture(figure, ("scene", "error", *STYLES), rows)
 
 
-def _errors(axes: Axes, data: Any, scene: str, title: str, what: str) -> None:
+def _curves(axes: Axes, points: Any, title: str, x: str, y: str) -> None:
+    """Plot a curve through the points of each contact solver."""
     for solver, (color, marker) in STYLES.items():
-        seen = [
-            (ms, error)
-            for own, model, _, _, error, ms in data["points"]
-            if (own, model) == (scene, solver) and FLOOR <= error <= CEILING
-        ]
+        seen = [pair for own, *pair in points if own == solver]
         if seen:
             axes.loglog(*zip(*seen, strict=True), color=color, marker=marker, ms=5, label=solver)
-    axes.axhline(1e-2, color=GRAY, lw=1, ls=":")
-    axes.set(title=f"largest {title} in 1 s", xlabel="time, ms per frame", ylabel=f"largest {what}")
-
-
-def _ratios(axes: Axes, data: Any, name: str, what: str) -> None:
-    within = {scene: ms for scene, error, ms in data["within"] if error == 1e-2}
-    times = {ratio: within.get(f"{name}, ratio {ratio:,}", {}) for ratio in RATIOS}
-    for solver, (color, marker) in STYLES.items():
-        seen = [(ratio, ms[solver]) for ratio, ms in times.items() if solver in ms]
-        if seen:
-            axes.loglog(*zip(*seen, strict=True), color=color, marker=marker, ms=5, label=solver)
-    axes.set_xticks(RATIOS, [f"{ratio:,}" for ratio in RATIOS])
-    axes.set_xticks([], minor=True)
-    axes.set(
-        title=f"time to keep the {what} below 1 %",
-        xlabel="mass ratio (no mark: not reached by the longest run)",
-        ylabel="time, ms per frame",
-    )
+    axes.set(title=title, xlabel=x, ylabel=y)

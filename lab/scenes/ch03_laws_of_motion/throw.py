@@ -126,9 +126,8 @@ class Throw(Scene):
         pen.circle((hand_x - 0.6, hand_y - 0.2), 0.25, "black")
         pen.segments([((right + 0.45, 0.0), (right + 0.45, y + 0.9))], "gray", 3.0)
         pen.segments([((right + 0.3, y - 0.3), (right + 0.3, y + 1.2))], "black", 4.0)
-        pen.line(
-            [(left, y), (left + 0.2, y - 0.7), (right - 0.2, y - 0.7), (right, y)], "gray", 1.0
-        )
+        net = [(left, y), (left + 0.2, y - 0.7), (right - 0.2, y - 0.7), (right, y)]
+        pen.line(net, "gray", 1.0)
         pen.segments([((left, y), (right, y))], "red", 4.0)
         pen.dots(self.old, "gray", 2.0)
         pen.line(self.truth, "gray", 1.5, dashed=True)

@@ -35,9 +35,7 @@ class SpringBridge(Stepped):
     def build(self) -> None:
         down = Vector3(0.0, -G, 0.0)
         places = [Vector3(float(i)) for i in range(self.PLANKS)]
-        self.particles = [
-            Particle(place, acceleration=down, mass=self.PLANK_MASS) for place in places
-        ]
+        self.particles = [Particle(at, acceleration=down, mass=self.PLANK_MASS) for at in places]
         self.registry = ForceRegistry()
         hang_bridge(self.registry, self.particles, self.HEIGHT, self.stiffness, self.DAMPING)
         self.x = 0.5

@@ -163,9 +163,8 @@ class Blob(WorldScene):
         return found
 
     def facts(self) -> str:
-        return (
-            f"a bond turns red beyond {blob.LIMIT:g} and breaks at {blob.BREAK:g} times its length"
-        )
+        limit, most = f"{blob.LIMIT:g}", f"{blob.BREAK:g}"
+        return f"a bond turns red beyond {limit} and breaks at {most} times its length"
 
     def say(self) -> str:
         return f"{self.holding()} of {len(self.blob.bonds)} bonds are intact."

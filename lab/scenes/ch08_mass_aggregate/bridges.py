@@ -77,11 +77,8 @@ class Bridge(WorldScene):
         return f"{len(self.bridge.links)} rods and cables{dropped}"
 
     def say(self) -> str:
-        place = self.bridge.ball.position
-        return (
-            f"The ball is at x = {place.x:.1f} m, y = {place.y:.1f} m. "
-            f"The worst cable is {self.too_long():.2f} % too long."
-        )
+        place, cable = self.bridge.ball.position, f"The worst cable is {self.too_long():.2f} %"
+        return f"The ball is at x = {place.x:.1f} m, y = {place.y:.1f} m. {cable} too long."
 
     def press(self, key: str) -> None:
         self.bridge.pace = self.PACES.get(key, self.bridge.pace)

@@ -93,10 +93,8 @@ class Charts(Scene):
         return [float(x) / self.scene.scale for x in self.truths[self.frame]]
 
     def facts(self) -> str:
-        return (
-            f"{self.fineness()[1]}; {self.work:,} {self.scene.counted} for {self.scene.frames} "
-            f"frames; the scale is {self.scene.scale:g} m"
-        )
+        work = f"{self.work:,} {self.scene.counted} for {self.scene.frames} frames"
+        return f"{self.fineness()[1]}; {work}; the scale is {self.scene.scale:g} m"
 
     def say(self) -> str:
         return f"The error of {self.model.name} is {self.error() or 0.0:.2g} of the scale."

@@ -100,10 +100,8 @@ class Trebuchet(WorldScene):
 
     def facts(self) -> str:
         one = self.design
-        return (
-            f"arms {one.short_arm:g} m and {one.long_arm:g} m, sling {one.sling:g} m, "
-            f"release at {one.release_angle:g}°"
-        )
+        arms = f"arms {one.short_arm:g} m and {one.long_arm:g} m"
+        return f"{arms}, sling {one.sling:g} m, release at {one.release_angle:g}°"
 
     def say(self) -> str:
         if self.end:

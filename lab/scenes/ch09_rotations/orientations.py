@@ -198,10 +198,8 @@ class Orientations(Scene):
     def say(self) -> str:
         matrix, quaternion, angles = self.errors()
         lock = " The Euler angles are locked." if self.locked else ""
-        return (
-            f"The matrix is {matrix:.0f} % off, the quaternion {quaternion:.0f} % and the Euler "
-            f"angles {angles:.0f} %.{lock}"
-        )
+        others = f"the quaternion {quaternion:.0f} % and the Euler angles {angles:.0f} %"
+        return f"The matrix is {matrix:.0f} % off, {others}.{lock}"
 
 
 class FirstOrder(Scene):
@@ -268,11 +266,9 @@ class FirstOrder(Scene):
 
     def facts(self) -> str:
         length, angle = first_order_drift(self.spin.z, 1.0, self.rate)
-        return (
-            f"in theory {math.degrees(angle):.3g}° behind and {length:.3g} times as long after 1 s"
-        )
+        behind = f"{math.degrees(angle):.3g}° behind"
+        return f"in theory {behind} and {length:.3g} times as long after 1 s"
 
     def say(self) -> str:
-        return (
-            f"The hand is {self.behind():.1f}° behind. The length of q is {self.q.magnitude():.3g}."
-        )
+        length = self.q.magnitude()
+        return f"The hand is {self.behind():.1f}° behind. The length of q is {length:.3g}."

@@ -78,7 +78,7 @@ class Platform(WorldScene):
         return {"tilt, degrees": math.degrees(self.platform.tilt()), **self.used()}
 
     def torque(self) -> float:
-        return ENDS + self.mass * self.x
+        return float(ENDS + self.mass * self.x)
 
     def facts(self) -> str:
         balance = f"{-ENDS / self.x:.2f} kg" if self.x * ENDS < 0.0 else "no weight"

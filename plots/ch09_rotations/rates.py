@@ -47,7 +47,9 @@ def coning(time: float) -> tuple[Numbers, Components]:
     return (x, y, z + CONING), product(around, product(turn(SLANTING, TAU * time), START))
 
 
-eq_9_5 = Quaternion.add_scaled  # makes a step of the book's first-order formula
+def eq_9_5(q: Quaternion, velocity: Vector3, duration: float) -> None:
+    """Make a step of the book's first-order formula."""
+    q.add_scaled(velocity, duration)
 
 
 def eq_9_5_normalized(q: Quaternion, velocity: Vector3, duration: float) -> None:

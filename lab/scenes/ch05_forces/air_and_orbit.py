@@ -92,11 +92,9 @@ class FallInAir(Scene):
         return heights
 
     def facts(self) -> str:
-        speeds = [
-            f"{speed:.1f} m/s" if speed < math.inf else "none (no air)"
-            for speed in self.terminal_speeds()
-        ]
-        return f"terminal speeds: {speeds[0]} and {speeds[1]}"
+        ends = self.terminal_speeds()
+        left, right = (f"{end:.1f} m/s" if end < math.inf else "none (no air)" for end in ends)
+        return f"terminal speeds: {left} and {right}"
 
     def say(self) -> str:
         left, right = self.state()

@@ -1,4 +1,4 @@
-"""Find the lab's scenes, which the modules in lab/scenes/chNN_*/ list in tuples called SCENES."""
+"""Find the lab's scenes: the classes that have a title, in the modules in lab/scenes/chNN_*/."""
 
 from __future__ import annotations
 
@@ -30,13 +30,10 @@ def entries() -> tuple[Entry, ...]:
     found = []
     for file in sorted(FOLDER.glob("ch??_*/*.py")):
         chapter, module = file.parent.name, f"lab.scenes.{file.parent.name}.{file.stem}"
-        body = ast.parse(file.read_text(encoding="utf-8")).body
-        classes = {node.name: node for node in body if isinstance(node, ast.ClassDef)}
-        listed = _assigned(body, "SCENES")
-        for kind in map(ast.unparse, listed.elts if isinstance(listed, ast.Tuple) else ()):
-            title = _assigned(classes[kind].body, "title")
-            words = ast.literal_eval(title) if title else kind
-            found.append(Entry(name_of(type(kind, (), {})), words, int(chapter[2:4]), module, kind))
+        for node in ast.parse(file.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef) and (title := _title(node)):
+                name, number = name_of(type(node.name, (), {})), int(chapter[2:4])
+                found.append(Entry(name, title, number, module, node.name))
     return tuple(found)
 
 
@@ -57,9 +54,9 @@ def load(name: str) -> type[Scene]:
     return scene
 
 
-def _assigned(body: list[ast.stmt], name: str) -> ast.expr | None:
-    """Return what a module or a class assigns to a name, if it does."""
-    for node in body:
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == name:
-            return node.value
-    return None
+def _title(kind: ast.ClassDef) -> str:
+    """Return the title of a scene, or "" for the class of a peer or a base class."""
+    for node in kind.body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "title":
+            return str(ast.literal_eval(node.value))
+    return ""

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from lab.catalog import load
+from lab.catalog import find, load
 from lab.cost import Cost, clock
 from lab.drawing.pen import Item, Pen
 from lab.scene import Scene, described, parameters_of
@@ -83,7 +83,7 @@ class Host:
         self.kind, self.values = kind.peers.get(peer, kind), {}
         refused = [answer for pair in values.items() for answer in self._keep(*pair)]
         answer = {"kind": "scene", **described(self.kind), "values": dict(self.values)}
-        return [answer, *refused, self._restart()]
+        return [answer | {"chapter": find(name).chapter}, *refused, self._restart()]
 
     def _restart(self) -> Message:
         self.scene = None

@@ -25,12 +25,12 @@ class Question:
 class Scene:
     """The base class of the scenes. Lengths are in meters unless a scene says otherwise."""
 
-    chapter: ClassVar[int]
     title: ClassVar[str]
     question: ClassVar[str]  # one sentence that says what to find out
     view: ClassVar[tuple[float, float, float, float]]  # min x, max x, min y, max y
     seconds: ClassVar[float] = 6.0  # length of the scripted run
     keys: ClassVar[dict[str, str]] = {}  # what a key does, such as {"left": "walk to the left"}
+    script: ClassVar[dict[int, str]] = {}  # the key that the scripted player presses, by frame
     predict: ClassVar[Question | None] = None
     # Subclasses that run the same scene by another method, such as "exact" or "pymunk".
     peers: ClassVar[dict[str, type[Scene]]] = {}
@@ -95,6 +95,7 @@ class Scene:
 
     def play(self, time: float) -> None:
         """Do what a player would do at ``time``, in s, before each frame of a recording or test."""
+        self.press(self.script.get(round(time / FRAME), ""))
 
     def advance(self, duration: float = FRAME) -> None:
         """Make every time step that ends by the end of the next frame, which may be none."""
@@ -137,7 +138,6 @@ def described(scene: type[Scene]) -> dict[str, Any]:
     ask = scene.predict
     return {
         "name": name_of(scene),
-        "chapter": scene.chapter,
         "title": scene.title,
         "question": scene.question,
         "view": list(scene.view),

@@ -13,8 +13,6 @@ from lab.scene import Scene
 from scenes.links import ends_of
 from scenes.parameters import Choice
 
-Line = tuple[tuple[float, float], tuple[float, float]]
-
 
 class WorldScene(Scene):
     """A scene that simulates a particle world. Its ``build`` method must call ``run``."""
@@ -41,13 +39,9 @@ class WorldScene(Scene):
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
     """Draw the taut cables of a particle world in black, and the slack ones in gray."""
     cables = [link for link in generators if isinstance(link, Cable | AnchoredCable)]
-    slack: list[Line] = []
-    taut: list[Line] = []
-    for cable in cables:
-        a, b = ends_of(cable)
-        lines = taut if (b - a).magnitude() >= cable.max_length else slack
-        lines.append((flat(a), flat(b)))
-    pen.segments(slack, "gray")
-    pen.segments(taut, "black", 1.5)
+    ends = [(*ends_of(cable), cable.max_length) for cable in cables]
+    for is_taut, color, width in ((False, "gray", 1.0), (True, "black", 1.5)):
+        seen = [(a, b) for a, b, most in ends if ((b - a).magnitude() >= most) == is_taut]
+        pen.segments([(flat(a), flat(b)) for a, b in seen], color, width)
     anchors = [cable.anchor for cable in cables if isinstance(cable, AnchoredCable)]
     pen.dots(map(flat, anchors), "black", 5.0)

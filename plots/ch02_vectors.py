@@ -13,19 +13,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from ch02_vectors.calculus import difference_quotients
 from ch02_vectors.recordings import thrown_ball
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
-from plots.drawing import (
-    BLACK,
-    BLUE,
-    GRAY,
-    GREEN,
-    ORANGE,
-    THEORY,
-    Picture,
-    arrow,
-    arrow_3d,
-    axes_3d,
-    finish,
-)
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, THEORY, Picture, arrow, axes_3d, finish
 from scenes.readings import angle_between, cross, dot, is_drawable, number, numbers
 
 COLUMNS = ("vector", "x", "y", "z")
@@ -44,8 +32,8 @@ def addition() -> Picture:
     else:
         title = f"a + b misses the far corner of the parallelogram by {off:.3g}"
     figure, axes = _plane(title, 7, 6)
-    arrow(axes, corner, "", GRAY, tail=a, style="--")
-    arrow(axes, corner, "", GRAY, tail=b, style="--")
+    arrow(axes, corner, "", GRAY, "--", tail=a)
+    arrow(axes, corner, "", GRAY, "--", tail=b)
     arrow(axes, a, "a", BLUE)
     arrow(axes, b, "b", ORANGE)
     arrow(axes, total, "a + b", BLACK)
@@ -78,9 +66,9 @@ def cross_product() -> Picture:
     corners = [(0.0, 0.0, 0.0), a, (a[0] + b[0], a[1] + b[1], a[2] + b[2]), b]
     face = [[(z, x, y) for x, y, z in corners]]
     space.add_collection3d(Poly3DCollection(face, alpha=0.25, facecolor=GRAY))
-    arrow_3d(space, a, "a", BLUE)
-    arrow_3d(space, b, "b", ORANGE)
-    arrow_3d(space, product, "a x b", BLACK)
+    arrow(space, a, "a", BLUE)
+    arrow(space, b, "b", ORANGE)
+    arrow(space, product, "a x b", BLACK)
     angles = [angle_between(v, product) for v in (a, b, cross(a, b))]
     title = (
         "Angles of a x b: {:.4g}° to a, {:.4g}° to b and\n"
@@ -113,7 +101,7 @@ def basis() -> Picture:
     space = axes_3d(figure, 111, 1.2)
     shown = {"a": a, "b": b, "first": first, "second": second, "third": third}
     for (name, v), color in zip(shown.items(), (GRAY, GRAY, BLUE, ORANGE, GREEN), strict=True):
-        arrow_3d(space, v, name, color, "--" if color == GRAY else "-")
+        arrow(space, v, name, color, "--" if color == GRAY else "-")
     pairs = ((first, second), (second, third), (third, first))
     angles = ", ".join(f"{angle_between(v, w):.4g}°" for v, w in pairs)
     lengths = ", ".join(f"{math.sqrt(dot(v, v)):.4g}" for v in (first, second, third))

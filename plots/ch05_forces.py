@@ -20,7 +20,6 @@ from scenes.orbit import KeplerOrbit
 from scenes.readings import Numbers, cross, is_written, numbers
 from scenes.setup import Setup, alone
 from scenes.timing import Measurement, measure, timer, versus
-from scenes.track import Move
 
 MASS = 2.0
 ECCENTRICITY = 0.5
@@ -127,7 +126,9 @@ def orbit() -> Picture:
         energy = [0.5 * math.hypot(*v) ** 2 - 1.0 / math.hypot(*p) for p, v in seen]
         momentum = [cross(p, v)[2] for p, v in seen]
         path.plot([p[0] for p, _ in seen], [p[1] for p, _ in seen], color=color, lw=0.4)
-        drifts.append((_energy_drift(h), _momentum_drift(h)))
+        # A step adds h^2 (v x a) to the angular momentum, as r x a is 0. On an exact orbit, v x a
+        # is L / r^3, where L is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
+        drifts.append((_energy_drift(h), h * math.tau / (1.0 - ECCENTRICITY**2)))
         for axes, values, drift in zip(others, (energy, momentum), drifts[-1], strict=True):
             axes.plot(turns, values, color=color, lw=1.2, label=f"{frames} frames per turn")
             theory = [values[0] + drift * turn for turn in turns]
@@ -171,7 +172,8 @@ def cost_of_a_generator() -> Picture:
     for name, generator in generators.items():
         particle = Particle(place, motion)
         if is_written(partial(generator.update_force, particle, FRAME)):
-            moves[f"{name}, via the registry"] = _registered(particle, generator)
+            registry = alone(particle, generator).registry()
+            moves[f"{name}, via the registry"] = partial(_registered, registry, particle)
     base, *timers = (
         timer(partial(move, FRAME), 500)
         for move in (chapter_3.Particle(place, motion, down).integrate, *moves.values())
@@ -222,15 +224,6 @@ def _fall(
     return [(0.0 - p[1], 0.0 - v[1]) for p, v in states]  # 0 is not to become -0
 
 
-def _momentum_drift(h: float) -> float:
-    """Predict how much angular momentum the book's integrator adds per orbit.
-
-    A step adds h^2 (v x a), as r x a is 0. On an exact orbit, v x a is L / r^3, where L
-    is (1 - e^2)^(1/2), and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
-    """
-    return h * math.tau / (1.0 - ECCENTRICITY**2)
-
-
 def _energy_drift(h: float) -> float:
     """Predict how much energy the book's integrator adds per orbit.
 
@@ -250,12 +243,7 @@ def _energy_drift(h: float) -> float:
     return h / 2.0 * total
 
 
-def _registered(particle: Particle, generator: forces.ForceGenerator) -> Move:
-    """Return a function that moves a particle by one frame under the force of a generator."""
-    registry = alone(particle, generator).registry()
-
-    def frame(duration: float) -> None:
-        registry.update_forces(duration)
-        particle.integrate(duration)
-
-    return frame
+def _registered(registry: forces.ForceRegistry, particle: Particle, duration: float) -> None:
+    """Move a particle by one frame under the forces of a registry."""
+    registry.update_forces(duration)
+    particle.integrate(duration)

@@ -41,17 +41,13 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
-    for chapter in chapters:
-        note_engine(options.out / chapter.name, ROOT / options.engine)
+    for folder in (options.out / chapter.name for chapter in chapters):
+        if [*folder.glob("*.png")]:  # `make check` mentions only plots of the student's engine
+            engine = (ROOT / options.engine).resolve()
+            (folder / DRAWN_WITH).write_text(f"{engine}\n", encoding="utf-8")
     if pyplot.get_backend().lower() != "agg":  # matplotlib has found a display
         pyplot.show()
     return 0 if all(drawn) else 1
-
-
-def note_engine(folder: Path, engine: Path) -> None:
-    """Record which engine drew the plots: `make check` mentions only those of the student's."""
-    if [*folder.glob("*.png")]:
-        (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
@@ -61,15 +57,21 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
         return True
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
-        plots = importlib.import_module(f"plots.{chapter.name}").PLOTS
+        plots = plots_of(chapter.name)
     except (Exception, SystemExit) as error:
         print(f"chapter {chapter.number} cannot be drawn: {reason(error)}")
         return False
     finally:
         faulthandler.cancel_dump_traceback_later()
     folder.mkdir(parents=True, exist_ok=True)
-    drawn = [draw(plot, folder) for plot in plots]
+    drawn = [draw(plot, folder) for plot in plots.values()]
     return all(drawn)
+
+
+def plots_of(chapter: str, listed: str = "PLOTS") -> dict[str, Callable[[], Picture]]:
+    """Import the plots that a chapter's module lists under a name, and return them by name."""
+    found = getattr(importlib.import_module(f"plots.{chapter}"), listed, ())
+    return {plot.__name__: plot for plot in found}
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:

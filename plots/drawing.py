@@ -80,30 +80,24 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 
 
 def arrow(
-    axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
-) -> None:
-    """Draw a vector as a labeled arrow in the X-Y plane, unless it has NaN or infinity."""
-    if not is_drawable(tip, tail):
-        return
-    arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
-    axes.annotate("", tip[:2], tail[:2], arrowprops=arrowprops | {"shrinkA": 0, "shrinkB": 0})
-    middle = ((tip[0] + tail[0]) / 2, (tip[1] + tail[1]) / 2)
-    axes.text(*middle, label, color=color, ha="center", va="center", **LABEL)
-
-
-def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw a vector in a plot from ``axes_3d``, unless it has NaN or infinity."""
+    """Draw a vector in the X-Y plane or in 3D as a labeled arrow, unless it has NaN or infinity."""
     if not is_drawable(tip, tail):
         return
-    x, y, z = (end - start for end, start in zip(tip, tail, strict=True))
-    # In matplotlib the third axis points up, and in the engine the second.
-    place = (tail[2], tail[0], tail[1])
-    axes.quiver(*place, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
-    if label:
+    if axes.name == "3d":
+        x, y, z = (end - start for end, start in zip(tip, tail, strict=True))
+        # In matplotlib the third axis points up, and in the engine the second.
+        place = (tail[2], tail[0], tail[1])
+        axes.quiver(*place, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
         beyond = (place[0] + 1.15 * z, place[1] + 1.15 * x, place[2] + 1.15 * y)
-        axes.text(*beyond, label, color=color, **LABEL)
+        if label:
+            axes.text(*beyond, label, color=color, **LABEL)
+    else:
+        arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
+        axes.annotate("", tip[:2], tail[:2], arrowprops=arrowprops | {"shrinkA": 0, "shrinkB": 0})
+        middle = ((tip[0] + tail[0]) / 2, (tip[1] + tail[1]) / 2)
+        axes.text(*middle, label, color=color, ha="center", va="center", **LABEL)
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import bisect
 import functools
-import importlib
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -18,36 +18,18 @@ from matplotlib import pyplot
 from PIL import Image, ImageChops, ImageSequence, ImageStat
 
 from autograder.manifest import ROOT
-from plots import draw
+from plots.draw import draw, plots_of
 from scenes.engine import use_engine
 from scenes.reason import shown
 
-PLOTS = (
-    "ch02_vectors/addition",
-    "ch02_vectors/projection",
-    "ch02_vectors/cross_product",
-    "ch02_vectors/filmed_motion",
-    "ch03_laws_of_motion/trajectories",
-    "ch03_laws_of_motion/integration_error",
-    "ch03_laws_of_motion/damping_comparison",
-    "ch04_particle_engine/shots",
-    "ch04_particle_engine/step_error",
-    "ch05_forces/terminal_speeds",
-    "ch05_forces/fall_with_drag",
-    "ch05_forces/orbit",
-    "ch06_springs/force_against_length",
-    "ch06_springs/three_regimes",
-    "ch06_springs/energy_over_time",
-    "ch06_springs/stability_map",
-    "ch07_constraints/bounce_heights",
-    "ch07_constraints/stack_height",
-    "ch07_constraints/contact_solvers",
-    "ch08_mass_aggregate/mass_ratios",
-    "ch08_mass_aggregate/wheel_deformation",
-    "ch09_rotations/order_of_turns",
-    "ch09_rotations/drift_of_first_order",
-    "ch09_rotations/gimbal_lock",
-)
+# The plots that lessons show, such as "ch02_vectors/addition".
+PLOTS = [
+    f"{lesson.parent.name}/{name}"
+    for lesson in sorted(ROOT.glob("chapters/*/README.md"))
+    for name in re.findall(
+        r"\(pictures/(\w+)(?<!_still)\.png\)", lesson.read_text(encoding="utf-8")
+    )
+]
 # The length of each animation in s, and the time of the still picture that a page shows instead, so
 # that nothing moves unless the reader wants it to.
 ANIMATIONS = {
@@ -76,14 +58,14 @@ def main(arguments: list[str]) -> int:
     pyplot.switch_backend("Agg")  # writes scenes to files even if there is a display
     work = ROOT / "build" / "figures"
     done = []
-    for name in PLOTS:
-        folder = work / Path(name).parent
+    for chapter, name in (name.split("/") for name in PLOTS):
+        folder = work / chapter
         folder.mkdir(parents=True, exist_ok=True)
-        plots = importlib.import_module(f"plots.{Path(name).parent}")
-        done.append(draw.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
+        plots = plots_of(chapter) | plots_of(chapter, "FOR_LESSONS")
+        done.append(draw(plots[name], folder, TIME_LIMIT))
         if done[-1]:
-            with Image.open(work / f"{name}.png") as drawn:
-                _write([_few_colors(drawn)], _file(options.out, f"{name}.png"))
+            with Image.open(folder / f"{name}.png") as drawn:
+                _write([_few_colors(drawn)], options.out / chapter / "pictures" / f"{name}.png")
         pyplot.close("all")
     for name, (seconds, still) in ANIMATIONS.items():
         animation = work / f"{name}.gif"
@@ -91,15 +73,11 @@ def main(arguments: list[str]) -> int:
         command = [sys.executable, "-m", "lab", "record", animation.stem, *map(str, how)]
         done.append(not subprocess.run(command, check=False).returncode)
         if done[-1]:
-            _write(_shrunk(animation), _file(options.out, f"{name}.gif"))
-            _write([_still(animation, still)], _file(options.out, f"{name}_still.png"))
+            folder = options.out / animation.parent.name / "pictures"
+            _write(_shrunk(animation), folder / animation.name)
+            _write([_still(animation, still)], folder / f"{animation.stem}_still.png")
     print(f"{sum(done)} of {len(done)} pictures drawn with {options.engine}")
     return 0 if all(done) else 1
-
-
-def _file(out: Path, name: str) -> Path:
-    """Return the path of a picture, such as ch02_vectors/pictures/addition.png."""
-    return out / Path(name).parent / "pictures" / Path(name).name
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:

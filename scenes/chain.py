@@ -64,6 +64,5 @@ class Chain:
         for angle in angles:
             x += self.length * math.sin(angle)
             y -= self.length * math.cos(angle)
-            parts.append(x)
-            parts.append(y)
+            parts += [x, y]
         return tuple(parts)

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import KW_ONLY, dataclass
 from typing import Any
 
 
+@dataclass(eq=False)
 class Parameter:
     """A value that the reader can change. In an instance of a scene, it is the current value.
 
     A change rebuilds the scene, unless the parameter is ``live``.
     """
 
-    def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
-        self.default = default
-        self.label = label
-        self.unit = unit
-        self.live = live
-        self.name = ""
+    default: Any
+    label: str
+    _: KW_ONLY
+    live: bool = False
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -32,29 +32,19 @@ class Parameter:
 
     def described(self) -> dict[str, Any]:
         """Return the data from which the page creates a slider or a menu for this parameter."""
-        return {key: getattr(self, key) for key in ("name", "label", "unit", "default", "live")}
+        return {"kind": type(self).__name__.lower(), **vars(self)}
 
 
+@dataclass(eq=False)
 class Slider(Parameter):
     """A number that the reader sets with a slider, in increments of ``step``."""
 
-    def __init__(
-        self,
-        default: float,
-        label: str,
-        unit: str,
-        low: float,
-        high: float,
-        *,
-        step: float = 0.0,
-        log: bool = False,  # a logarithmic scale
-        live: bool = False,
-    ) -> None:
-        super().__init__(default, label, unit, live=live)
-        self.low = low
-        self.high = high
-        self.step = step
-        self.log = log
+    unit: str
+    low: float
+    high: float
+    _: KW_ONLY
+    step: float = 0.0
+    log: bool = False  # a logarithmic scale
 
     def checked(self, value: object) -> float:
         """Convert a value to a float, or raise ValueError if it is not finite or out of range."""
@@ -70,26 +60,13 @@ class Slider(Parameter):
             raise ValueError(f"{self.name} must be from {self.low:g} to {self.high:g}, got {value}")
         return float(value)
 
-    def described(self) -> dict[str, Any]:
-        """Return the data from which the page creates the slider."""
-        own = {key: getattr(self, key) for key in ("low", "high", "step", "log")}
-        return super().described() | {"kind": "slider"} | own
 
-
+@dataclass(eq=False)
 class Choice(Parameter):
     """A parameter for which the reader chooses one of several options, such as an integrator."""
 
-    def __init__(
-        self,
-        default: Any,
-        label: str,
-        options: Sequence[Any],
-        unit: str = "",
-        *,
-        live: bool = False,
-    ) -> None:
-        super().__init__(default, label, unit, live=live)
-        self.options = list(options)
+    options: Sequence[Any]
+    unit: str = ""
 
     def checked(self, value: object) -> Any:
         """Find an option, in any case and with hyphens for spaces, or raise ValueError."""
@@ -98,10 +75,6 @@ class Choice(Parameter):
                 return option
         options = ", ".join(map(str, self.options))
         raise ValueError(f"{self.name} must be one of {options}, got {value!r}")
-
-    def described(self) -> dict[str, Any]:
-        """Return the data from which the page creates the list of options."""
-        return super().described() | {"kind": "choice", "options": self.options}
 
 
 def _plain(name: object) -> str:

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 Numbers = tuple[float, float, float]
 Key = TypeVar("Key")
 Found = TypeVar("Found")
+Other = TypeVar("Other")
 
 
 def is_written(call: Callable[[], object]) -> bool:
@@ -20,13 +21,17 @@ def is_written(call: Callable[[], object]) -> bool:
     return True
 
 
+def tried(call: Callable[[], Found], failed: Other) -> tuple[Found | Other, str]:
+    """Return a result and "", or ``failed`` and the message of any arithmetic or value error."""
+    try:
+        return call(), ""
+    except (ArithmeticError, ValueError) as error:
+        return failed, f"{type(error).__name__}: {error}"
+
+
 def stopped(act: Callable[[], object]) -> str:
     """Run part of a simulation, and return the message of any arithmetic or value error, or ""."""
-    try:
-        act()
-    except (ArithmeticError, ValueError) as error:
-        return f"{type(error).__name__}: {error}"
-    return ""
+    return tried(act, None)[1]
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import ApplyForces, Integrator
 from ch07_constraints.contacts import Contact, ContactGenerator, ContactResolver
-from scenes.track import Move
+from scenes.clock import Move
 
 Resolve = Callable[[list[Contact], float], object]
 

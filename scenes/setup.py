@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
-from scenes.track import Move
+from scenes.clock import Move
 
 if TYPE_CHECKING:  # a handout for chapter 5 does not have these
     from ch06_springs.integrators import Integrator

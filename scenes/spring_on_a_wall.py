@@ -69,7 +69,5 @@ class SpringOnAWall:
 
     def per_step(self, duration: float) -> tuple[float, float]:
         """Return k h^2 / m and c h / m for a step of h s, which decide whether it is stable."""
-        return (
-            self.stiffness * duration * duration / self.mass,
-            self.damping * duration / self.mass,
-        )
+        kappa = self.stiffness * duration * duration / self.mass
+        return kappa, self.damping * duration / self.mass

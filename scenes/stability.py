@@ -15,11 +15,10 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler, watched
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.springs import FakeStiffSpring
-from scenes.clock import FRAME
+from scenes.clock import FRAME, Move, Track, track, tracks
 from scenes.integrators import INTEGRATORS, SOLVERS, Solver
 from scenes.readings import numbers, stopped
 from scenes.spring_on_a_wall import SpringOnAWall
-from scenes.track import Move, Track, track, tracks
 
 Matrix = tuple[float, float, float, float]  # row by row
 

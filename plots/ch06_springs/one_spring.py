@@ -45,11 +45,9 @@ def force_against_length() -> Picture:
         "Buoyancy, max_depth 1 m": (right, Buoyancy(1.0, 0.001, 0.0), BLUE, 2.0, "-"),
         "LighterThanAir, scale_height 2 m": (right, LighterThanAir(8.0, 2.0), ORANGE, 2.0, "-"),
     }
-    found = written(
-        {label: partial(_forces, row[1], row[0] is right) for label, row in shown.items()}
-    )
+    runs = {label: partial(_forces, row[1], row[0] is right) for label, row in shown.items()}
     rows = []
-    for label, pairs in found.items():
+    for label, pairs in written(runs).items():
         axes, generator, color, width, style = shown[label]
         axes.plot(*zip(*pairs, strict=True), style, color=color, lw=width, label=label)
         rows += [(type(generator).__name__, *pair) for pair in pairs]

@@ -16,10 +16,9 @@ from ch06_springs.springs import FakeStiffSpring
 from plots.ch06_springs.one_spring import true_places
 from plots.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map, legends
 from scenes import stability
-from scenes.clock import FRAME
+from scenes.clock import FRAME, Track, track
 from scenes.integrators import INTEGRATORS, SOLVERS
 from scenes.readings import numbers, written
-from scenes.track import Track, track
 
 CLOTH_SECONDS = 2
 

@@ -1,26 +1,15 @@
 """The plots for chapter 7."""
 
-from __future__ import annotations
+from plots.ch07_constraints import bounces, rods, stacks
 
-from collections.abc import Callable
-
-from plots.ch07_constraints.bounces import (
-    bounce_heights,
-    resting_jitter,
-    restitution_of_materials,
+PLOTS = (
+    bounces.bounce_heights,
+    bounces.resting_jitter,
+    stacks.resolver_convergence,
+    stacks.stack_height,
+    rods.rope_by_method,
+    rods.rods_hold,
+    rods.pendulum_energy,
+    bounces.restitution_of_materials,
 )
-from plots.ch07_constraints.rods import pendulum_energy, rods_hold, rope_by_method
-from plots.ch07_constraints.solvers import contact_solvers  # noqa: F401 - for make figures only
-from plots.ch07_constraints.stacks import resolver_convergence, stack_height
-from plots.drawing import Picture
-
-PLOTS: tuple[Callable[[], Picture], ...] = (
-    bounce_heights,
-    resting_jitter,
-    resolver_convergence,
-    stack_height,
-    rope_by_method,
-    rods_hold,
-    pendulum_energy,
-    restitution_of_materials,
-)
+FOR_LESSONS = (stacks.contact_solvers,)  # drawn only by make figures

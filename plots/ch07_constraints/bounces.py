@@ -18,11 +18,11 @@ from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import restitution_of_drop, table_of_drops
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from plots.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
+from scenes.clock import Track, track
 from scenes.dropped_balls import DroppedBalls
 from scenes.integrators import INTEGRATORS
 from scenes.readings import number, numbers, written
 from scenes.resolving import Resolve, by_resolver, no_forces, resolving
-from scenes.track import Track, track
 
 HEIGHT = 2.0  # m
 GRAVITY = 10.0  # m/s^2
@@ -129,28 +129,22 @@ def resting_jitter() -> Picture:
     """
     figure, (*panels, last) = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rules = {"resting rule": None, "no rule": without_rule}
-    colors = {
-        ("explicit Euler", "resting rule"): RED,
-        ("explicit Euler", "no rule"): ORANGE,
-        ("semi-implicit Euler", "resting rule"): BLUE,
-        ("semi-implicit Euler", "no rule"): SKY,
+    names, colors = [*COLORS][:2], {"resting rule": (RED, BLUE), "no rule": (ORANGE, SKY)}
+    ways = {
+        (c, name, rule, gravity): partial(ball, name, 1e-6, c, 120, rules[rule], gravity)
+        for c in (0.5, 0.9)
+        for rule in rules
+        for name in names
+        for gravity in ("built-in", "generated")
     }
-    found = written(
-        {
-            (c, name, rule, gravity): partial(ball, name, 1e-6, c, 120, rules[rule], gravity)
-            for c in (0.5, 0.9)
-            for rule in rules
-            for name in ("explicit Euler", "semi-implicit Euler")
-            for gravity in ("built-in", "generated")
-        }
-    )
+    found = written(ways)
     for axes, c in zip(panels, (0.5, 0.9), strict=True):
         runs = {key[1:]: run for key, run in found.items() if key[0] == c}
         for (name, rule, gravity), run in runs.items():
             mm = [1e3 * height for height in run.values]
             style, every = ("-", 1) if gravity == "built-in" else ("o", 5)
             label = f"{name}, {rule}, {gravity} gravity: {max(mm[1:], default=math.nan):.3g} mm"
-            looks = {"color": colors[name, rule], "ms": 3, "lw": 1, "label": label}
+            looks = {"color": colors[rule][names.index(name)], "ms": 3, "lw": 1, "label": label}
             axes.plot(run.times[::every], mm[::every], style, **looks)
         most = {rule: [_highest(r) for key, r in runs.items() if key[1] == rule] for rule in rules}
         top = max(sum(most.values(), [1.0]))
@@ -162,15 +156,15 @@ def resting_jitter() -> Picture:
         )
         legends(axes, size=7.5, loc="upper left")
     fall, c = 0.04, 0.9
+    resolves: dict[str, Resolve | None] = {
+        "time division": None,
+        **dict.fromkeys(f"{name}, resting rule" for name in names),
+        "semi-implicit Euler, no bounce below 1 m/s": no_slow_bounce,
+    }
     falls = written(
         {
-            method + rule: partial(ball, method, fall, c, 60, resolve)
-            for method, rule, resolve in (
-                ("time division", "", None),
-                ("explicit Euler", ", resting rule", None),
-                ("semi-implicit Euler", ", resting rule", None),
-                ("semi-implicit Euler", ", no bounce below 1 m/s", no_slow_bounce),
-            )
+            how: partial(ball, how.partition(", ")[0], fall, c, 60, resolve)
+            for how, resolve in resolves.items()
         }
     )
     rises = {name: f"{1e3 * _rise(run):.3g}" for name, run in falls.items()}

@@ -15,12 +15,11 @@ from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import Rod, TwoSidedRod
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, legends, tell
 from scenes.chain import Chain, Link
-from scenes.clock import FRAME
+from scenes.clock import FRAME, Move, Track, tracks
 from scenes.integrators import INTEGRATORS
 from scenes.readings import numbers, written
 from scenes.resolving import by_resolver, resolving
 from scenes.setup import Setup
-from scenes.track import Move, Track, tracks
 
 LINKS, LINK = 25, 0.1  # rods of a rope, and their length in m
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
@@ -38,12 +37,11 @@ def rope_by_method() -> Picture:
         "TwoSidedRod, 8 substeps": (TwoSidedRod, None, 8, BLUE),
         "DirectChain": (None, None, 1, GREEN),
     }
-    found = written(
-        {
-            name: partial(stretch, rope, link, frames, iterations, substeps)
-            for name, (link, iterations, substeps, _) in methods.items()
-        }
-    )
+    runs = {
+        name: partial(stretch, rope, link, frames, iterations, substeps)
+        for name, (link, iterations, substeps, _) in methods.items()
+    }
+    found = written(runs)
     rows: list[Sequence[object]] = []
     for name, (run, worst) in found.items():
         # A rope whose length is exact except for rounding is drawn at the lower edge.
@@ -81,17 +79,15 @@ def rods_hold() -> Picture:
         "4 substeps": (None, 4, 10, SKY),
         "16 substeps": (None, 16, 10, BLUE),
     }
-    found = written(
-        {
-            (kind, way, count): partial(
-                stretch, Chain([1.0] * count, LINK), KINDS[kind], 120, iterations, substeps
-            )
-            for kind in KINDS
-            for way, (iterations, substeps, most, _) in ways.items()
-            for count in (1, 3, 10, 30)
-            if count <= most
-        }
-    )
+    chains = {count: Chain([1.0] * count, LINK) for count in (1, 3, 10, 30)}
+    runs = {
+        (kind, way, count): partial(stretch, chain, KINDS[kind], 120, iterations, substeps)
+        for kind in KINDS
+        for way, (iterations, substeps, most, _) in ways.items()
+        for count, chain in chains.items()
+        if count <= most
+    }
+    found = written(runs)
     worst = {key: max(run.values[90:], default=math.inf) for key, (_, run) in found.items()}
     for axes, kind in zip(panels, KINDS, strict=True):
         for way, (*_, color) in ways.items():
@@ -121,9 +117,8 @@ def pendulum_energy() -> Picture:
     colors = {("explicit Euler", 60): RED, ("semi-implicit Euler", 60): SKY}
     colors |= {("semi-implicit Euler", 240): PINK, ("semi-implicit Euler", 960): BLACK}
     colors |= {("DirectChain", 60): GREEN}
-    found = written(
-        {(name, rate): partial(energy, INTEGRATORS.get(name), rate) for name, rate in colors}
-    )
+    runs = {(name, rate): partial(energy, INTEGRATORS.get(name), rate) for name, rate in colors}
+    found = written(runs)
     rows: list[Sequence[object]] = []
     words = []
     for (name, rate), run in found.items():
@@ -168,11 +163,8 @@ def energy(step: Integrator | None, rate: int) -> Track:
     pendulum = Chain([1.0], 1.0, 0.5 * math.pi)
     setup = pendulum.setup()
     (bob,) = setup.particles
-    measures = [
-        lambda: numbers(bob.position)[1],
-        lambda: numbers(bob.velocity)[0],
-        lambda: numbers(bob.velocity)[1],
-    ]
+    speeds = [lambda: numbers(bob.velocity)[0], lambda: numbers(bob.velocity)[1]]
+    measures = [lambda: numbers(bob.position)[1], *speeds]
     y, *parts = tracks(moving(setup, step), measures, 10 * rate, 1.0 / rate)
     velocities = [complex(*pair) for pair in zip(*(part.values for part in parts), strict=True)]
     if not step:  # a DirectChain has velocities halfway between two positions

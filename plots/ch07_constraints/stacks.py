@@ -1,26 +1,40 @@
-"""Plots for chapter 7: errors that the contact resolver leaves in a pile, and sinking stacks."""
+"""Plots for chapter 7: what the resolver leaves in a pile, sinking stacks, and contact solvers."""
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from functools import partial
 from itertools import cycle
+from pathlib import Path
+from typing import Any
 
 from matplotlib import pyplot
+from matplotlib.axes import Axes
 
+from autograder.manifest import ROOT
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
-from plots.drawing import BLUE, GRAY, ORANGE, RED, Picture, legends, tell
-from scenes.clock import FRAME
+from plots.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture, legends, tell
+from scenes.clock import FRAME, Track, tracks
 from scenes.readings import number, numbers, written
 from scenes.resolving import by_resolver, resolving
 from scenes.spheres import DIAMETER, RADIUS, at, overlap, pyramid, stack, touching
-from scenes.track import Track, tracks
 
 Error = Callable[[Contact], float]
 Act = Callable[[Contact], object]
+FIGURES = ROOT / "studies" / "contacts" / "figures.json"
+STYLES = {
+    "the book's resolver": (RED, "s"),
+    "without warm starting": (SKY, "v"),
+    "sequential impulses": (BLUE, "o"),
+    "soft constraints": (ORANGE, "D"),
+    "direct net": (GREEN, "^"),
+}
+RATIOS = (1, 10, 100, 1000)
+FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def resolver_convergence() -> Picture:
@@ -172,3 +186,54 @@ def _depth(contact: Contact) -> float:
 def _separate(contact: Contact) -> None:
     contact.penetration = _depth(contact)
     contact.resolve_penetration()
+
+
+def contact_solvers(file: Path = FIGURES) -> Picture:
+    """Draw the error against the computing time, and the time to keep it below 1 %.
+
+    The table has the time in ms per frame to meet a tolerance, or a dash if it is never met.
+    """
+    data = json.loads(file.read_text(encoding="utf-8"))
+    figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
+    scenes = ("stack, ratio 1", "swing, energy")
+    names = ("overlap in a stack", "change in energy of a swinging rope")
+    units = ("overlap / diameter", "change / energy")
+    for axes, scene, name, unit in zip(panels[0], scenes, names, units, strict=True):
+        points = [
+            (solver, ms, error)
+            for own, solver, _, _, error, ms in data["points"]
+            if own == scene and FLOOR <= error <= CEILING
+        ]
+        title, x = f"largest {name} in 1 s", "time, ms per frame"
+        _curves(axes, points, title, x, f"largest {unit}")
+        axes.axhline(1e-2, color=GRAY, lw=1, ls=":")
+    within = {scene: ms for scene, error, ms in data["within"] if error == 1e-2}
+    names = ("overlap of a stack", "stretch of a rope")
+    for axes, scene, name in zip(panels[1], ("stack", "rope"), names, strict=True):
+        times = {ratio: within.get(f"{scene}, ratio {ratio:,}", {}) for ratio in RATIOS}
+        points = [(solver, ratio, ms) for ratio in times for solver, ms in times[ratio].items()]
+        x = "mass ratio (no mark: not reached by the longest run)"
+        _curves(axes, points, f"time to keep the {name} below 1 %", x, "time, ms per frame")
+        axes.set_xticks(RATIOS, [f"{ratio:,}" for ratio in RATIOS])
+        axes.set_xticks([], minor=True)
+    shown = {}
+    for axes in panels.flat:
+        axes.grid(alpha=0.3)
+        handles, labels = axes.get_legend_handles_labels()
+        shown = dict(zip(labels, handles, strict=True)) | shown
+    solvers = [solver for solver in STYLES if solver in shown]
+    figure.legend([shown[s] for s in solvers], solvers, loc="outside lower center", ncols=3)
+    rows = [
+        (scene, f"{error:g}", *(f"{ms[s]:.2g}" if s in ms else "-" for s in STYLES))
+        for scene, error, ms in data["within"]
+    ]
+    return Picture(figure, ("scene", "error", *STYLES), rows)
+
+
+def _curves(axes: Axes, points: Any, title: str, x: str, y: str) -> None:
+    """Plot a curve through the points of each contact solver."""
+    for solver, (color, marker) in STYLES.items():
+        seen = [pair for own, *pair in points if own == solver]
+        if seen:
+            axes.loglog(*zip(*seen, strict=True), color=color, marker=marker, ms=5, label=solver)
+    axes.set(title=title, xlabel=x, ylabel=y)

@@ -16,10 +16,9 @@ from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform
 from ch08_mass_aggregate.world import mechanical_energy
 from plots.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, legends, tell
-from scenes.clock import FRAME, RATE
+from scenes.clock import FRAME, RATE, Track, track
 from scenes.links import over_length
 from scenes.readings import Numbers, number, numbers, stopped, written
-from scenes.track import Track, track
 
 SETTLED = 5.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, how much the energy of a scene at rest may vary
@@ -94,12 +93,8 @@ def _energies(what: str, make: Make, more: dict[str, tuple[Make, int, str]]) -> 
     def energy(made: Any) -> float:
         return mechanical_energy(made.world.particles)
 
-    found = written(
-        {
-            name: partial(recorded, make, energy, rate, SECONDS)
-            for name, (make, rate, _) in ways.items()
-        }
-    )
+    runs = {name: partial(recorded, way[0], energy, way[1], SECONDS) for name, way in ways.items()}
+    found = written(runs)
     rows: list[Sequence[object]] = []
     bad, reach = [], 0.0
     for name, run in found.items():

@@ -17,9 +17,8 @@ from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS, Wheel, deformation, s
 from ch08_mass_aggregate.world import ParticleWorld
 from plots.ch08_mass_aggregate.energy import recorded
 from plots.drawing import BLACK, BLUE, GREEN, ORANGE, RED, SKY, Picture, legends, tell
-from scenes.clock import RATE
+from scenes.clock import RATE, Track, tracks
 from scenes.readings import written
-from scenes.track import Track, tracks
 
 FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # N
 DRIVE, SPINNING = 10.0, 2.0  # N and s, of the wheel whose spin is drawn
@@ -44,9 +43,8 @@ def wheel_deformation() -> Picture:
     rows: list[Sequence[object]] = []
     gives, lags = [], []
     for driven, color in ((1, RED), (2, ORANGE), (COUNT, BLUE)):
-        worst = {
-            force: max(both[driven, force].values) for force in FORCES if (driven, force) in both
-        }
+        forces = [force for force in FORCES if (driven, force) in both]
+        worst = {force: max(both[driven, force].values) for force in forces}
         rows += [("deformation", driven, 60, force, 1.0, value) for force, value in worst.items()]
         if worst:
             label = f"{driven} driven"
@@ -102,13 +100,12 @@ def blob_bonds() -> Picture:
         "spread": lambda blob: spread(blob.particles),
         "bonds": lambda blob: sum(bond.holds for bond in blob.bonds),
     }
-    found = written(
-        {
-            (what, *way): partial(recorded, partial(thrown, *way), measure, RATE, 5.0)
-            for what, measure in measures.items()
-            for way in ways
-        }
-    )
+    runs = {
+        (what, *way): partial(recorded, partial(thrown, *way), measure, RATE, 5.0)
+        for what, measure in measures.items()
+        for way in ways
+    }
+    found = written(runs)
     rows: list[Sequence[object]] = []
     for axes, what, unit in zip(panels, measures, (" m", " bonds"), strict=True):
         for (speed, cables), color in ways.items():
@@ -147,9 +144,8 @@ def sleeping_balls() -> Picture:
         steps, resolved = math.fsum(awake.values[1:]), math.fsum(used.values[1:])
         costs.append(f"{name} {steps:,.0f} and {resolved:,.0f}")
         panels[0].plot(awake.times, awake.values, color=color, lw=1.6, label=f"{name}: balls awake")
-        panels[0].plot(
-            used.times, used.values, ":", color=color, lw=1.2, label=f"{name}: contacts resolved"
-        )
+        label = f"{name}: contacts resolved"
+        panels[0].plot(used.times, used.values, ":", color=color, lw=1.2, label=label)
         joules = [value if value > 1e-9 else math.nan for value in energy.values]
         panels[1].semilogy(energy.times, joules, color=color, lw=1.2, label=name)
         columns = zip(awake.times, awake.values, used.values, energy.values, strict=True)

@@ -45,9 +45,8 @@ def trebuchet_range() -> Picture:
     name, design = next(iter(written(named).items()))
     own = design.counterweight
     weights = sorted({100.0, 200.0, 300.0, 400.0, own})
-    found = written(
-        {weight: partial(releases, replace(design, counterweight=weight)) for weight in weights}
-    )
+    designs = {weight: replace(design, counterweight=weight) for weight in weights}
+    found = written({weight: partial(releases, made) for weight, made in designs.items()})
     rows: list[Sequence[object]] = []
     best: dict[float, Release] = {}
     for (weight, seen), color in zip(found.items(), (GRAY, SKY, GREEN, BLUE, RED), strict=False):

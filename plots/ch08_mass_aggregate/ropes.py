@@ -10,6 +10,7 @@ from matplotlib import pyplot
 
 from plots.ch08_mass_aggregate.energy import load_on_bridge
 from plots.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, legends, tell
+from scenes.clock import Track
 from scenes.hanging_rope import (
     LENGTH,
     SPAN,
@@ -19,8 +20,7 @@ from scenes.hanging_rope import (
     hang_by_rods,
     polygon_sag,
 )
-from scenes.readings import stopped, written
-from scenes.track import Track
+from scenes.readings import tried, written
 
 BOUND = 2.0  # %, allowed excess length of a cable
 MANY, SECONDS = 30, 0.5  # links and s; a resolver takes far longer for more of either
@@ -38,13 +38,12 @@ def mass_ratios() -> Picture:
         "default, 4 substeps": (None, 4, ratios, SKY),
         "default, 16 substeps": (None, 16, (1000,), BLUE),
     }
-    found = written(
-        {
-            (way, ratio): partial(load_on_bridge, float(ratio), iterations, substeps, 4.0)
-            for way, (iterations, substeps, some, _) in ways.items()
-            for ratio in some
-        }
-    )
+    runs = {
+        (way, ratio): partial(load_on_bridge, float(ratio), iterations, substeps, 4.0)
+        for way, (iterations, substeps, some, _) in ways.items()
+        for ratio in some
+    }
+    found = written(runs)
     rows: list[Sequence[object]] = []
     words = []
     for way, (*_, some, color) in ways.items():
@@ -98,7 +97,7 @@ def hanging_rope() -> Picture:
     }
     for links in (10, MANY):
         scenes[links, from_v] = partial(hang_by_direct_chain, links, 240, 8.0, True)
-    tries = written({key: partial(_tried, scene) for key, scene in scenes.items()})
+    tries = written({key: partial(tried, scene, None) for key, scene in scenes.items()})
     found = {key: hanging for key, (hanging, _) in tries.items() if hanging}
     errors = {key: hanging.sag - polygon_sag(key[0]) for key, hanging in found.items()}
     exact, xs = catenary(), [SPAN * i / 100 for i in range(101)]
@@ -160,10 +159,3 @@ def _late(run: Track, since: float) -> float:
     """Find the largest value after ``since`` s, or infinity if the engine raised an exception."""
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
-
-
-def _tried(scene: Callable[[], Hanging]) -> tuple[Hanging | None, str]:
-    """Simulate a rope, and return the result and the message of any exception."""
-    hung: list[Hanging] = []
-    message = stopped(lambda: hung.append(scene()))
-    return (hung[0] if hung else None), message

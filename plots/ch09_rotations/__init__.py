@@ -1,7 +1,6 @@
 """The plots for chapter 9."""
 
-from plots.ch09_rotations.gimbal import gimbal_lock
-from plots.ch09_rotations.rates import drift_of_first_order
+from plots.ch09_rotations.rates import drift_of_first_order, gimbal_lock
 from plots.ch09_rotations.stones import balance_lines
 from plots.ch09_rotations.turns import order_of_turns, turning_motion
 

@@ -1,4 +1,4 @@
-"""A plot for chapter 9 that shows the errors of the book's rotation step, Eq. 9.5."""
+"""Plots for chapter 9: errors of the book's rotation step, and Euler angles near gimbal lock."""
 
 from __future__ import annotations
 
@@ -7,26 +7,21 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+import numpy
 from matplotlib import pyplot
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import first_order_drift
+from ch09_rotations.euler import euler_rates, rate_map
 from ch09_rotations.quaternion import Quaternion
-from plots.ch09_rotations.orientations import (
-    Components,
-    Z,
-    components,
-    degrees_apart,
-    largest,
-    product,
-    rotated,
-    turn,
-)
+from plots.ch09_rotations import orientations as exact
+from plots.ch09_rotations.orientations import Components, components, largest, product, turn
 from plots.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, slope, tell
-from scenes.readings import Numbers, is_written, number, numbers, stopped, written
+from scenes.readings import Numbers, is_written, number, numbers, stopped, tried, written
 
 FLOOR = 1e-15  # where zeros and rounding errors are drawn on logarithmic axes
 RATES = [10 * 2**n for n in range(8)]  # steps per second
+FIRST, LAST = 0.4, 1.1  # rad, the first and the last Euler angle; any values would do
 TAU = math.tau
 Step = Callable[[Quaternion, Vector3, float], None]  # takes orientation, velocity, duration
 
@@ -47,8 +42,8 @@ def steady(time: float) -> tuple[Numbers, Components]:
 
 def coning(time: float) -> tuple[Numbers, Components]:
     """Return the angular velocity and the exact orientation if the axis moves along a cone."""
-    around = turn(Z, CONING * time)
-    x, y, z = rotated(around, SLANTING)
+    around = turn(exact.Z, CONING * time)
+    x, y, z = exact.rotated(around, SLANTING)
     return (x, y, z + CONING), product(around, product(turn(SLANTING, TAU * time), START))
 
 
@@ -161,7 +156,7 @@ def _errors(way: str, notes: list[str]) -> list[float]:
     errors = []
     for rate in RATES:
         found, message = _turned(step, motion, END, rate, fraction)
-        errors.append(math.nan if message else degrees_apart(found[-1], motion(END)[1]))
+        errors.append(math.nan if message else exact.degrees_apart(found[-1], motion(END)[1]))
         notes += [f"{way}, {rate} Hz: {message}"] if message else []
     return errors
 
@@ -198,3 +193,82 @@ def _of_drift(off: Sequence[float], unit: str) -> str:
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
     return f",\nfirst_order_drift differs from the measurement by {largest(off):.2g}{unit}"
+
+
+def gimbal_lock() -> Picture:
+    """Plot how Euler angles fail near gimbal lock, where the middle angle is 90°."""
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
+    degrees = range(-90, 91, 3)
+    distances = [10.0 ** (-0.25 * n) for n in range(-7, 25)]  # degrees
+    runs: dict[str, Callable[[], list[Any]]] = {
+        "map": lambda: [_singular_values(math.radians(y)) for y in degrees],
+        "rates": lambda: [_worst_rate(math.radians(distance)) for distance in distances],
+    }
+    found = written(runs)
+    rows: list[Sequence[object]] = []
+    if "map" in found:
+        sines = [abs(math.sin(math.radians(y))) for y in degrees]
+        theory = [(math.sqrt(1.0 + s), 1.0, math.sqrt(1.0 - s)) for s in sines]
+        names = ("largest", "middle", "smallest")
+        for i, (name, color) in enumerate(zip(names, (ORANGE, GREEN, BLUE), strict=True)):
+            seen = [triple[i] for triple in found["map"]]
+            left.plot(degrees, [t[i] for t in theory], color=GRAY, lw=4, alpha=0.4)
+            left.plot(degrees, seen, "o", color=color, ms=4, label=f"{name}: {seen[-1]:.2g} at 90°")
+            rows += [(f"{name} singular value", *pair) for pair in zip(degrees, seen, strict=True)]
+        off = largest([*abs(numpy.subtract(found["map"], theory)).flat])
+        left.set_title(
+            f"Singular values of rate_map: the smallest is {found['map'][-1][2]:.2g} at 90°,\n"
+            f"all differ from sqrt(1 + |sin y|), 1, sqrt(1 - |sin y|) (gray) by at most {off:.2g}",
+            fontsize=11,
+        )
+        left.legend(fontsize=9, loc="lower center")
+    if "rates" in found:
+        lengths, messages = zip(*found["rates"], strict=True)
+        curve = [1.0 / (math.sqrt(2.0) * math.sin(math.radians(0.5 * d))) for d in distances]
+        right.loglog(distances, curve, color=GRAY, lw=4, alpha=0.4, label="1 / sqrt(1 - sin y)")
+        label = "length of the result of euler_rates"
+        right.loglog(distances, lengths, "o", color=RED, ms=4, label=label)
+        # In gimbal lock, euler_rates should raise an error for the axis that is lost.
+        last = [math.radians(angle) for angle in range(0, 360, 30)]
+        locked = [(FIRST, 0.5 * math.pi, z, _worst_axis(0.0, z)) for z in last]
+        refused = [bool(stopped(partial(euler_rates, *angles))) for angles in locked]
+        right.set_title(
+            "The Euler rates of 1 rad/s about the worst axis: slope "
+            f"{slope(distances[16:], lengths[16:]):.4f};\n"
+            f"at 90° euler_rates raises an error for {sum(refused)} of {len(refused)} angles z",
+            fontsize=11,
+        )
+        right.legend(fontsize=9)
+        tell(figure, [*dict.fromkeys(filter(None, messages))])
+        for distance, length in zip(distances, lengths, strict=True):
+            rows.append(("rates, rad/s", 90.0 - distance, length))
+    left.set(xlabel="middle angle y, degrees", ylabel="singular value of rate_map, no unit")
+    left.set_xticks(range(-90, 91, 30))
+    right.set(xlabel="distance of y from 90°, degrees", ylabel="length of the Euler rates, rad/s")
+    for axes in (left, right):
+        axes.grid(alpha=0.3)
+    return Picture(figure, ("what", "y, degrees", "value"), rows)
+
+
+def _singular_values(y: float) -> list[float]:
+    """Compute the singular values of the student's rate_map, largest first, or three times NaN."""
+    found = exact.entries(rate_map(FIRST, y, LAST))
+    if not all(map(math.isfinite, found)):
+        return [math.nan] * 3
+    return numpy.linalg.svd(numpy.reshape(found, (3, 3)), compute_uv=False).tolist()
+
+
+def _worst_axis(distance: float, z: float) -> Vector3:
+    """Return the axis halfway between Z and the rotated X, which changes the angles fastest.
+
+    The Euler angle y is ``distance`` rad below 90 degrees.
+    """
+    along = math.cos(0.5 * distance)
+    return Vector3(math.cos(z) * along, math.sin(z) * along, math.sin(0.5 * distance))
+
+
+def _worst_rate(distance: float) -> tuple[float, str]:
+    """Return the length of the Euler rates at 1 rad/s about the worst axis, and any error."""
+    angles = FIRST, 0.5 * math.pi - distance, LAST
+    rates, message = tried(lambda: euler_rates(*angles, _worst_axis(distance, LAST)), None)
+    return math.hypot(*numbers(rates)), message

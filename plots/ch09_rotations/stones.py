@@ -14,7 +14,7 @@ from ch09_rotations.exercises import Stone, balance_offset, masses_beside
 from ch09_rotations.stones import own_stones, read_stones
 from plots.ch09_rotations.orientations import largest
 from plots.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, legends, tell
-from scenes.readings import number, stopped
+from scenes.readings import number, tried
 
 SMALL = LABEL | {"fontsize": 9}
 
@@ -114,9 +114,8 @@ def _center(stones: Sequence[Stone]) -> tuple[float, float]:
 def _line(stones: Sequence[Stone], angle: int) -> Line:
     """Let the engine compute the balance line in a direction, and measure its errors."""
     a = math.radians(angle)
-    found: list[object] = []
-    message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))
-    offset, sides = found if found else (None, None)
+    acts = (balance_offset, masses_beside)
+    (offset, sides), message = tried(lambda: [act(stones, a) for act in acts], (None, None))
     off = number(offset)
     pair = sides if isinstance(sides, tuple) and len(sides) == 2 else (math.nan, math.nan)
     x, y = _center(stones)

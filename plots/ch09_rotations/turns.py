@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy
@@ -15,38 +16,10 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import integrate_rotation
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
-from plots.ch09_rotations.orientations import (
-    Arrows,
-    X,
-    Y,
-    Z,
-    arrows,
-    arrows_by_engine,
-    components,
-    degrees_between_arrows,
-    entries,
-    largest,
-    off_directions,
-    off_right_angles,
-    off_unit_length,
-    product,
-    rotated,
-    turn,
-)
-from plots.drawing import (
-    BLACK,
-    BLUE,
-    GRAY,
-    GREEN,
-    RED,
-    SKY,
-    Picture,
-    arrow_3d,
-    axes_3d,
-    slope,
-    tell,
-)
-from scenes.readings import Numbers, cross, is_drawable, is_written, stopped
+from plots.ch09_rotations import orientations as exact
+from plots.ch09_rotations.orientations import Arrows, X, Y, Z, arrows_by_engine, largest, turn
+from plots.drawing import BLACK, BLUE, GRAY, GREEN, RED, SKY, Picture, arrow, axes_3d, slope, tell
+from scenes.readings import Numbers, cross, is_drawable, is_written, stopped, tried
 
 ORIGIN = (0.0, 0.0, 0.0)
 NOWHERE: Arrows = ((math.nan,) * 3, (math.nan,) * 3, (math.nan,) * 3)
@@ -91,14 +64,14 @@ def turning_motion() -> Picture:
             _disc(space, place, shown[n])
             for name, color, v in zip("XYZ", COLORS, shown[n], strict=True):
                 label = name if i in (0, 6) else ""
-                arrow_3d(space, _along(place, v, 0.75), label, color, tail=place)
+                arrow(space, _along(place, v, 0.75), label, color, tail=place)
     for artist in (*space.collections, *space.lines, *space.texts):
         artist.set_clip_on(False)  # the picture extends beyond matplotlib's axes
 
     rows: list[Sequence[object]] = []
     worst = []
     for rate, (found, _) in throws.items():
-        off = [off_directions(v, disc_arrows(n / rate)) for n, v in enumerate(found)]
+        off = [exact.off_directions(v, disc_arrows(n / rate)) for n, v in enumerate(found)]
         worst.append(largest(off))
         for n, (axes, error) in enumerate(zip(found, off, strict=True)):
             flat = [value for v in axes for value in v]
@@ -107,8 +80,8 @@ def turning_motion() -> Picture:
         "A thrown disc that wobbles, by integrate_rotation: its axes X, Y, Z,"
         " and the exact axes (dashed)\n"
         "240 steps per second: right angles off by up to "
-        f"{largest([*map(off_right_angles, shown)]):.2g}°, "
-        f"lengths by {largest([*map(off_unit_length, shown)]):.2g},\n"
+        f"{largest([*map(exact.off_right_angles, shown)]):.2g}°, "
+        f"lengths by {largest([*map(exact.off_unit_length, shown)]):.2g},\n"
         f"errors of the directions at most {worst[0]:.3g}°, {worst[1]:.3g}° and {worst[2]:.3g}° "
         f"with {rates[0]}, {rates[1]} and {rates[2]} steps per second: "
         f"order {-slope(rates, worst):.2f} in the step",
@@ -127,13 +100,13 @@ def disc_place(time: float) -> Numbers:
 
 def disc_arrows(time: float) -> Arrows:
     """Compute the exact directions of the disc's axes."""
-    spun = product(turn(AXIS, SPIN * time), TILTED)
-    return arrows(product(turn(Y, PRECESSION * time), spun))
+    spun = exact.product(turn(AXIS, SPIN * time), TILTED)
+    return exact.arrows(exact.product(turn(Y, PRECESSION * time), spun))
 
 
 def disc_acceleration(time: float) -> Numbers:
     """Compute the angular acceleration: the precession keeps changing the spin's direction."""
-    x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
+    x, y, z = exact.rotated(turn(Y, PRECESSION * time), AXIS)
     return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
 
 
@@ -161,7 +134,7 @@ def order_of_turns() -> Picture:
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
-        name: components(Quaternion.from_axis_angle(Vector3(*axis), 0.5 * math.pi))
+        name: exact.components(Quaternion.from_axis_angle(Vector3(*axis), 0.5 * math.pi))
         for name, axis in (("X", X), ("Y", Y))
     }
     rows: list[Sequence[object]] = []
@@ -169,9 +142,11 @@ def order_of_turns() -> Picture:
     ends: dict[str, list[Arrows]] = {"quaternions": [], "matrices": []}
     for row, order in enumerate(("XY", "YX")):
         first, second = (Quaternion(*quarter[name]) for name in order)
-        both = Quaternion(*components(second * first))
+        both = Quaternion(*exact.components(second * first))
         words = ("at the start", f"90° about {order[0]}", f"then 90° about {order[1]}")
-        by_quaternions = [_by_quaternion(q, notes) for q in (Quaternion(), first, both)]
+        turned = (partial(arrows_by_engine, q) for q in (Quaternion(), first, both))
+        by_quaternions, messages = zip(*(tried(act, NOWHERE) for act in turned), strict=True)
+        notes += filter(None, messages)
         by_matrices = _by_matrices(first, second, notes)
         for column, name in enumerate(words):
             space = axes_3d(figure, grid[row, column], 1.15)
@@ -184,7 +159,7 @@ def order_of_turns() -> Picture:
                 space.text(*_on_paper([_along(ORIGIN, axis, 1.45)])[:, 0], label, color=GRAY)
             _letter(space, by_quaternions[column])
             for label, color, v in zip("XYZ", COLORS, by_quaternions[column], strict=True):
-                arrow_3d(space, v, label, color)
+                arrow(space, v, label, color)
             for v in by_matrices[column] if by_matrices else ():
                 space.plot(*_on_paper([ORIGIN, _along(ORIGIN, v, 1.3)]), "k--", lw=1)
         for how, states in (("quaternions", by_quaternions), ("matrices", by_matrices)):
@@ -192,23 +167,17 @@ def order_of_turns() -> Picture:
             for name, state in zip(words, states, strict=False):
                 for label, v in zip("XYZ", state, strict=True):
                     rows.append((order, name, how, label, *v))
-    angles = {how: degrees_between_arrows(*pair) for how, pair in ends.items() if len(pair) == 2}
+    angles = {
+        how: exact.degrees_between_arrows(*pair) for how, pair in ends.items() if len(pair) == 2
+    }
     told = [f"by {how} {angle:.7g}°" for how, angle in angles.items()]
     lines = [f"The angle between the upper and the lower result: {', '.join(told)}"]
     if "matrices" in angles:
-        off = largest([off_directions(*pair) for pair in zip(*ends.values(), strict=True)])
+        off = largest([exact.off_directions(*pair) for pair in zip(*ends.values(), strict=True)])
         lines.append(f"Results by matrices (dashed) and by quaternions differ by {off:.3g}°")
     figure.suptitle("\n".join(lines), fontsize=12)
     tell(figure, notes)
     return Picture(figure, ("order", "state", "by", "axis", "x", "y", "z"), rows)
-
-
-def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Let the engine rotate X, Y and Z. If it fails, add the reason to ``notes``."""
-    found = [NOWHERE]
-    if message := stopped(lambda: found.append(arrows_by_engine(q))):
-        notes.append(message)
-    return found[-1]
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
@@ -216,7 +185,7 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
     found: list[Arrows] = []
 
     def act() -> None:
-        a, b = (Matrix3(*entries(Matrix3.from_quaternion(q))) for q in (first, second))
+        a, b = (Matrix3(*exact.entries(Matrix3.from_quaternion(q))) for q in (first, second))
         found.extend([(X, Y, Z), _columns(a), _columns(b.product(a))])
 
     messages: list[str] = []
@@ -227,7 +196,7 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 def _columns(matrix: Any) -> Arrows:
     """Return the columns of an engine's Matrix3, which are the axes of a rotated body."""
-    a, b, c, d, e, f, g, h, i = entries(matrix)
+    a, b, c, d, e, f, g, h, i = exact.entries(matrix)
     return (a, d, g), (b, e, h), (c, f, i)
 
 

@@ -38,7 +38,7 @@ def main(arguments: list[str]) -> int:
         parser.error(f"--out must be a folder, got the file {options.out}")
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
-    from plots.ch07_constraints.solvers import contact_solvers
+    from plots.ch07_constraints.stacks import contact_solvers
     from studies.accuracy import measure
     from studies.contacts import kept, scenes
 

@@ -19,9 +19,8 @@ from ch07_constraints.links import Rod, TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from scenes import spheres
 from scenes.chain import Chain
-from scenes.clock import RATE
+from scenes.clock import RATE, Move
 from scenes.setup import Setup
-from scenes.track import Move
 from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver

@@ -30,8 +30,8 @@ from plots.ch07_constraints.bounces import without_rule
 from plots.ch07_constraints.rods import energy, stretch
 from plots.ch07_constraints.stacks import sinking
 from scenes.chain import Chain, Link
+from scenes.clock import track
 from scenes.resolving import Resolve, no_forces
-from scenes.track import track
 from studies.accuracy.measured.chains import double_pendulum
 from studies.accuracy.measured.nets import swinging
 from studies.models.rod_tensions import RodTensions

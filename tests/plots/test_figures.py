@@ -13,6 +13,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from lab.drawing.picture import LIGHT
 from plots import ch02_vectors as plots
 from plots import figures
+from plots.draw import plots_of
 from plots.drawing import BLUE, ORANGE
 
 LARGEST = 300_000  # bytes, so that a page loads quickly
@@ -37,6 +38,8 @@ def test_a_lesson_has_pictures_that_load_at_once_and_say_what_they_show(chapter:
     animations = set(re.findall(r"\]\(pictures/(\w+\.gif)\)", lesson))
     stills = {name.removeprefix("pictures/") for _, name in shown}
     assert stills | animations == of_chapter, "a drawn picture is not shown"
+    named = {Path(name).name for name in figures.PLOTS if Path(name).parent.name == chapter.name}
+    assert named <= {*plots_of(chapter.name), *plots_of(chapter.name, "FOR_LESSONS")}
 
 
 def test_no_page_shows_an_animation_that_its_reader_did_not_start() -> None:
@@ -96,7 +99,7 @@ def test_a_picture_that_cannot_be_drawn_is_said_and_the_older_one_stays(
     def cross_product() -> None:
         raise ArithmeticError("no such product")
 
-    monkeypatch.setattr(plots, "cross_product", cross_product)
+    monkeypatch.setattr(plots, "PLOTS", (cross_product,))
     monkeypatch.setattr(figures, "PLOTS", ("ch02_vectors/cross_product",))
     monkeypatch.setattr(figures, "ANIMATIONS", {})
     monkeypatch.setattr(figures, "ROOT", tmp_path)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import importlib
 import math
 import re
 from collections.abc import Iterator
@@ -15,7 +14,7 @@ from matplotlib import pyplot
 from matplotlib.text import Text
 
 from autograder.manifest import load_chapters
-from plots.draw import draw
+from plots.draw import draw, plots_of
 from plots.drawing import Picture
 
 TINY = r"(0(?![.\d])|\d\S*e-1\d(?!\d))"  # an error of rounding
@@ -177,9 +176,7 @@ SAYS: dict[str, tuple[str, ...]] = {
 
 def test_each_plot_is_tested() -> None:
     plots = {
-        f"{chapter.name}/{plot.__name__}"
-        for chapter in load_chapters()
-        for plot in importlib.import_module(f"plots.{chapter.name}").PLOTS
+        f"{chapter.name}/{plot}" for chapter in load_chapters() for plot in plots_of(chapter.name)
     }
     assert plots == {*SAYS}
 
@@ -192,7 +189,7 @@ def test_a_plot_says_what_theory_says_and_has_its_numbers_beside_it(
     made: list[Picture] = []
 
     def drawn() -> Picture:
-        made.append(getattr(importlib.import_module(f"plots.{chapter}"), plot)())
+        made.append(plots_of(chapter)[plot]())
         return made[0]
 
     drawn.__name__ = plot
@@ -217,7 +214,7 @@ def test_a_plot_says_what_theory_says_and_has_its_numbers_beside_it(
 def rows_of(plot: str) -> Iterator[list[Any]]:
     """Yield the rows of a plot's table."""
     chapter, _, name = plot.partition("/")
-    yield from getattr(importlib.import_module(f"plots.{chapter}"), name)().rows
+    yield from plots_of(chapter)[name]().rows
     pyplot.close("all")
 
 

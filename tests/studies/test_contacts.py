@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from matplotlib import pyplot
 
-from plots.ch07_constraints.solvers import STYLES, contact_solvers
+from plots.ch07_constraints.stacks import STYLES, contact_solvers
 from plots.drawing import slope
 from studies import contacts
 from studies.accuracy.measure import Point

@@ -22,7 +22,6 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 class TwoVectors(Scene):
     """The base class of scenes with two vectors a and b that the reader can drag and rotate."""
 
-    chapter = 2
     seconds = 4.0
     exact_from = "the same formula in plain numbers"
     keys = {"left": "rotate a to the left", "right": "rotate a to the right"}
@@ -146,6 +145,3 @@ class CrossProduct(TwoVectors):
     def drag(self, name: str, x: float, y: float) -> None:
         moved = self.a if name == "a" else self.b
         moved.x, moved.z = on_the_ground(x, y)
-
-
-SCENES = (Projection, CrossProduct)

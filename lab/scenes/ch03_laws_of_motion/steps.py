@@ -19,7 +19,6 @@ COLORS = ("red", "orange", "blue")
 class FrameRates(Scene):
     """A scene that simulates a throw at three step rates with the book's integrator."""
 
-    chapter = 3
     title = "One throw at three step rates"
     question = "How does the length of a time step change the path of a ball?"
     view = (-1.0, 25.0, -1.0, 12.0)
@@ -94,7 +93,6 @@ class FrameRates(Scene):
 class DampingForms(Scene):
     """A scene of three sliding pucks, which compares two forms of damping with the exact motion."""
 
-    chapter = 3
     title = "Damping per step, or per second?"
     question = "Which form of damping does not depend on the step rate?"
     view = (-0.5, 10.5, -0.5, 3.5)
@@ -153,6 +151,3 @@ class DampingForms(Scene):
 
     def say(self) -> str:
         return f"The red puck is at {self.places[0]:.2f} m, the blue one at {self.places[1]:.2f} m."
-
-
-SCENES = (FrameRates, DampingForms)

@@ -17,7 +17,6 @@ Point = tuple[float, float]
 class Throw(Scene):
     """A game of throwing a ball, whose exact path shows the integrator's part in a miss."""
 
-    chapter = 3
     title = "Throw a ball at the hoop"
     question = "Does a perfectly aimed ball go in at 10 steps per second?"
     view = (-0.5, 20.0, -1.0, 11.0)
@@ -81,16 +80,11 @@ class Throw(Scene):
         self.start = self.clock.simulated = self.time
         self.end = math.inf
         self.old = [*self.old, *self.path][-400:]
-        self.path, self.truth = [self.HAND], self.exact_path()
+        self.path, self.truth = [self.HAND], [self.HAND]
+        while self.truth[-1][1] >= 0.0 and len(self.truth) < 60.0 * self.LONGEST:
+            self.truth.append(self.flight.exact(len(self.truth) / 60.0).position[:2])
         self.throws += 1
         self.message, self.flies = "", True
-
-    def exact_path(self) -> list[Point]:
-        """Compute the exact path of the throw, from the hand down to the ground."""
-        path: list[Point] = []
-        while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
-            path.append(self.flight.exact(len(path) / 60.0).position[:2])
-        return path
 
     def step(self, duration: float) -> None:
         if not self.flies:
@@ -132,9 +126,8 @@ class Throw(Scene):
         pen.circle((hand_x - 0.6, hand_y - 0.2), 0.25, "black")
         pen.segments([((right + 0.45, 0.0), (right + 0.45, y + 0.9))], "gray", 3.0)
         pen.segments([((right + 0.3, y - 0.3), (right + 0.3, y + 1.2))], "black", 4.0)
-        pen.line(
-            [(left, y), (left + 0.2, y - 0.7), (right - 0.2, y - 0.7), (right, y)], "gray", 1.0
-        )
+        net = [(left, y), (left + 0.2, y - 0.7), (right - 0.2, y - 0.7), (right, y)]
+        pen.line(net, "gray", 1.0)
         pen.segments([((left, y), (right, y))], "red", 4.0)
         pen.dots(self.old, "gray", 2.0)
         pen.line(self.truth, "gray", 1.5, dashed=True)
@@ -190,6 +183,3 @@ class Throw(Scene):
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)
             self.throw()
-
-
-SCENES = (Throw,)

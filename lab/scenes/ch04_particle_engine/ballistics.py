@@ -23,10 +23,96 @@ COLORS = {
 MIDDLE = -20.0  # y at which the view from above is drawn, below the view from the side
 
 
+class Artillery(Scene):
+    """A scene that predicts where a shell will land before it is fired."""
+
+    title = "Where will the shell land?"
+    question = "Can you know where a shell lands without simulating its flight?"
+    view = (-5.0, 175.0, -4.0, 90.0)
+    seconds = 8.0
+    exact_from = "the closed form, state_after"
+    predict = Question(
+        "With these settings, which elevation carries the shell the farthest?",
+        ["30°.", "45°.", "60°."],
+        lambda scene: max(range(3), key=lambda i: scene.landing(30.0 + 15.0 * i)[0]),
+        "Without drag it is 45°. Drag slows the shell down throughout its flight, so a flatter "
+        "shot flies farther: it covers more of the distance while it is still fast.",
+        8.0,
+    )
+    keys = {"f": "fire again"}
+    elevation = Slider(45.0, "elevation", "degrees", 5.0, 85.0, step=1.0)
+    speed = Slider(40.0, "speed", "m/s", 10.0, 40.0, step=1.0)
+    damping = Slider(0.8, "damping d", "", 0.3, 1.0, step=0.05)
+    rate = Choice(60, "steps per second", [10, 30, 60, 240], "Hz")
+
+    def build(self) -> None:
+        self.shell, self.flies = self.shot(self.elevation), True
+        self.path = [(0.0, 0.0)]
+        self.fired = self.clock.simulated = self.time
+        self.end = math.inf  # s, when the shell lands
+        self.length, self.flight = self.landing(self.elevation)
+        times = [self.flight * i / 60.0 for i in range(61)]
+        self.predicted = [self.place_after(time, self.elevation) for time in times]
+
+    def shot(self, elevation: float) -> Particle:
+        """Create a shell fired from the ground at ``elevation``, in degrees."""
+        return thrown((0.0, 0.0), self.speed, elevation, self.damping).particle(Particle)
+
+    def place_after(self, time: float, elevation: float) -> tuple[float, float]:
+        """Compute the exact position of a shell ``time`` s after it was fired."""
+        position, _ = state_after(self.shot(elevation), time)
+        return position.x, position.y
+
+    def landing(self, elevation: float) -> tuple[float, float]:
+        """Compute how far a shell flies, in m, and for how long, in s, by bisection."""
+        low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
+        while high - low > 1e-9:
+            middle = 0.5 * (low + high)
+            above = self.place_after(middle, elevation)[1] > 0.0
+            low, high = (middle, high) if above else (low, middle)
+        return self.place_after(low, elevation)[0], low
+
+    def step(self, duration: float) -> None:
+        if not self.flies:
+            return
+        self.shell.integrate(duration)
+        self.path.append((self.shell.position.x, self.shell.position.y))
+        if self.simulated - self.fired >= self.flight:
+            self.flies, self.end = False, self.simulated
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        pen.line(self.predicted, "gray", 1.5, dashed=True)
+        pen.segments([((self.length, -2.0), (self.length, 2.0))], "red", 4.0)
+        pen.text((self.length, 5.0), f"{self.length:.1f} m", "red")
+        pen.line(self.path, "blue")
+        pen.circle(self.shell.position, 1.5, "green")
+        pen.arrow(self.shell.position, self.shell.velocity * 0.3, "green", "velocity")
+
+    def chart(self) -> dict[str, float]:
+        return {"height, m": self.shell.position.y, "speed, m/s": self.shell.velocity.magnitude()}
+
+    def state(self) -> list[float]:
+        return [self.shell.position.x, self.shell.position.y]
+
+    def exact(self, time: float) -> list[float]:
+        return [*self.place_after(min(time, self.end) - self.fired, self.elevation)]
+
+    def facts(self) -> str:
+        return f"lands {self.length:.2f} m away after {self.flight:.2f} s, as calculated in advance"
+
+    def say(self) -> str:
+        p = self.shell.position
+        return f"The shell is {p.x:.1f} m away and {p.y:.1f} m high."
+
+    def press(self, key: str) -> None:
+        if key == "f":
+            self.build()
+
+
 class Ballistics(Scene):
     """A shooting range, shown from the side in the upper half and from above in the lower."""
 
-    chapter = 4
     title = "The ballistic range"
     question = "Why can the same code fire a bullet, a fireball and a laser beam?"
     view = (-4.0, 132.0, -36.0, 36.0)
@@ -150,100 +236,3 @@ class Ballistics(Scene):
             self.azimuth = math.radians(azimuth)
             self.elevation = None if elevation is None else math.radians(elevation)
             self.fire()
-
-
-def best_of_three(scene: Artillery) -> int:
-    """Predict which elevation carries a shell farthest: 0 for 30, 1 for 45, or 2 for 60 degrees."""
-    lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
-    return lengths.index(max(lengths))
-
-
-class Artillery(Scene):
-    """A scene that predicts where a shell will land before it is fired."""
-
-    chapter = 4
-    title = "Where will the shell land?"
-    question = "Can you know where a shell lands without simulating its flight?"
-    view = (-5.0, 175.0, -4.0, 90.0)
-    seconds = 8.0
-    exact_from = "the closed form, state_after"
-    predict = Question(
-        "With these settings, which elevation carries the shell the farthest?",
-        ["30°.", "45°.", "60°."],
-        best_of_three,
-        "Without drag it is 45°. Drag slows the shell down throughout its flight, so a flatter "
-        "shot flies farther: it covers more of the distance while it is still fast.",
-        8.0,
-    )
-    keys = {"f": "fire again"}
-    elevation = Slider(45.0, "elevation", "degrees", 5.0, 85.0, step=1.0)
-    speed = Slider(40.0, "speed", "m/s", 10.0, 40.0, step=1.0)
-    damping = Slider(0.8, "damping d", "", 0.3, 1.0, step=0.05)
-    rate = Choice(60, "steps per second", [10, 30, 60, 240], "Hz")
-
-    def build(self) -> None:
-        self.shell, self.flies = self.shot(self.elevation), True
-        self.path = [(0.0, 0.0)]
-        self.fired = self.clock.simulated = self.time
-        self.end = math.inf  # s, when the shell lands
-        self.length, self.flight = self.landing(self.elevation)
-        times = [self.flight * i / 60.0 for i in range(61)]
-        self.predicted = [self.place_after(time, self.elevation) for time in times]
-
-    def shot(self, elevation: float) -> Particle:
-        """Create a shell fired from the ground at ``elevation``, in degrees."""
-        return thrown((0.0, 0.0), self.speed, elevation, self.damping).particle(Particle)
-
-    def place_after(self, time: float, elevation: float) -> tuple[float, float]:
-        """Compute the exact position of a shell ``time`` s after it was fired."""
-        position, _ = state_after(self.shot(elevation), time)
-        return position.x, position.y
-
-    def landing(self, elevation: float) -> tuple[float, float]:
-        """Compute how far a shell flies, in m, and for how long, in s, by bisection."""
-        low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
-        while high - low > 1e-9:
-            middle = 0.5 * (low + high)
-            above = self.place_after(middle, elevation)[1] > 0.0
-            low, high = (middle, high) if above else (low, middle)
-        return self.place_after(low, elevation)[0], low
-
-    def step(self, duration: float) -> None:
-        if not self.flies:
-            return
-        self.shell.integrate(duration)
-        self.path.append((self.shell.position.x, self.shell.position.y))
-        if self.simulated - self.fired >= self.flight:
-            self.flies, self.end = False, self.simulated
-
-    def draw(self, pen: Pen) -> None:
-        pen.ground()
-        pen.line(self.predicted, "gray", 1.5, dashed=True)
-        pen.segments([((self.length, -2.0), (self.length, 2.0))], "red", 4.0)
-        pen.text((self.length, 5.0), f"{self.length:.1f} m", "red")
-        pen.line(self.path, "blue")
-        pen.circle(self.shell.position, 1.5, "green")
-        pen.arrow(self.shell.position, self.shell.velocity * 0.3, "green", "velocity")
-
-    def chart(self) -> dict[str, float]:
-        return {"height, m": self.shell.position.y, "speed, m/s": self.shell.velocity.magnitude()}
-
-    def state(self) -> list[float]:
-        return [self.shell.position.x, self.shell.position.y]
-
-    def exact(self, time: float) -> list[float]:
-        return [*self.place_after(min(time, self.end) - self.fired, self.elevation)]
-
-    def facts(self) -> str:
-        return f"lands {self.length:.2f} m away after {self.flight:.2f} s, as calculated in advance"
-
-    def say(self) -> str:
-        p = self.shell.position
-        return f"The shell is {p.x:.1f} m away and {p.y:.1f} m high."
-
-    def press(self, key: str) -> None:
-        if key == "f":
-            self.build()
-
-
-SCENES = (Artillery, Ballistics)

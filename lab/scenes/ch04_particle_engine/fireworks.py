@@ -17,7 +17,6 @@ COLORS = ("orange", "red", "sky", "pink", "brown", "red", "sky", "green", "viole
 class Fireworks(Scene):
     """A fireworks display that goes on as long as the player keeps hitting its rockets."""
 
-    chapter = 4
     title = "Keep the fireworks alive"
     question = "How can a few rules light hundreds of sparks?"
     view = (-30.0, 30.0, -1.0, 34.0)
@@ -96,6 +95,3 @@ class Fireworks(Scene):
             if 0.0 < firework.age < 0.3 and firework.type in (1, 2, 6, 10):
                 p = firework.particle.position
                 click(self.display, p.x, p.y)
-
-
-SCENES = (Fireworks,)

@@ -24,7 +24,6 @@ def lands_first(scene: FallInAir) -> int:
 class FallInAir(Scene):
     """A scene of two balls dropped from a tower, with quadratic drag from the air."""
 
-    chapter = 5
     title = "Which ball lands first?"
     question = "Why does a heavy ball fall faster in air, but not on the moon?"
     view = (-6.0, 10.0, -4.0, 104.0)
@@ -93,11 +92,9 @@ class FallInAir(Scene):
         return heights
 
     def facts(self) -> str:
-        speeds = [
-            f"{speed:.1f} m/s" if speed < math.inf else "none (no air)"
-            for speed in self.terminal_speeds()
-        ]
-        return f"terminal speeds: {speeds[0]} and {speeds[1]}"
+        ends = self.terminal_speeds()
+        left, right = (f"{end:.1f} m/s" if end < math.inf else "none (no air)" for end in ends)
+        return f"terminal speeds: {left} and {right}"
 
     def say(self) -> str:
         left, right = self.state()
@@ -107,7 +104,6 @@ class FallInAir(Scene):
 class Orbit(Scene):
     """A scene of a planet that orbits a star, with two versions of the time step."""
 
-    chapter = 5
     title = "An orbit that should close"
     question = "Which order of the two moves keeps a planet on its orbit?"
     view = (-3.4, 2.4, -2.2, 2.2)
@@ -172,6 +168,3 @@ class Orbit(Scene):
 
     def say(self) -> str:
         return f"The planet is {self.planet.position.magnitude():.2f} m from the star."
-
-
-SCENES = (FallInAir, Orbit)

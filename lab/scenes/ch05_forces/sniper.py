@@ -16,7 +16,6 @@ TURNS = {"left": (STEP, 0.0), "right": (-STEP, 0.0), "up": (0.0, STEP), "down": 
 class Sniper(Scene):
     """A shooting range, seen through a rifle's scope. Coordinates are angles in milliradians."""
 
-    chapter = 5
     title = "The sniper range"
     question = "How far beside the target must you aim in this wind?"
     view = (-42.0, 42.0, -17.0, 30.0)
@@ -119,9 +118,6 @@ class Sniper(Scene):
             math.atan2(target.x - drift, target.distance),
             math.atan2(target.y + drop - sniper.MUZZLE[1], target.distance),
         )
-
-
-SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:

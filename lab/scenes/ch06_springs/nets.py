@@ -10,15 +10,13 @@ from ch05_forces.particle import Particle
 from ch06_springs.going_further.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
-from lab.stepped import Stepped
-from scenes.clock import RATE
+from lab.scenes.ch06_springs.spring import Stepped
 from scenes.parameters import Choice, Slider
 
 
 class SpringBridge(Stepped):
     """A person walks across a bridge whose planks hang from springs (exercise G6.2)."""
 
-    chapter = 6
     title = "A bridge on springs"
     question = "How stiff may the springs be before the bridge explodes?"
     view = (-1.0, 9.0, -2.0, 4.2)
@@ -32,13 +30,12 @@ class SpringBridge(Stepped):
     DAMPING = 40.0  # N s/m
     WEIGHT = 600.0  # N, of the walker
     PACE = 0.2  # m
+    script = {frame: "right" if frame < 240 else "left" for frame in range(0, 480, 6)}
 
     def build(self) -> None:
         down = Vector3(0.0, -G, 0.0)
         places = [Vector3(float(i)) for i in range(self.PLANKS)]
-        self.particles = [
-            Particle(place, acceleration=down, mass=self.PLANK_MASS) for place in places
-        ]
+        self.particles = [Particle(at, acceleration=down, mass=self.PLANK_MASS) for at in places]
         self.registry = ForceRegistry()
         hang_bridge(self.registry, self.particles, self.HEIGHT, self.stiffness, self.DAMPING)
         self.x = 0.5
@@ -90,17 +87,10 @@ class SpringBridge(Stepped):
         pace = {"left": -self.PACE, "right": self.PACE}.get(key, 0.0)
         self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
-    def play(self, time: float) -> None:
-        """Walk to the right end of the bridge and back."""
-        frame = round(RATE * time)
-        if frame % 6 == 0:
-            self.press("right" if frame < 240 else "left")
-
 
 class Cloth(Stepped):
     """A cloth hangs from two corners, which the reader can drag."""
 
-    chapter = 6
     title = "A cloth of 180 springs"
     question = "How many steps per second does each integrator need for a cloth?"
     view = (-1.7, 2.6, -2.1, 0.9)
@@ -141,9 +131,6 @@ class Cloth(Stepped):
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:
             self.drag("right", 1.7 - 0.4 * (time - 5.0), 0.4 - 0.2 * (time - 5.0))
-
-
-SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:

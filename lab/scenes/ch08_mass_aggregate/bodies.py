@@ -19,16 +19,9 @@ ENDS = 2.0 * tilting_platform.MASS * (tilting_platform.LEFT + tilting_platform.R
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 
 
-def lower_end(scene: Platform) -> int:
-    """Predict which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
-    torque = ENDS + scene.mass * scene.x
-    return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
-
-
 class Platform(WorldScene):
     """A platform that tilts on a pivot, under a weight that the reader moves (mini-project 8.1)."""
 
-    chapter = 8
     title = "A platform that tips"
     question = "Where does the weight balance the platform?"
     view = (-7.0, 7.0, -1.2, 6.3)
@@ -41,7 +34,7 @@ class Platform(WorldScene):
     predict = Question(
         "The right end is farther from the pivot. Which end goes down?",
         ["The left end.", "The right end.", "Neither: the platform is balanced."],
-        lower_end,
+        lambda scene: 2 if abs(scene.torque()) < 1e-9 else int(scene.torque() > 0.0),
         "Each mass exerts a torque in proportion to its distance from the pivot. The end on the "
         "side with the larger torque goes down.",
         3.0,
@@ -49,6 +42,10 @@ class Platform(WorldScene):
     mass = Slider(4.0, "weight", "kg", 0.0, 32.0, step=0.5, live=True)
     x = Slider(-1.0, "position of the weight", "m", -3.0, 4.0, step=0.25, live=True)
     PACES = {"left": -0.5, "right": 0.5}  # m
+    # Let the platform tip for 3 s. Then move the weight back and forth, and free the pivot.
+    script = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
+    script |= dict.fromkeys(range(380, 480, 8), "left")
+    script |= dict.fromkeys(range(580, 650, 5), "right")
 
     def build(self) -> None:
         self.platform = tilting_platform.TiltingPlatform()
@@ -80,10 +77,12 @@ class Platform(WorldScene):
     def chart(self) -> dict[str, float]:
         return {"tilt, degrees": math.degrees(self.platform.tilt()), **self.used()}
 
+    def torque(self) -> float:
+        return float(ENDS + self.mass * self.x)
+
     def facts(self) -> str:
         balance = f"{-ENDS / self.x:.2f} kg" if self.x * ENDS < 0.0 else "no weight"
-        torque = ENDS + self.mass * self.x
-        return f"torque / g = {torque:+.2f} kg m; {balance} would balance it here"
+        return f"torque / g = {self.torque():+.2f} kg m; {balance} would balance it here"
 
     def say(self) -> str:
         pivot = "free" if self.free else "held"
@@ -100,18 +99,10 @@ class Platform(WorldScene):
     def drag(self, name: str, x: float, y: float) -> None:
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
-    def play(self, time: float) -> None:
-        """Let the platform tip for 3 s. Then move the weight back and forth, and free the pivot."""
-        orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
-        orders |= dict.fromkeys(range(380, 480, 8), "left")
-        orders |= dict.fromkeys(range(580, 650, 5), "right")
-        self.press(orders.get(round(60.0 * time), ""))
-
 
 class Blob(WorldScene):
     """A blob of particles with bonds that can break and heal, which the reader pushes around."""
 
-    chapter = 8
     title = "A blob that tears"
     question = "How hard a push tears the blob apart, and can cables prevent it?"
     view = (-4.1, 4.1, -0.4, 4.1)
@@ -150,15 +141,14 @@ class Blob(WorldScene):
         first = math.floor(self.eye - 4.0)
         marks = [x - self.eye for x in range(first, first + 10)]
         pen.segments([((x, 0.0), (x, -0.1)) for x in marks])
-        well: list[tuple[Vector3, Vector3]] = []
-        over: list[tuple[Vector3, Vector3]] = []
+        seen: dict[bool, list[tuple[Vector3, Vector3]]] = {False: [], True: []}
         for bond in self.blob.bonds:
             if bond.holds:
                 a, b = bond.a.position, bond.b.position
                 is_over = (b - a).magnitude() > blob.LIMIT * bond.rest_length
-                (over if is_over else well).append((a + away, b + away))
-        pen.segments(well, "blue", 1.5)
-        pen.segments(over, "red", 1.5)
+                seen[is_over].append((a + away, b + away))
+        pen.segments(seen[False], "blue", 1.5)
+        pen.segments(seen[True], "red", 1.5)
         pen.dots([place + away for place in places], "black", 7.0)
         pen.arrow(middle + away, self.blob.push * 0.15, "orange", "force")
         self.contacts.draw(pen, 2.0)
@@ -173,9 +163,8 @@ class Blob(WorldScene):
         return found
 
     def facts(self) -> str:
-        return (
-            f"a bond turns red beyond {blob.LIMIT:g} and breaks at {blob.BREAK:g} times its length"
-        )
+        limit, most = f"{blob.LIMIT:g}", f"{blob.BREAK:g}"
+        return f"a bond turns red beyond {limit} and breaks at {most} times its length"
 
     def say(self) -> str:
         return f"{self.holding()} of {len(self.blob.bonds)} bonds are intact."
@@ -189,6 +178,3 @@ class Blob(WorldScene):
         """Push the blob upward, downward and to both sides."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         self.press(orders.get(round(60.0 * time) % 360, ""))
-
-
-SCENES = (Platform, Blob)

@@ -19,7 +19,6 @@ VIEW = (-8.0, 8.0, -1.0, 7.6)
 class Bridge(WorldScene):
     """A rope bridge and a heavy ball, which the reader moves across. Some frames may be late."""
 
-    chapter = 8
     title = "A rope bridge"
     question = "How many iterations do the cables need to carry the ball?"
     view = VIEW
@@ -78,11 +77,8 @@ class Bridge(WorldScene):
         return f"{len(self.bridge.links)} rods and cables{dropped}"
 
     def say(self) -> str:
-        place = self.bridge.ball.position
-        return (
-            f"The ball is at x = {place.x:.1f} m, y = {place.y:.1f} m. "
-            f"The worst cable is {self.too_long():.2f} % too long."
-        )
+        place, cable = self.bridge.ball.position, f"The worst cable is {self.too_long():.2f} %"
+        return f"The ball is at x = {place.x:.1f} m, y = {place.y:.1f} m. {cable} too long."
 
     def press(self, key: str) -> None:
         self.bridge.pace = self.PACES.get(key, self.bridge.pace)
@@ -98,7 +94,6 @@ class Bridge(WorldScene):
 class BallGame(Scene):
     """A game of bouncing a ball from plank to plank of a rope bridge (project 8.1)."""
 
-    chapter = 8
     title = "A game on the bridge"
     question = "Can you land on every plank before you lose three balls?"
     view = VIEW
@@ -148,22 +143,14 @@ class BallGame(Scene):
 
     def play(self, time: float) -> None:
         """Win one game, by always steering to the next row of planks, and lose another one."""
+        ball, visited = self.game.ball, self.game.rules.visited
+        left = [row for i, row in enumerate(self.game.rows) if i not in visited]
         frame = round(60.0 * time)
-        if frame == 424:
-            self.press("n")
-        elif frame > 424:
-            self.press("left" if frame > 474 else "down")
+        if frame >= 424:
+            self.press("n" if frame == 424 else "left" if frame > 474 else "down")
+        elif not left:
+            self.press("down")
         else:
-            self.press(self.next_key())
-
-    def next_key(self) -> str:
-        """Choose the key that steers the ball toward the first unvisited row of planks."""
-        ball, rules = self.game.ball, self.game.rules
-        left = [row for i, row in enumerate(self.game.rows) if i not in rules.visited]
-        if not left:
-            return "down"
-        there = 0.5 * (left[0][0].position.x + left[0][1].position.x)
-        return "right" if there > ball.position.x + self.FORESIGHT * ball.velocity.x else "left"
-
-
-SCENES = (Bridge, BallGame)
+            there = 0.5 * (left[0][0].position.x + left[0][1].position.x)
+            seen = ball.position.x + self.FORESIGHT * ball.velocity.x
+            self.press("right" if there > seen else "left")

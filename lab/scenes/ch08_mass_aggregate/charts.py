@@ -25,7 +25,6 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 class Charts(Scene):
     """Replays a test of the accuracy study, whose frames a method has computed in advance."""
 
-    chapter = 8
     title = "Speed against accuracy"
     question = "Which method is the fastest that is accurate enough?"
     view = (-1.6, 1.6, -1.3, 1.3)
@@ -83,13 +82,9 @@ class Charts(Scene):
             pen.line(own, "blue", 1.5)
         for point in own:
             pen.circle(point, 0.04, "blue")
-        pen.text((0.0, 1.2), self.shown(), "black", 14.0)
-
-    def shown(self) -> str:
-        """Name the method that is shown, and say so if it is not the one that the reader chose."""
-        if self.model.name == self.method:
-            return self.model.name
-        return f"{self.model.name} (there is no {self.method} in this scene)"
+        chosen = self.model.name == self.method
+        note = "" if chosen else f" (there is no {self.method} in this scene)"
+        pen.text((0.0, 1.2), self.model.name + note, "black", 14.0)
 
     def state(self) -> list[float]:
         return [float(x) / self.scene.scale for x in self.places[self.frame]]
@@ -98,10 +93,8 @@ class Charts(Scene):
         return [float(x) / self.scene.scale for x in self.truths[self.frame]]
 
     def facts(self) -> str:
-        return (
-            f"{self.fineness()[1]}; {self.work:,} {self.scene.counted} for {self.scene.frames} "
-            f"frames; the scale is {self.scene.scale:g} m"
-        )
+        work = f"{self.work:,} {self.scene.counted} for {self.scene.frames} frames"
+        return f"{self.fineness()[1]}; {work}; the scale is {self.scene.scale:g} m"
 
     def say(self) -> str:
         return f"The error of {self.model.name} is {self.error() or 0.0:.2g} of the scale."
@@ -113,6 +106,3 @@ def points(place: Place) -> list[tuple[float, float]]:
     if len(numbers) == 1:
         return [(0.0, numbers[0])]
     return list(zip(numbers[::2], numbers[1::2], strict=True))
-
-
-SCENES = (Charts,)

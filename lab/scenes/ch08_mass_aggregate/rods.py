@@ -21,7 +21,6 @@ from scenes.twin import twin_of
 class Wheel(WorldScene):
     """A wheel of rods that is driven at its rim (mini-project 8.3), beside a rigid wheel."""
 
-    chapter = 8
     title = "A wheel of rods"
     question = "Does a wheel of particles spin up like a rigid wheel?"
     view = (-1.6, 1.6, -1.6, 1.6)
@@ -112,11 +111,9 @@ class PymunkWheel(Wheel):
 class Cube(WorldScene):
     """A cube of rods that falls on one of its corners (mini-project 8.2)."""
 
-    chapter = 8
     title = "A cube of rods"
     question = "How many rods can be removed before the cube collapses?"
     view = (-3.5, 3.5, -1.1, 3.2)
-    seconds = 6.0
     predict = Question(
         "The cube falls on a corner. Does it keep its shape?",
         ["Yes, it stays a cube.", "No, it collapses."],
@@ -176,4 +173,3 @@ def tilted(place: Vector3) -> tuple[float, float]:
 
 
 Wheel.peers = {"pymunk": PymunkWheel}
-SCENES = (Wheel, Cube)

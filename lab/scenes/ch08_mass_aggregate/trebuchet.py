@@ -18,7 +18,6 @@ DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # used if my_design is no
 class Trebuchet(WorldScene):
     """The student's trebuchet, whose counterweight and release angle the reader can change."""
 
-    chapter = 8
     title = "A trebuchet"
     question = "Which angle of release throws farthest?"
     view = (-14.0, 134.0, -5.0, 66.0)
@@ -101,15 +100,10 @@ class Trebuchet(WorldScene):
 
     def facts(self) -> str:
         one = self.design
-        return (
-            f"arms {one.short_arm:g} m and {one.long_arm:g} m, sling {one.sling:g} m, "
-            f"release at {one.release_angle:g}°"
-        )
+        arms = f"arms {one.short_arm:g} m and {one.long_arm:g} m"
+        return f"{arms}, sling {one.sling:g} m, release at {one.release_angle:g}°"
 
     def say(self) -> str:
         if self.end:
             return f"{self.end} It received {100.0 * self.share():.0f} % of the energy."
         return "The projectile flies." if self.engine.flies else "The beam swings."
-
-
-SCENES = (Trebuchet,)

@@ -27,9 +27,9 @@ from ch07_constraints.going_further.angle_pendulum import AnglePendulum, DoubleP
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import TwoSidedRod
 from scenes.chain import Chain
+from scenes.clock import Move
 from scenes.resolving import resolving
 from scenes.setup import Setup
-from scenes.track import Move
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_plane import in_plane
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, by_pymunk, from_two_runs

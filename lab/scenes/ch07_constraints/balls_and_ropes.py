@@ -1,26 +1,33 @@
-"""Interactive scenes for chapter 7: a bouncing ball, and a stack that should not sink."""
+"""Interactive scenes for chapter 7: a bouncing ball, a stack of spheres, and three equal ropes."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
+from ch02_vectors.vector import Vector3
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.going_further.bouncing_ball import heights_in_frames
+from ch07_constraints.going_further.direct_chain import DirectChain
+from ch07_constraints.links import Rod
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
 from lab.scene import Question, Scene
+from scenes.chain import Chain
 from scenes.clock import FRAME
 from scenes.dropped_balls import DroppedBalls
 from scenes.integrators import INTEGRATORS
 from scenes.parameters import Choice, Slider
-from scenes.resolving import no_forces
+from scenes.resolving import by_resolver, no_forces, resolving
 from scenes.spheres import RADIUS, overlap, stack
 from scenes.twin import twin_of
 
 G = 9.81  # m/s^2
+LENGTH = 3.0  # m, of a whole rope
 METHODS = ["semi-implicit Euler", "explicit Euler", "time division"]
+ROPES = {"one step": "red", "substeps": "blue", "DirectChain": "green"}
 RATES = [30, 60, 120, 240, 480]
 
 
@@ -41,7 +48,6 @@ def rises(scene: Bounce) -> int:
 class Bounce(Scene):
     """A ball that bounces on the ground and keeps some or all of its speed."""
 
-    chapter = 7
     title = "A ball that bounces"
     question = "Does the ball come back to the height from which it fell?"
     view = (-2.6, 2.6, -0.4, 4.4)
@@ -143,7 +149,6 @@ Bounce.peers = {"pymunk": PymunkBounce}
 class Stack(Scene):
     """A stack of spheres that the resolver has to carry, and whose top sphere can be dragged."""
 
-    chapter = 7
     title = "A stack of spheres"
     question = "How many iterations keep a tall stack from sinking?"
     view = (-4.0, 4.0, -0.5, 10.5)
@@ -220,4 +225,66 @@ class PymunkStack(Stack):
 
 
 Stack.peers = {"pymunk": PymunkStack}
-SCENES = (Bounce, Stack)
+
+
+class Ropes(Scene):
+    """Three copies of a rope that should not stretch, each simulated with another method."""
+
+    title = "One rope, three methods"
+    question = "Which method keeps the rods at their true length?"
+    view = (-9.5, 9.5, -4.2, 2.2)
+    exact_from = "the length of the rods"
+    predict = Question(
+        "Which rope stretches the most?",
+        ["One step per frame.", "Substeps.", "The direct solve."],
+        lambda _: 0,
+        "Each iteration of the resolver fixes one rod and disturbs its neighbors. With substeps "
+        "there is less to fix in each step. The direct solve finds the pulls of all rods at once.",
+        3.0,
+    )
+    count = Choice(5, "rods", [1, 2, 3, 5, 10, 15, 20])
+    angle = Slider(60.0, "angle at the start", "degrees", 0.0, 90.0, step=5.0)
+    substeps = Choice(8, "substeps of the blue rope", [1, 2, 4, 8, 16], live=True)
+
+    def build(self) -> None:
+        rod = LENGTH / self.count
+        self.rope = Chain([1.0] * self.count, rod, math.radians(self.angle), 9.81)
+        self.setups = [self.rope.setup(Rod) for _ in ROPES]
+        self.chain = DirectChain(self.setups[2].particles, Vector3())
+
+    def step(self, duration: float) -> None:
+        for setup, substeps in zip(self.setups, (1, self.substeps), strict=False):
+            bodies, rods = setup.particles, setup.contacts
+            resolving(semi_implicit_euler, bodies, rods, by_resolver(), substeps=substeps)(duration)
+        self.chain.step(duration)
+
+    def too_long(self, i: int) -> float:
+        """Add up the excess lengths of all rods of rope ``i``, in m."""
+        return math.fsum(self.rope.excess(self.setups[i].particles))
+
+    def draw(self, pen: Pen) -> None:
+        for i, (name, color) in enumerate(ROPES.items()):
+            x = 6.4 * (i - 1)
+            positions = [Vector3(), *(body.position for body in self.setups[i].particles)]
+            places = [(x + position.x, position.y) for position in positions]
+            pen.line(places, color)
+            pen.dots(places, color, 4.0)
+            pen.segments([((x - 0.2, 0.0), (x + 0.2, 0.0))], "black", 4.0)
+            pen.text((x, 1.5), name, color)
+            pen.text((x, 0.8), f"{100.0 * self.too_long(i):.2f} cm too long", color, 12.0)
+
+    def chart(self) -> dict[str, float]:
+        return {f"{name}, cm": 100.0 * self.too_long(i) for i, name in enumerate(ROPES)}
+
+    def state(self) -> list[float]:
+        return [self.too_long(i) for i in range(3)]
+
+    def exact(self, time: float) -> list[float]:
+        return [0.0, 0.0, 0.0]
+
+    def facts(self) -> str:
+        return f"{self.count} rods of {self.rope.length:.2g} m"
+
+    def say(self) -> str:
+        longest = 100.0 * self.too_long(0)
+        return f"With one step per frame the rope is {longest:.1f} cm too long."

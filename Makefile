@@ -1,5 +1,5 @@
 # Every command sets up .venv by itself the first time. `make` alone lists them.
-# instructor.mk has the commands that students do not need.
+# autograder/instructor.mk has the commands that students do not need.
 ifeq ($(OS),Windows_NT)
 PYTHON ?= python
 RUN := .venv/Scripts/python
@@ -9,6 +9,7 @@ RUN := .venv/bin/python
 endif
 READY := .venv/ready
 ENGINE ?= chapters
+INSTRUCTOR := autograder/instructor.mk
 
 # Commands get the value of a variable exactly as it was typed, even if it has quotes or dollars, as
 # in NOTE="it's \"late\" and costs \$5". In single quotes, the shell changes nothing. A recipe cannot
@@ -49,13 +50,13 @@ help:
 	@echo "These are your commands. CH=3 means chapter 3, and EX=2.5 means exercise 2.5."
 	@echo "If this folder has the reference, GIVEN=2-5 takes chapters 2 to 5 from it."
 	@sed -n $(LIST) $(firstword $(MAKEFILE_LIST)) | $(ALIGN)
-ifneq ($(wildcard instructor.mk),)
+ifneq ($(wildcard $(INSTRUCTOR)),)
 	@echo "To see the commands for instructors and developers too, run: make help-all"
 endif
 
 help-all: help
-ifneq ($(wildcard instructor.mk),)
-	@sed -n -e 's/^# == \(.*\) ==$$/\1:/p' $(LIST) instructor.mk | $(ALIGN)
+ifneq ($(wildcard $(INSTRUCTOR)),)
+	@sed -n -e 's/^# == \(.*\) ==$$/\1:/p' $(LIST) $(INSTRUCTOR) | $(ALIGN)
 endif
 
 watch: $(READY) ## check your current exercise whenever you save a file (CH=3)
@@ -85,15 +86,15 @@ plot: .venv/pictures ## draw the pictures of a chapter with your engine (CH=2)
 setup: $(READY) ## create .venv (the other commands do this when needed)
 	@echo "Set up: .venv is ready."
 
-$(READY): requirements.lock autograder/make_venv.py
+$(READY): autograder/locks/requirements.lock autograder/make_venv.py
 	@command -v $(PYTHON) >/dev/null || { echo "Cannot set up: there is no $(PYTHON); install Python 3.11 or newer, or name one: make setup PYTHON=python3.14"; exit 1; }
 	@$(PYTHON) autograder/make_venv.py
 
-# The packages of pictures.lock, and so on, are installed when a command first needs them.
-.venv/%: %.lock $(READY)
+# The packages of autograder/locks/pictures.lock, and so on, are installed when a command first needs them.
+.venv/%: autograder/locks/%.lock $(READY)
 	@$(RUN) autograder/make_venv.py $*
 
--include instructor.mk
+-include $(INSTRUCTOR)
 
 # The rest looks at the command line.
 COMMANDS := $(patsubst TAKES_%,%,$(filter TAKES_%,$(.VARIABLES)))

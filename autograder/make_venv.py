@@ -1,9 +1,9 @@
 """Create the virtual environment .venv, or add a group of packages to it.
 
 `make` runs this script before a command that needs it. Without make, run `python3
-autograder/make_venv.py` yourself. It installs the packages listed in requirements.lock, which are
-all that most commands of students need. `python3 autograder/make_venv.py pictures` adds those of
-pictures.lock, which draw the pictures.
+autograder/make_venv.py` yourself. It installs the packages in autograder/locks/requirements.lock,
+which are all that most commands of students need. `python3 autograder/make_venv.py pictures` adds
+those of pictures.lock, which draw the pictures.
 
 The script uses only syntax that Python 3.6 understands. If your Python is too old for the project,
 you therefore see a helpful message instead of a syntax error.
@@ -17,9 +17,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
+LOCKS = ROOT / "autograder" / "locks"
 STUDENTS = "requirements"  # the lock with the packages of students
 EVERYTHING = "everything"  # the group that contains all others
-NO_GROUPS = (STUDENTS, "stubs")  # stubs.lock lists files and no packages
 NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is unreachable")
 
 
@@ -75,7 +75,7 @@ def install(name: str) -> None:
 
     If pip fails, exit and print the reason.
     """
-    lock = ROOT / f"{name}.lock"
+    lock = LOCKS / f"{name}.lock"
     failure = run_pip(lock)
     if any(word in failure.lower() for word in NETWORK_WORDS):
         stop(
@@ -145,7 +145,7 @@ def put_engine_on_path() -> None:
 
 def main(group: str = "") -> None:
     """Create .venv, or add the packages of ``group``, and create .venv first if it is missing."""
-    groups = sorted(lock.stem for lock in ROOT.glob("*.lock") if lock.stem not in NO_GROUPS)
+    groups = sorted(lock.stem for lock in LOCKS.glob("*.lock") if lock.stem != STUDENTS)
     if group and group not in groups:
         stop(f"there is no group of packages called {group!r}; choose from {', '.join(groups)}")
     if not group or not (VENV / "ready").exists():

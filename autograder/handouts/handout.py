@@ -15,10 +15,7 @@ from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter
 
 STUDENT_TOOLS = {
-    ".": (
-        "Makefile pyproject.toml requirements.lock pictures.lock stubs.lock LICENSE .gitignore "
-        "glossary.md"
-    ),
+    ".": "Makefile pyproject.toml LICENSE .gitignore glossary.md",
     ".vscode": "*.json",
     "autograder": (
         "__init__.py __main__.py accepted_files.py answers.py commands.py definitions.py files.py "
@@ -27,7 +24,8 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py lock.py stubs.py unused.py",
+    "autograder/handouts": "__init__.py lock.py stubs.lock stubs.py unused.py",
+    "autograder/locks": "pictures.lock requirements.lock",
     "autograder/student": "*.py",
     "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",
@@ -119,7 +117,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     _copy_room(root / "lab", out, names)
     _copy_room(root / "plots", out, names)
     _copy([root / "chapters" / "README.md"], out / "chapters")
-    _copy([root / "claims.md", root / "errata.md"], out)
+    _copy([root / "docs/claims.md", root / "docs/errata.md"], out / "docs")
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name

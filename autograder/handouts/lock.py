@@ -11,7 +11,7 @@ from pathlib import Path
 
 from autograder.manifest import ROOT
 
-LOCK_NAME = "stubs.lock"
+LOCK_NAME = "autograder/handouts/stubs.lock"
 
 
 def stub_hash(text: str) -> str:

@@ -7,7 +7,7 @@ import re
 from autograder.manifest import ROOT
 
 PAGES = [
-    *("README.md", "study_guide.md", "learning_path.md", "CONTRIBUTING.md"),
+    *("README.md", "docs/study_guide.md", "docs/learning_path.md", "docs/CONTRIBUTING.md"),
     *(f"{folder}/README.md" for folder in ("autograder", "sample_class", "lab", "web", "studies")),
     *("tests/README.md", "solutions/README.md"),
 ]

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from autograder.definitions import functions
+from autograder.handouts.lock import LOCK_NAME
 from autograder.handouts.stubs import (
     complete_hashes,
     make_stubs,
@@ -254,7 +255,8 @@ def copy(tmp_path: Path) -> Path:
     """Return a copy of the files that make stubs reads and writes."""
     for folder in ("chapters", "solutions"):
         copy_tree(ROOT / folder, tmp_path / folder)
-    shutil.copyfile(ROOT / "stubs.lock", tmp_path / "stubs.lock")
+    (tmp_path / LOCK_NAME).parent.mkdir(parents=True)
+    shutil.copyfile(ROOT / LOCK_NAME, tmp_path / LOCK_NAME)
     for path, text in made_stubs().items():
         (tmp_path / path).write_text(text, encoding="utf-8")
     return tmp_path

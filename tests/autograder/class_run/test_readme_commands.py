@@ -29,7 +29,7 @@ ONLY_READ |= {"claims", "clarity", "contacts", "figures"}
 # Lines that put another class in the place of the one of the page's other lines, so that they stop
 # unless the results are moved, as they say.
 OTHER_CLASS = ["make grade SUBMISSIONS=../lab1.zip ROSTER=../roster.csv"]
-COURSES = {"study_guide.md": ROOT / "plans/twelve_weeks.toml"}  # copied, as the page says
+COURSES = {"docs/study_guide.md": ROOT / "docs/plans/twelve_weeks.toml"}  # copied, as the page says
 PATH = re.compile(r"(?m)^(?:[\w ]+: )?((?:build|\.\.)/\S*\w)$")
 pytestmark = [
     pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here"),

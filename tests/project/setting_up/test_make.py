@@ -40,7 +40,7 @@ def test_help_all_lists_every_command_under_headings() -> None:
     done = make("help-all")
     names = {
         name
-        for file in ("Makefile", "instructor.mk")
+        for file in ("Makefile", "autograder/instructor.mk")
         for name in re.findall(r"(?m)^TAKES_(\w+) :=", (ROOT / file).read_text(encoding="utf-8"))
     }
     assert listed(done.stdout)[: len(STUDENTS)] == STUDENTS
@@ -134,7 +134,8 @@ TAKERS = [
 def echoing(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the commands, in which Python only prints its arguments as JSON."""
     folder = tmp_path_factory.mktemp("echoing")
-    for name in ("Makefile", "instructor.mk"):
+    for name in ("Makefile", "autograder/instructor.mk"):
+        (folder / name).parent.mkdir(exist_ok=True)
         shutil.copyfile(ROOT / name, folder / name)
     python = folder / ".venv/bin/python"
     python.parent.mkdir(parents=True)

@@ -37,7 +37,7 @@ needs_make = pytest.mark.skipif(shutil.which("make") is None, reason="there is n
 
 def pins(lock: str) -> dict[str, str]:
     """Return the entries of a lock, keyed by name==version."""
-    text = (ROOT / f"{lock}.lock").read_text(encoding="utf-8")
+    text = (ROOT / f"autograder/locks/{lock}.lock").read_text(encoding="utf-8")
     return {entry.split()[0]: entry for entry in re.split(r"(?m)^(?=[a-z])", text)[1:]}
 
 
@@ -239,7 +239,7 @@ def test_the_scene_of_the_charts_says_which_packages_it_lacks(tmp_path: Path) ->
 
 def would_run(*arguments: str) -> str:
     """Return what make would run if the students' packages were installed, and no group."""
-    groups = [f"--what-if={group}.lock" for group in GROUPS]
+    groups = [f"--what-if=autograder/locks/{group}.lock" for group in GROUPS]
     command = ["make", "--dry-run", "--old-file=.venv/ready", *groups, *arguments]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
     return done.stdout
@@ -255,7 +255,7 @@ TEACHING = {"grade", "release", "similarity", "mark", "handout", "classroom", "g
 def test_each_make_command_first_installs_the_group_of_its_python_command() -> None:
     known = {
         name
-        for file in ("Makefile", "instructor.mk")
+        for file in ("Makefile", "autograder/instructor.mk")
         for name in re.findall(r"(?m)^TAKES_(\w+) :=", (ROOT / file).read_text(encoding="utf-8"))
     }
     for name in known - {"help", "setup"}:

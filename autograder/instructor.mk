@@ -120,7 +120,7 @@ seeds: .venv/everything ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 table: .venv/everything ## copy the measured figures into the pages
 	@$(RUN) tests/strength table
 
-claims: .venv/everything ## measure what the book claims, and write claims.md
+claims: .venv/everything ## measure what the book claims, and write docs/claims.md
 	@$(RUN) tests/reference/claims
 
 bench: .venv/everything ## measure ratios of speed and compare them with their targets

@@ -36,7 +36,7 @@ ADVICE = {
 }
 # The packages that each lock adds, as they are called in import statements (see pyproject.toml).
 PACKAGES = {
-    "requirements": "libcst pymunk pytest rich tornado watchfiles",
+    "requirements": "pymunk pytest rich tornado watchfiles",
     "pictures": "matplotlib",
     "teaching": "dateparser jinja2 yaml",
     "everything": "jinja2 matplotlib scipy yaml",

@@ -10,20 +10,34 @@ import ast
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+Scope = ast.Module | ast.ClassDef
+Definition = ast.FunctionDef | ast.ClassDef
+
+
+def scopes(tree: ast.Module) -> dict[str, tuple[Scope, dict[str, Definition]]]:
+    """Find the functions and classes of a module (keyed by ""), and the methods of each class.
+
+    A property appears under its name, such as mass, and its setter as mass.setter.
+    """
+    owners = {"": tree} | {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    return {
+        name: (
+            owner,
+            {_name(node): node for node in owner.body if isinstance(node, Definition)},
+        )
+        for name, owner in owners.items()
+    }
+
 
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Find the functions and methods of a module, keyed by names such as Vector3.dot.
-
-    A property appears as Particle.mass, and its setter as Particle.mass.setter.
-    """
-    found = {}
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef):
-            found[_name(node)] = node
-        elif isinstance(node, ast.ClassDef):
-            members = (member for member in node.body if isinstance(member, ast.FunctionDef))
-            found |= {f"{node.name}.{_name(member)}": member for member in members}
-    return found
+    """Find the functions and methods of a module, keyed by names such as Vector3.dot."""
+    found = {
+        f"{scope}.{name}" if scope else name: node
+        for scope, (_, members) in scopes(tree).items()
+        for name, node in members.items()
+        if isinstance(node, ast.FunctionDef)
+    }
+    return dict(sorted(found.items(), key=lambda item: item[1].lineno))
 
 
 def read_definitions(file: Path) -> set[str] | None:
@@ -113,6 +127,6 @@ def own_name(edited: str) -> str:
     return edited.split(".", 2)[-1]
 
 
-def _name(node: ast.FunctionDef) -> str:
+def _name(node: Definition) -> str:
     setter = f"{node.name}.setter"
     return setter if setter in map(ast.unparse, node.decorator_list) else node.name

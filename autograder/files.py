@@ -50,3 +50,8 @@ def is_new(folder: Path, first: Path) -> bool:
     every run writes first. A run leaves such a copy behind if it is killed right after it starts.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}
+
+
+def from_here(path: Path) -> Path:
+    """Return a path for people to read: relative to the working folder if it is inside."""
+    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -27,7 +27,7 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py lock.py stubs.py unused.py",
+    "autograder/handouts": "__init__.py bodies.py lock.py stubs.py unused.py",
     "autograder/student": "*.py",
     "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",

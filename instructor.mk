@@ -8,19 +8,12 @@ WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 # Reports with codes never go to a folder of reports with names.
 CODED = $(filter-out 0,$(ANONYMOUS))
 
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
-TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ROSTER ASSIGNMENT COURSE
-TAKES_similarity := SUBMISSIONS CHAPTERS OUT ROSTER ASSIGNMENT COURSE
-TAKES_mark := SUBMISSIONS CHAPTERS OPEN ROSTER ASSIGNMENT COURSE
-TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
-TAKES_classroom := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
-TAKES_gradescope := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
+include autograder/instructor.mk
 TAKES_site := OUT SOLUTIONS
 TAKES_test := CH
 TAKES_test-all :=
 TAKES_lint :=
 TAKES_update :=
-TAKES_stubs :=
 TAKES_figures :=
 TAKES_mutants := CH
 TAKES_seeds := CH SEEDS
@@ -39,34 +32,32 @@ TAKES_contacts := QUICK
 .PHONY: bench charts choose limits
 .PHONY: economy soak clarity contacts figures mutants seeds table claims
 
-# ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
-ASSIGNED = $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
-# The chapters of a handout, which the course file names if there is an assignment.
+# The chapters of a handout. If there is an assignment, the course file names them.
 NAMED = $(or $(call typed,CHAPTERS),$(if $(value ASSIGNMENT),,$(error name the chapters: make $@ CHAPTERS=2 OUT=dir, or an assignment: make $@ ASSIGNMENT=lab1)))
 BUILT = build/$(if $(value ASSIGNMENT),$(call escaped,ASSIGNMENT)/)
 out = --out $(or $(call typed,OUT),'$(1)')
 
 # == For instructors ==
 grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade $(call typed,SUBMISSIONS) $(call out,$(BUILT)grades$(if $(CODED),-anonymous)) $(ASSIGNED) $(call option,--seed,SEED) $(call option,--chapters,CHAPTERS) $(call option,--given,GIVEN) $(call option,--checks,CHECKS) $(call option,--roster,ROSTER) $(if $(CODED),--anonymous) $(call option,--title,TITLE) $(call option,--points,POINTS) $(call option,--student,STUDENT) $(call option,--note,NOTE)
+	@$(RUN) -m autograder grade $(OPTIONS_grade) $(call out,$(BUILT)grades$(if $(CODED),-anonymous)) $(if $(CODED),--anonymous)
 
 release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder release $(NAMED) $(call out,$(BUILT)release) $(ASSIGNED) $(call option,--exercises,EX) $(call option,--submissions,SUBMISSIONS) $(if $(value GRADES)$(value SUBMISSIONS)$(wildcard $(BUILT)grades/results),--grades $(or $(call typed,GRADES),'$(BUILT)grades')) $(call option,--roster,ROSTER)
+	@$(RUN) -m autograder release $(NAMED) $(OPTIONS_release) $(call out,$(BUILT)release) $(if $(value GRADES)$(value SUBMISSIONS)$(wildcard $(BUILT)grades/results),--grades $(or $(call typed,GRADES),'$(BUILT)grades'))
 
 similarity: .venv/teaching ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
-	@$(RUN) -m autograder similarity $(or $(call typed,SUBMISSIONS),$(if $(value ASSIGNMENT)$(value ROSTER),$(error name the class: make similarity SUBMISSIONS=../handed-in),sample_class)) $(call out,$(BUILT)similarity) $(ASSIGNED) $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER)
+	@$(RUN) -m autograder similarity $(or $(call typed,SUBMISSIONS),$(if $(value ASSIGNMENT)$(value ROSTER),$(error name the class: make similarity SUBMISSIONS=../handed-in),sample_class)) $(OPTIONS_similarity) $(call out,$(BUILT)similarity)
 
 mark: .venv/teaching ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
-	@$(RUN) -m autograder mark $(or $(call typed,SUBMISSIONS),$(error name the class: make mark SUBMISSIONS=dir)) $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER) $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
+	@$(RUN) -m autograder mark $(or $(call typed,SUBMISSIONS),$(error name the class: make mark SUBMISSIONS=dir)) $(OPTIONS_mark)
 
 handout: .venv/teaching ## make a handout (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
-	@$(RUN) -m autograder handout $(NAMED) $(call out,$(BUILT)handout) $(ASSIGNED) $(call option,--given,GIVEN)
+	@$(RUN) -m autograder handout $(NAMED) $(OPTIONS_handout) $(call out,$(BUILT)handout)
 
 classroom: .venv/teaching ## make a handout for GitHub Classroom (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder classroom $(NAMED) $(call out,$(BUILT)classroom) $(ASSIGNED) $(call option,--given,GIVEN)
+	@$(RUN) -m autograder classroom $(NAMED) $(OPTIONS_classroom) $(call out,$(BUILT)classroom)
 
 gradescope: .venv/teaching ## make the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
-	@$(RUN) -m autograder gradescope $(NAMED) $(call out,$(BUILT)gradescope.zip) $(ASSIGNED) $(call option,--given,GIVEN)
+	@$(RUN) -m autograder gradescope $(NAMED) $(OPTIONS_gradescope) $(call out,$(BUILT)gradescope.zip)
 
 site: .venv/pictures ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
 	@$(RUN) -m web $(call out,build/site) $(if $(SOLUTIONS),--with-solutions)

@@ -21,8 +21,8 @@ STUDENT_TOOLS = {
     ),
     ".vscode": "*.json",
     "autograder": (
-        "__init__.py __main__.py accepted_files.py answers.py commands.py definitions.py files.py "
-        "local_server.py make_venv.py manifest.py message.py records.py scores.py"
+        "__init__.py __main__.py accepted_files.py answers.py commands.* definitions.py files.py "
+        "local_server.py make_venv.py manifest.py message.py options.py records.py scores.py"
     ),
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",

@@ -1,4 +1,4 @@
-"""Write the table of exercises in each chapter's reference.md, based on the chapter's manifest."""
+"""Write the tables of exercises from the chapters' manifests, and makefiles from the commands."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 from autograder.definitions import own_name
 from autograder.files import replace_bytes
 from autograder.manifest import Chapter, Exercise
+from autograder.options import makefile
 from autograder.text.marked import with_text
 
 BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
@@ -62,13 +63,14 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update the table of exercises in each reference.md, and list the files that have changed."""
-    changed = []
-    for chapter in chapters:
-        path = root / "chapters" / chapter.name / "reference.md"
-        old = path.read_text(encoding="utf-8")
-        new = with_table(old, chapter)
-        if new != old:
-            replace_bytes(path, new.encode())
-            changed.append(f"chapters/{chapter.name}/reference.md")
+    """Update the table in each reference.md, and the makefiles. List the files that changed."""
+    pages = {f"chapters/{chapter.name}/reference.md": chapter for chapter in chapters}
+    old = {name: (root / name).read_text(encoding="utf-8") for name in pages}
+    new = {name: with_table(old[name], chapter) for name, chapter in pages.items()}
+    for table in ("commands", "instructor"):
+        name = f"autograder/{table}.mk"
+        old[name], new[name] = (root / name).read_text(encoding="utf-8"), makefile(table)
+    changed = [name for name, text in new.items() if text != old[name]]
+    for name in changed:
+        replace_bytes(root / name, new[name].encode())
     return changed

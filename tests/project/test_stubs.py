@@ -23,6 +23,7 @@ from autograder.handouts.stubs import (
 )
 from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.options import makefile
 from copies import copy_tree
 from made import made_stubs
 from typed import typed
@@ -282,3 +283,9 @@ def test_the_exercise_tables_are_what_the_manifests_say() -> None:
     for chapter in load_chapters():
         page = (ROOT / "chapters" / chapter.name / "reference.md").read_text(encoding="utf-8")
         assert with_table(page, chapter) == page
+
+
+@pytest.mark.parametrize("table", ["commands", "instructor"])
+def test_the_makefiles_are_what_the_tables_of_commands_say(table: str) -> None:
+    text = (ROOT / "autograder" / f"{table}.mk").read_text(encoding="utf-8")
+    assert text == makefile(table), "make stubs writes it again"

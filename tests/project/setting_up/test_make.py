@@ -13,7 +13,7 @@ import pytest
 
 from autograder.manifest import ROOT
 from copies import copy_tree
-from printed import TAKES
+from printed import MAKEFILES, TAKES
 
 STUDENTS = ["watch", "check", "debug", "python", "hint", "reset", "lab", "plot", "setup"]
 pytestmark = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")

@@ -40,12 +40,20 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
     return dict(sorted(found.items(), key=lambda item: item[1].lineno))
 
 
+def read_module(file: Path) -> ast.Module | None:
+    """Parse a student's file. Return None if it is missing or not valid Python."""
+    try:
+        return ast.parse(file.read_bytes())
+    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
+        return None
+
+
 def read_definitions(file: Path) -> set[str] | None:
     """List the names that a student's file defines, such as Vector3 and Vector3.dot.
 
     Return None if the file defines nothing, is missing, or is not valid Python.
     """
-    tree = _tree_of(file)
+    tree = read_module(file)
     return (bound_names(tree) or None) if tree else None
 
 
@@ -70,7 +78,7 @@ def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
 
 def _defined_at_the_top(file: Path) -> set[str]:
     """List the functions, classes and constants that a file defines, but not what it imports."""
-    tree = _tree_of(file)
+    tree = read_module(file)
     found = set()
     for node in tree.body if tree else []:
         match node:
@@ -79,14 +87,6 @@ def _defined_at_the_top(file: Path) -> set[str]:
             case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
                 found.add(name)
     return found
-
-
-def _tree_of(file: Path) -> ast.Module | None:
-    """Parse a student's file. Return None if it is missing or not valid Python."""
-    try:
-        return ast.parse(file.read_bytes())
-    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
-        return None
 
 
 def bound_names(tree: ast.Module) -> set[str]:

@@ -9,7 +9,7 @@ import ast
 import codecs
 from collections.abc import Mapping
 
-from autograder.definitions import Definition, functions, scopes
+from autograder.definitions import Definition, Scope, functions, scopes
 
 
 def with_bodies(source: bytes, bodies: Mapping[str, str]) -> bytes:
@@ -94,12 +94,11 @@ def _inserted(source: bytes, stub: bytes, scope: str, name: str) -> bytes:
     return b"".join([*lines[:line], *chunk, *lines[line:]])
 
 
-def first_line(scope: ast.Module | ast.ClassDef, node: Definition | ast.stmt) -> int:
+def first_line(scope: Scope, node: ast.stmt) -> int:
     """Return the index of the first line of a statement, with comments and blank lines above it."""
     ends = [other.end_lineno or 0 for other in scope.body if other.lineno < node.lineno]
-    if ends:
-        return max(ends)
-    return min(part.lineno for part in (node, *getattr(node, "decorator_list", []))) - 1
+    decorators = node.decorator_list if isinstance(node, Definition) else []
+    return max(ends, default=min(part.lineno for part in (node, *decorators)) - 1)
 
 
 def newline_of(source: bytes) -> bytes:

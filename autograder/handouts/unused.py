@@ -21,7 +21,8 @@ def without_unused(stub: str, source: str) -> str:
     gone = [node for node in _unreached(tree) if _name(node) not in unused_there]
     stub = _changed(stub, tree, dict.fromkeys(gone, ""))
     tree = ast.parse(stub)
-    used, texts = _used(tree), {}
+    used = _used(tree)
+    texts: dict[ast.stmt, str] = {}
     for node in tree.body:
         if isinstance(node, ast.Import | ast.ImportFrom):
             names = [one for one in node.names if _stays(node, one, used)]

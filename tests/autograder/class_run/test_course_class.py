@@ -31,7 +31,8 @@ from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
 from autograder.student.points import points_of
-from autograder.student.screen import Report, first_open
+from autograder.student.chapter_results import ChapterResults
+from autograder.student.screen import first_open
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, results, scores
@@ -222,7 +223,7 @@ def test_a_hand_out_names_what_earlier_assignments_must_have_left(tmp_path: Path
         Verdict("test", e.id, 1, "failed" if e.id in ("B2.3", "B2.4", "2.1") else "passed")
         for e in handed.exercises
     ]
-    first = first_open([Report(handed, results_of(handed, verdicts), [], [])], None)
+    first = first_open([ChapterResults(handed, results_of(handed, verdicts), [], [])], None)
     assert first is not None
     assert first[1].exercise.id == "B2.4", "B2.3 is optional, and 2.1 needs B2.4"
 

@@ -97,8 +97,8 @@ def _inserted(source: bytes, stub: bytes, scope: str, name: str) -> bytes:
 def first_line(scope: Scope, node: ast.stmt) -> int:
     """Return the index of the first line of a statement, with comments and blank lines above it."""
     ends = [other.end_lineno or 0 for other in scope.body if other.lineno < node.lineno]
-    decorators = node.decorator_list if isinstance(node, Definition) else []
-    return max(ends, default=min(part.lineno for part in (node, *decorators)) - 1)
+    lines = [part.lineno for part in getattr(node, "decorator_list", [])]
+    return max(ends, default=min([node.lineno, *lines]) - 1)
 
 
 def newline_of(source: bytes) -> bytes:

@@ -1,7 +1,6 @@
-"""List the functions that a Python file defines, under the names that manifests use for them.
+"""List what a Python file defines, under the names of manifests, such as Vector3.dot.
 
-For example, the method dot of the class Vector3 is listed as Vector3.dot. The file is parsed but
-never executed.
+The file is parsed but never executed.
 """
 
 from __future__ import annotations
@@ -49,20 +48,15 @@ def read_module(file: Path) -> ast.Module | None:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """List the names that a student's file defines, such as Vector3 and Vector3.dot.
-
-    Return None if the file defines nothing, is missing, or is not valid Python.
-    """
+    """List the names that a file defines, or return None if there are none or it is unreadable."""
     tree = read_module(file)
     return (bound_names(tree) or None) if tree else None
 
 
 def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
-    """Find the module of the course from which ``file`` can import ``name``.
+    """Find the module from which a file such as ch06_springs/springs.py can import ``name``, or "".
 
-    ``file`` is a path such as ch06_springs/springs.py, so only its chapter and earlier ones can
-    define the name. If several chapters do, as for Particle, the latest one counts. If no module
-    defines the name, return an empty string.
+    It is in the file's chapter or an earlier one. If several define the name, the latest counts.
     """
     chapter = file.partition("/")[0]
     found = ""
@@ -92,9 +86,7 @@ def _defined_at_the_top(file: Path) -> set[str]:
 def bound_names(tree: ast.Module) -> set[str]:
     """List every name that a module or one of its classes defines with def, class, = or import.
 
-    Methods are listed with their class, as in Vector3.dot. A name assigned with = may be a
-    property, which the source code alone does not show. For this reason, each of these names is
-    listed a second time with ".setter" at the end.
+    A name assigned with = may be a property, so it is listed with ".setter" too.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -104,10 +96,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that are defined directly in the body of a module or class.
-
-    Names that are defined inside its functions and inner classes are left out.
-    """
+    """Yield the names that a module or class defines, but not those inside its functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():

@@ -9,7 +9,7 @@ import ast
 import codecs
 from collections.abc import Mapping
 
-from autograder.definitions import Definition, Scope, functions, scopes
+from autograder.definitions import Scope, functions, scopes
 
 
 def with_bodies(source: bytes, bodies: Mapping[str, str]) -> bytes:

@@ -1,9 +1,8 @@
 """Turn our solutions into the stubs in chapters/, the unfinished files that students complete.
 
-The manifest lists the functions that students write. In a stub, each of them keeps its signature
-and docstring, but its body becomes ``raise NotImplementedError``. A hash of every stub is stored in
-stubs.lock. If the hash no longer matches, somebody has edited the stub, and it is never
-overwritten.
+In a stub, each function that students write keeps its signature and docstring, but its body becomes
+``raise NotImplementedError``. If a stub no longer has its hash in stubs.lock, somebody has edited
+it, and it is never overwritten.
 """
 
 from __future__ import annotations
@@ -24,19 +23,19 @@ KEPT = "stubs"  # the folder of a handout with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate the text of every file that students start from.
+    """Generate the text of every file that students start from, keyed by its path in ``root``.
 
-    The result maps paths such as chapters/ch02_vectors/vector.py to texts. The files are Python
-    stubs, answers.md without the model answers, and data files that contain only the column names.
+    The files are Python stubs, answers.md without the model answers, and data files that contain
+    only the column names.
     """
     stubs = {}
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
             stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
-        for name in chapter.data_files:  # students get only the first line, with the column names
-            lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
-            stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
+        for name in chapter.data_files:
+            with (solution / name).open(encoding="utf-8") as file:
+                stubs[f"chapters/{chapter.name}/{name}"] = file.readline()
         answers = solution / "answers.md"
         if answers.exists():
             text = answers.read_text(encoding="utf-8")
@@ -45,20 +44,15 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Generate the stub of one module, such as vector.py, from our solution.
-
-    Raises:
-        OSError: The solution cannot be read.
-    """
+    """Generate the stub of one module, such as vector.py, from our solution."""
     source = (root / "solutions" / chapter.name / file).read_text(encoding="utf-8")
     return stub_module(source, messages_of(chapter, file))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the original stub of a module, as it was before the student edited it.
+    """Return the original stub of a module from our solution, or from the copy in a handout.
 
-    If our solutions are available, the stub is generated from them. A handout does not contain
-    them, but keeps a copy of each original stub. If there is no copy either, the result is None.
+    If there is neither, the result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -67,9 +61,9 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write all stubs and stubs.lock, without overwriting any stub that somebody has edited.
+    """Write all stubs and stubs.lock. Return the paths that were written, and those left alone.
 
-    Return the paths of the stubs that were written, and the paths of the edited ones.
+    A stub that somebody has edited is left alone.
     """
     locked = read_lock(root)
     written, left_alone = [], []
@@ -93,46 +87,28 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """List the files in chapters/ that are out of date or have been edited.
-
-    These are stubs that no longer match our solutions, and complete modules that no longer match
-    stubs.lock.
-    """
+    """List the stubs and complete modules in chapters/ that are out of date or have been edited."""
     stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
     locked = read_lock(root)
     return stale + [path for path, key in complete_hashes(root).items() if locked.get(path) != key]
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Compute a hash of each module that students use without changing it, such as cloth.py.
-
-    The keys of the result are paths such as chapters/ch06_springs/cloth.py.
-    """
-    files = [
-        root / "chapters" / chapter.name / name
-        for chapter in load_chapters(root)
-        for name in chapter.complete
-    ]
-    return {
-        file.relative_to(root).as_posix(): stub_hash(file.read_text(encoding="utf-8"))
-        for file in files
-    }
+    """Compute a hash of each module that students use unchanged, keyed by its path in ``root``."""
+    paths = [f"chapters/{c.name}/{name}" for c in load_chapters(root) for name in c.complete]
+    return {path: stub_hash((root / path).read_text(encoding="utf-8")) for path in paths}
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of a stub in chapters/, or None if the file does not exist.
-
-    Any bytes that are not valid UTF-8 are replaced, so such a file later counts as edited.
-    """
+    """Return the text of a file, or None. One that is not valid UTF-8 then counts as edited."""
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
 def stub_module(source: str, messages: dict[str, str]) -> str:
-    """Turn the source of a solution into a stub by removing the bodies that students write.
+    """Turn a solution into a stub, in which each function of ``messages`` raises its message.
 
-    ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the error message
-    that its stub raises. Private helpers, constants and imports that only these bodies used would
-    give the solution away, so they are removed too.
+    Private helpers, constants and imports that only the removed bodies used would give the solution
+    away, so they are removed too.
 
     Raises:
         ValueError: The module does not define one of the names.
@@ -149,10 +125,7 @@ def without_bodies(source: bytes, messages: dict[str, str]) -> bytes:
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the error message of each stub, such as "Exercise B2.1: Copy, clear and invert".
-
-    The keys are the names of the functions, such as Vector3.copy.
-    """
+    """Return the error message of each stub in a file, keyed by names such as Vector3.copy."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"

@@ -21,7 +21,8 @@ def exercise_table(chapter: Chapter) -> str:
     for exercise in chapter.exercises:
         places = "; ".join(_places(exercise, chapter)) or "`answers.md`"
         stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
-        points = "optional" if exercise.optional else f"{exercise.points}{_extra(exercise)}"
+        extra = " (extra credit)" if exercise.extra else ""
+        points = "optional" if exercise.optional else f"{exercise.points}{extra}"
         rows.append(
             f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {points} "
             f"| {places} | {needs} |"
@@ -29,15 +30,10 @@ def exercise_table(chapter: Chapter) -> str:
     return "\n".join(rows)
 
 
-def _extra(exercise: Exercise) -> str:
-    return " (extra credit)" if exercise.extra else ""
-
-
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List everything that a student writes for an exercise, grouped by file.
+    """List what a student writes by file, as in "`vector.py`: `dot`, `cross`".
 
-    The text for a file looks like "`vector.py`: `dot`, `cross`" or "`drops.csv`: your data". If
-    several classes of a file have a method of the same name, each method is listed with its class.
+    If several classes of a file have a method of the same name, it is listed with its class.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -51,11 +47,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of a chapter's reference.md with an updated table of exercises.
-
-    Raises:
-        ValueError: The page lacks the two comment lines that mark where the table belongs.
-    """
+    """Return the text of a chapter's reference.md with an updated table of exercises."""
     try:
         return with_text(page, BEGIN, END, exercise_table(chapter))
     except ValueError as error:

@@ -1,4 +1,4 @@
-"""The picture of chapter 7 that compares contact solvers, from the results of `make contacts`."""
+"""The picture of chapter 7 that compares contact solvers, from the measured results."""
 
 from __future__ import annotations
 

@@ -19,6 +19,7 @@ from packaging.utils import canonicalize_name
 from autograder.commands import PACKAGES
 from autograder.handouts.handout import CHARTS, make_handout
 from autograder.manifest import ROOT, load_chapters
+from printed import TAKES
 from web.imports import imported_by, imports_of
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -253,11 +254,7 @@ TEACHING = {"grade", "release", "similarity", "mark", "handout", "classroom", "g
 
 @needs_make
 def test_each_make_command_first_installs_the_group_of_its_python_command() -> None:
-    known = {
-        name
-        for file in ("Makefile", "autograder/instructor.mk")
-        for name in re.findall(r"(?m)^TAKES_(\w+) :=", (ROOT / file).read_text(encoding="utf-8"))
-    }
+    known = {name for name in TAKES if "-" not in name}
     for name in known - {"help", "setup"}:
         lines = would_run(name, *filter(None, [VALUES.get(name)])).splitlines()
         found = {

@@ -12,15 +12,8 @@ import pytest
 
 from autograder import __main__ as autograder
 from autograder.manifest import ROOT
-from printed import PAGES, command_lines
+from printed import PAGES, TAKES, command_lines
 
-MAKEFILES = "\n".join(
-    (ROOT / f).read_text(encoding="utf-8") for f in ("Makefile", "autograder/instructor.mk")
-)
-TAKES = {
-    name: variables.split()
-    for name, variables in re.findall(r"(?m)^TAKES_([\w-]+) :=(.*)$", MAKEFILES)
-}
 # What is added to a line of Python, so that it reads its options and does nothing.
 ONLY_READ = {
     "-m dask": "--help",

@@ -20,7 +20,9 @@ WITH_CHAPTER = [
 @pytest.mark.parametrize(("chapter", "claim"), WITH_CHAPTER)
 def test_a_claim_has_its_verdict_and_its_entry(chapter: Chapter, claim: Claim) -> None:
     assert f"](../../docs/claims.md#chapter-{chapter.number})" in lesson_of(chapter.name)
-    assert claim.entry() in PAGE, "run make claims, and read what has changed in claims.md"
+    assert claim.entry() in PAGE, (
+        "run make measure WHAT=claims, and read what has changed in claims.md"
+    )
 
 
 def test_the_page_has_these_claims_and_no_others() -> None:

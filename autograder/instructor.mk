@@ -13,5 +13,3 @@ TAKES_mark := SUBMISSIONS CHAPTERS ROSTER OPEN ASSIGNMENT COURSE
 OPTIONS_mark = $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER) $(if $(filter 0,$(OPEN)),--no-browser) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
 TAKES_release := CHAPTERS EX SUBMISSIONS GRADES ROSTER OUT ASSIGNMENT COURSE
 OPTIONS_release = $(call option,--exercises,EX) $(call option,--submissions,SUBMISSIONS) $(call option,--roster,ROSTER) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
-TAKES_stubs :=
-OPTIONS_stubs =

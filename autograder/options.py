@@ -63,6 +63,8 @@ def makefile(table: str) -> str:
     """Return the file for make that says which variables each command takes, and passes them on."""
     lines = [f"# `make update` writes this file from autograder/{table}.toml."]
     for name, entry in read_table(table).items():
+        if entry.get("without_make"):
+            continue
         options = {key: option for key, option in entry["options"].items() if key.isupper()}
         words = [_for_make(*item) for item in options.items() if "recipe" not in item[1]]
         lines += [f"TAKES_{name} := {' '.join(options)}".rstrip()]

@@ -16,7 +16,7 @@ TAKES_lint :=
 TAKES_update :=
 TAKES_figures :=
 TAKES_choose := SCENE TOLERANCE
-TAKES_measure = WHAT $(TAKES_BY_$(value WHAT))
+TAKES_measure := WHAT CH SEEDS QUICK
 
 .PHONY: grade release similarity mark handout classroom gradescope site update test test-all say-what-test-is lint
 .PHONY: figures choose measure
@@ -93,7 +93,7 @@ choose: .venv/everything ## find the cheapest model (SCENE=my_scene.py TOLERANCE
 	@$(RUN) -m studies choose $(or $(call typed,SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours)) $(call option,--tolerance,TOLERANCE) $(DIAGNOSIS)
 
 measure: .venv/everything ## measure something again, such as the charts (WHAT=charts)
-	@$(RUN) $(or $(MEASURE_$(value WHAT)),$(error name what to measure with WHAT=: $(MEASURED)))
+	@$(NOT_TAKEN)$(RUN) $(or $(MEASURE_$(value WHAT)),$(error name what to measure with WHAT=: $(MEASURED)))
 
 # speed against accuracy, and the solvers of contacts; QUICK=1 takes minutes
 MEASURE_charts = -m studies charts $(if $(QUICK),--quick)
@@ -114,7 +114,8 @@ MEASURE_mutants = tests/strength mutants $(call option,--chapter,CH)
 MEASURE_seeds = tests/strength seeds $(call option,--chapter,CH) $(call option,--seeds,SEEDS)
 
 MEASURED := $(sort $(patsubst MEASURE_%,%,$(filter MEASURE_%,$(.VARIABLES))))
-TAKES_BY_charts := QUICK
-TAKES_BY_contacts := QUICK
-TAKES_BY_mutants := CH
-TAKES_BY_seeds := CH SEEDS
+ALSO_charts := QUICK
+ALSO_contacts := QUICK
+ALSO_mutants := CH
+ALSO_seeds := CH SEEDS
+NOT_TAKEN = $(foreach name,$(filter-out $(ALSO_$(WHAT)),CH SEEDS QUICK),$(if $(value $(name)),$(error make measure WHAT=$(WHAT) does not take $(name))))

@@ -124,7 +124,7 @@ TAKERS = [
     *("watch CH", "check EX", "hint EX", "reset EX", "plot GIVEN", "lab SCENE"),
     *("grade NOTE", "grade SUBMISSIONS", "grade OUT", "release GRADES", "similarity ROSTER"),
     *("mark SUBMISSIONS", "handout CHAPTERS", "classroom COURSE", "gradescope ASSIGNMENT"),
-    *("site OUT", "mutants CH", "seeds SEEDS", "choose SCENE"),
+    *("site OUT", "choose SCENE"),
 ]
 
 

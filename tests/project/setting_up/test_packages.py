@@ -247,9 +247,10 @@ def would_run(*arguments: str) -> str:
 
 
 VALUES = {"hint": "EX=B2.5", "reset": "EX=B2.5", "choose": "SCENE=pendulum"}
+VALUES |= {"measure": "WHAT=bench"}
 VALUES |= dict.fromkeys(("release", "handout", "classroom", "gradescope"), "CHAPTERS=2")
 VALUES |= {"mark": "SUBMISSIONS=a"}
-TEACHING = {"grade", "release", "similarity", "mark", "handout", "classroom", "gradescope", "stubs"}
+TEACHING = {"grade", "release", "similarity", "mark", "handout", "classroom", "gradescope"}
 
 
 @needs_make
@@ -264,8 +265,6 @@ def test_each_make_command_first_installs_the_group_of_its_python_command() -> N
             assert found == set(), name
         elif name in {"plot", "site"}:
             assert found == {"pictures"}, name
-        elif name == "update":
-            assert found == {"teaching", "everything"}
         else:
             assert found == ({"teaching"} if name in TEACHING else {"everything"}), name
     charts = would_run("lab", "SCENE=charts")

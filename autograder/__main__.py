@@ -1,4 +1,7 @@
-"""Run one of the autograder's commands, as in `python -m autograder check` or `make check`."""
+"""Run one of the autograder's commands, as in `python -m autograder check` or `make check`.
+
+Each command imports what it needs when it runs, so that check starts quickly.
+"""
 
 from __future__ import annotations
 
@@ -20,21 +23,24 @@ from autograder.manifest import (
     select_chapters,
     split_given,
 )
+from autograder.options import add_commands, read_table
 from autograder.student.check import check
 
 
 def main() -> int:
     """Parse the command line, run the command, and return its exit status."""
-    parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m autograder", description=(__doc__ or "").partition("\n")[0]
+    )
     commands = parser.add_subparsers(dest="command", required=True)
-    add_commands(commands)
-    students = [*commands.choices]
+    add_commands(commands, "commands", sys.modules[__name__])
     if importlib.util.find_spec("autograder.instructor"):  # a handout does not contain it
         from autograder import instructor
 
-        instructor.add_commands(commands)
+        add_commands(commands, "instructor", instructor)
     arguments = parser.parse_args()
-    if not prepare("requirements" if arguments.command in students else "teaching"):
+    is_students = arguments.command in read_table("commands")
+    if not prepare("requirements" if is_students else "teaching"):
         return 2
     try:
         return int(arguments.run(arguments))
@@ -46,58 +52,8 @@ def main() -> int:
         return 130
 
 
-def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the command-line options of the student commands, such as check and watch."""
-    check_command = commands.add_parser("check", help="check your work")
-    check_command.add_argument("--exercise", help="check only this exercise, such as 2.5 or B2.3")
-    check_command.add_argument(
-        "--only",
-        action="store_true",
-        help="with --exercise: run only its own checks, not those of the exercises it builds on",
-    )
-    check_command.set_defaults(run=run_check)
-    watch_command = commands.add_parser(
-        "watch", help="check your current exercise whenever you save"
-    )
-    watch_command.set_defaults(run=run_watch)
-    debug_command = commands.add_parser("debug", help="stop in your function where a check fails")
-    debug_command.set_defaults(run=run_debug)
-    python_command = commands.add_parser("python", help="try your engine in an interpreter")
-    python_command.set_defaults(run=run_python)
-    hint_command = commands.add_parser("hint", help="show hints for an exercise")
-    hint_command.add_argument(
-        "--count", type=int, default=1, help="how many hints to show (default: 1)"
-    )
-    hint_command.set_defaults(run=run_hint)
-    reset_command = commands.add_parser("reset", help="restore the stub of an exercise")
-    reset_command.add_argument(
-        "--whole", action="store_true", help="restore the whole file of the exercise"
-    )
-    reset_command.set_defaults(run=run_reset)
-
-    for command in (debug_command, hint_command, reset_command):
-        command.add_argument("exercise", nargs="?", default="", help="the exercise, such as B2.3")
-    for command in (check_command, watch_command, python_command):
-        command.add_argument(
-            "--chapter", default="", help="chapters, such as 2 or 2-4 (default: all)"
-        )
-    for command in (check_command, watch_command, debug_command, python_command, reset_command):
-        command.add_argument(
-            "--engine", default="chapters", help="folder that contains your chapters"
-        )
-    for command in (check_command, watch_command, debug_command):
-        command.add_argument(
-            "--seed", default="1", help="seed for the random numbers in the checks"
-        )
-    for command in commands.choices.values():
-        command.add_argument("--given", default="", help="chapters to take from the reference")
-
-
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check the student's code for one exercise or for entire chapters, and print the results.
-
-    Return True if any check fails, so that the program exits with status 1 instead of 0.
-    """
+    """Check one exercise or entire chapters, and return True if any check fails (status 1)."""
     chapters = select_chapters(arguments.chapter)
     exercise = None
     if arguments.exercise:
@@ -111,10 +67,8 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 
 def run_watch(arguments: argparse.Namespace) -> int:
-    """Rerun the checks of the student's current exercise each time the student saves a file."""
-    from autograder.student.watching.watch import (
-        watch,  # imported only here, so that check starts quickly
-    )
+    """Check the student's current exercise each time the student saves a file."""
+    from autograder.student.watching.watch import watch
 
     engine = find_engine(arguments.engine)
     given, chapters = split_given(select_chapters(arguments.chapter), arguments.given)
@@ -123,14 +77,10 @@ def run_watch(arguments: argparse.Namespace) -> int:
 
 
 def run_reset(arguments: argparse.Namespace) -> int:
-    """Restore the original stub of one exercise in the student's file.
-
-    The student can then write the exercise again from scratch.
-    """
+    """Restore the original stub of one exercise in the student's file."""
     from autograder.student.reset import question, reset
 
-    chapter, exercise = named_exercise("reset", arguments.exercise)
-    refuse_given(chapter, exercise, arguments.given)
+    chapter, exercise = named_exercise("reset", arguments)
     engine = find_engine(arguments.engine)[0]
     if sys.stdin.isatty():
         asked = question(chapter, exercise, engine, whole=arguments.whole)
@@ -142,14 +92,10 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_debug(arguments: argparse.Namespace) -> bool:
-    """Stop in the student's function at the call with which a check of an exercise fails.
+    """Stop in the function of an exercise that fails, and return True if a check fails."""
+    from autograder.student.debugging.debug import debug
 
-    Return True if a check fails, so that the program exits with status 1 instead of 0.
-    """
-    from autograder.student.debugging.debug import debug  # imports pytest
-
-    chapter, exercise = named_exercise("debug", arguments.exercise)
-    refuse_given(chapter, exercise, arguments.given)
+    chapter, exercise = named_exercise("debug", arguments)
     given, _ = split_given(load_chapters(), arguments.given)
     with with_given(given, find_engine(arguments.engine)) as folders:
         return not debug(chapter, exercise, folders, arguments.seed)
@@ -157,7 +103,7 @@ def run_debug(arguments: argparse.Namespace) -> bool:
 
 def run_python(arguments: argparse.Namespace) -> int:
     """Start an interpreter with the student's engine: some chapters, and those they build on."""
-    from autograder.student.interpreter import interact  # imported only here
+    from autograder.student.interpreter import interact
 
     selected = select_chapters(arguments.chapter)
     below = {other.number for chapter in selected for other in chapters_below(chapter)}
@@ -170,8 +116,7 @@ def run_python(arguments: argparse.Namespace) -> int:
 
 def run_hint(arguments: argparse.Namespace) -> int:
     """Print the first few hints for an exercise, and then the command that shows the next one."""
-    chapter, exercise = named_exercise("hint", arguments.exercise)
-    refuse_given(chapter, exercise, arguments.given)
+    _, exercise = named_exercise("hint", arguments)
     shown = exercise.hints[: max(1, arguments.count)]
     print(f"{exercise.id} {exercise.title}")
     for number, text in enumerate(shown, 1):
@@ -183,24 +128,20 @@ def run_hint(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def named_exercise(what: str, wanted: str) -> tuple[Chapter, Exercise]:
-    """Look up the exercise that a command is for, and ask for its number if it is not named.
-
-    Raises:
-        ValueError: There is no such exercise, or none is named.
-    """
-    if not wanted:
+def named_exercise(what: str, arguments: argparse.Namespace) -> tuple[Chapter, Exercise]:
+    """Find the exercise that a command is for. It must be named, and not in a given chapter."""
+    if not arguments.exercise:
         raise ValueError(
             f"Which exercise? Add its number, as in {line_of(what, EX='B2.3')}. To see which "
             f"exercises are open: {line_of('check')}"
         )
-    return find_exercise(wanted, load_chapters())
+    chapter, exercise = find_exercise(arguments.exercise, load_chapters())
+    refuse_given(chapter, exercise, arguments.given)
+    return chapter, exercise
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Look up an exercise by its id, such as B2.3, and return it with the chapter that contains it.
-
-    The id may be typed in upper or lower case.
+    """Find an exercise by its id, such as B2.3 or b2.3, and return it with its chapter.
 
     Raises:
         ValueError: No exercise has that id. The message suggests similar ids if there are any.
@@ -210,14 +151,13 @@ def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exerci
         return known[wanted.lower()]
     bare = re.sub(r"^[a-z]", "", wanted.lower())
     ids = [e.id for _, e in known.values()]
-    if alike := [e.id for key, (_, e) in known.items() if key.startswith(wanted.lower())]:
-        raise ValueError(f"there is no exercise {wanted!r}. Similar ids: {', '.join(alike)}")
-    if same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
-        raise ValueError(f"there is no exercise {wanted!r}. Did you mean {' or '.join(same)}?")
-    raise ValueError(
-        f"there is no exercise {wanted!r}. An id looks like {ids[0]} or {ids[-1]}. To list all "
-        f"ids: {line_of('check')}"
-    )
+    if alike := [name for name in ids if name.lower().startswith(wanted.lower())]:
+        words = f"Similar ids: {', '.join(alike)}"
+    elif same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
+        words = f"Did you mean {' or '.join(same)}?"
+    else:
+        words = f"An id looks like {ids[0]} or {ids[-1]}. To list all ids: {line_of('check')}"
+    raise ValueError(f"there is no exercise {wanted!r}. {words}")
 
 
 if __name__ == "__main__":

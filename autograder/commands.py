@@ -1,4 +1,4 @@
-"""Helper functions for the autograder's commands, such as one that suggests the next command."""
+"""Prepare and run commands, and name the command that a user can type next."""
 
 from __future__ import annotations
 
@@ -15,16 +15,6 @@ from pathlib import Path
 from autograder.manifest import ROOT
 from autograder.text.clean import clean
 
-# Each variable of make has such an option. Scenes, and the exercise of hint and reset, have none,
-# because they are positional arguments.
-OPTIONS = {
-    "CH": "--chapter",
-    "EX": "--exercise",
-    "GIVEN": "--given",
-    "ENGINE": "--engine",
-    "N": "--count",
-    "WHOLE": "--whole",
-}
 ADVICE = {
     (errno.ENOSPC, errno.EDQUOT): "Free some space on that disk, and run the same command again",
     (
@@ -36,13 +26,12 @@ ADVICE = {
 }
 # The packages that each lock adds, as they are called in import statements (see pyproject.toml).
 PACKAGES = {
-    "requirements": "libcst pymunk pytest rich tornado watchfiles",
+    "requirements": "pymunk pytest rich tornado watchfiles",
     "pictures": "matplotlib",
     "teaching": "dateparser jinja2 yaml",
     "everything": "jinja2 matplotlib scipy yaml",
 }
 TUNED = "studies/tuned"  # the fast engine
-MODULES = {"plot": "plots draw", "lab": "lab serve"}  # of other packages
 
 
 class LackingError(Exception):
@@ -50,11 +39,7 @@ class LackingError(Exception):
 
 
 def require(group: str) -> None:
-    """Check that Python has the packages of students, and those of ``group``.
-
-    Raises:
-        LackingError: A package is missing.
-    """
+    """Raise LackingError if Python lacks a package of students or of ``group``."""
     from autograder.make_venv import shown_python  # not in the browser
 
     needed = f"{PACKAGES['requirements']} {PACKAGES[group]}".split()
@@ -74,18 +59,15 @@ def require(group: str) -> None:
 
 
 def prepare(group: str = "requirements") -> bool:
-    """Prepare Python to run a command, and return False if a package of ``group`` is missing.
+    """Prepare Python to run a command, or say which package of ``group`` is missing.
 
-    In that case, a message explains how to install the packages.
-
-    If Python does not encode file names in UTF-8, the program restarts itself in UTF-8 mode. This
-    happens, for example, with LC_ALL=C and PYTHONUTF8=0. Characters that the console cannot encode
-    are printed as question marks.
+    If Python does not encode file names in UTF-8, as with LC_ALL=C, the program restarts itself in
+    UTF-8 mode. Characters that the console cannot encode are printed as question marks.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
         os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
-    for stream in (sys.stdout, sys.stderr):  # show ? for characters that the console cannot encode
+    for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     try:
@@ -117,10 +99,7 @@ def run_named(package: str, commands: Mapping[str, str]) -> int:
 
 
 def advice(error: BaseException) -> str:
-    """Return advice on an error that occurred while writing a file, such as a full disk.
-
-    For any other error, return an empty string.
-    """
+    """Return advice on an error that occurred while writing a file, such as a full disk, or ""."""
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
@@ -136,9 +115,8 @@ def sentence(error: Exception) -> str:
 def find_engine(folder: str) -> list[Path]:
     """Return the folders in which to look for the code to check: ``folder``, and then chapters/.
 
-    The folder chapters/ is always included, because the files that students do not edit exist only
-    there. The tuned engine replaces only some modules of solutions/, so that folder is between the
-    two.
+    Only chapters/ has the files that students do not edit. The tuned engine replaces only some
+    modules of solutions/, so that folder is between the two.
 
     Raises:
         ValueError: The folder does not exist.
@@ -153,36 +131,31 @@ def find_engine(folder: str) -> list[Path]:
 def command(name: str, **variables: str) -> str:
     """Return the command that a user has to type, such as "make check EX=2.5".
 
-    If make is not installed, the command runs Python directly. In the browser it is always a make
-    command, because the buttons there are named after make commands.
+    Without make, it is a command of Python. In the browser it is always a make command, because
+    the buttons there are named after make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
     from autograder.make_venv import shown_python  # not in the browser
+    from autograder.options import read_table
 
-    words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
+    entry = read_table("commands")[name]
+    words = [shown_python(), "-m", entry.get("module", f"autograder {name}")]
     for key, value in variables.items():
-        if key != "SCENE" and (key != "EX" or name == "check"):
-            words.append(OPTIONS[key])
-        if key != "WHOLE":
-            words.append(value)
+        option = entry["options"][key]
+        words += [option["flag"]] if option["flag"].startswith("-") else []
+        words += [] if option.get("switch") else [value]
     return " ".join(words)
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select the code to check, such as {"ENGINE": "solutions"}.
-
-    The dict is empty for the student's own code in chapters/, because make checks that by default.
-    """
-    if engine[0] == ROOT / "chapters":
+    """Return the make variables that select the code to check, such as {"ENGINE": "solutions"}."""
+    if engine[0] == ROOT / "chapters":  # the default
         return {}
     inside = engine[0].is_relative_to(ROOT)
     return {"ENGINE": (engine[0].relative_to(ROOT) if inside else engine[0]).as_posix()}
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that checks the same code again, such as "make check ENGINE=solutions".
-
-    It is printed after a check, as the student's next step.
-    """
+    """Return the command that checks the same code again, such as "make check ENGINE=solutions"."""
     return command("check", **arguments, **engine_variables(engine))

@@ -1,7 +1,6 @@
-"""List the functions that a Python file defines, under the names that manifests use for them.
+"""List what a Python file defines, under the names of manifests, such as Vector3.dot.
 
-For example, the method dot of the class Vector3 is listed as Vector3.dot. The file is parsed but
-never executed.
+The file is parsed but never executed.
 """
 
 from __future__ import annotations
@@ -10,37 +9,54 @@ import ast
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+Scope = ast.Module | ast.ClassDef
+Definition = ast.FunctionDef | ast.ClassDef
+
+
+def scopes(tree: ast.Module) -> dict[str, tuple[Scope, dict[str, Definition]]]:
+    """Find the functions and classes of a module (keyed by ""), and the methods of each class.
+
+    A property appears under its name, such as mass, and its setter as mass.setter.
+    """
+    owners = {"": tree} | {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    return {
+        name: (
+            owner,
+            {_name(node): node for node in owner.body if isinstance(node, Definition)},
+        )
+        for name, owner in owners.items()
+    }
+
 
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Find the functions and methods of a module, keyed by names such as Vector3.dot.
+    """Find the functions and methods of a module, keyed by names such as Vector3.dot."""
+    found = {
+        f"{scope}.{name}" if scope else name: node
+        for scope, (_, members) in scopes(tree).items()
+        for name, node in members.items()
+        if isinstance(node, ast.FunctionDef)
+    }
+    return dict(sorted(found.items(), key=lambda item: item[1].lineno))
 
-    A property appears as Particle.mass, and its setter as Particle.mass.setter.
-    """
-    found = {}
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef):
-            found[_name(node)] = node
-        elif isinstance(node, ast.ClassDef):
-            members = (member for member in node.body if isinstance(member, ast.FunctionDef))
-            found |= {f"{node.name}.{_name(member)}": member for member in members}
-    return found
+
+def read_module(file: Path) -> ast.Module | None:
+    """Parse a student's file. Return None if it is missing or not valid Python."""
+    try:
+        return ast.parse(file.read_bytes())
+    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
+        return None
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """List the names that a student's file defines, such as Vector3 and Vector3.dot.
-
-    Return None if the file defines nothing, is missing, or is not valid Python.
-    """
-    tree = _tree_of(file)
+    """List the names that a file defines, or return None if there are none or it is unreadable."""
+    tree = read_module(file)
     return (bound_names(tree) or None) if tree else None
 
 
 def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
-    """Find the module of the course from which ``file`` can import ``name``.
+    """Find the module from which a file such as ch06_springs/springs.py can import ``name``, or "".
 
-    ``file`` is a path such as ch06_springs/springs.py, so only its chapter and earlier ones can
-    define the name. If several chapters do, as for Particle, the latest one counts. If no module
-    defines the name, return an empty string.
+    It is in the file's chapter or an earlier one. If several define the name, the latest counts.
     """
     chapter = file.partition("/")[0]
     found = ""
@@ -56,7 +72,7 @@ def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
 
 def _defined_at_the_top(file: Path) -> set[str]:
     """List the functions, classes and constants that a file defines, but not what it imports."""
-    tree = _tree_of(file)
+    tree = read_module(file)
     found = set()
     for node in tree.body if tree else []:
         match node:
@@ -67,20 +83,10 @@ def _defined_at_the_top(file: Path) -> set[str]:
     return found
 
 
-def _tree_of(file: Path) -> ast.Module | None:
-    """Parse a student's file. Return None if it is missing or not valid Python."""
-    try:
-        return ast.parse(file.read_bytes())
-    except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
-        return None
-
-
 def bound_names(tree: ast.Module) -> set[str]:
     """List every name that a module or one of its classes defines with def, class, = or import.
 
-    Methods are listed with their class, as in Vector3.dot. A name assigned with = may be a
-    property, which the source code alone does not show. For this reason, each of these names is
-    listed a second time with ".setter" at the end.
+    A name assigned with = may be a property, so it is listed with ".setter" too.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -90,10 +96,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that are defined directly in the body of a module or class.
-
-    Names that are defined inside its functions and inner classes are left out.
-    """
+    """Yield the names that a module or class defines, but not those inside its functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -113,6 +116,6 @@ def own_name(edited: str) -> str:
     return edited.split(".", 2)[-1]
 
 
-def _name(node: ast.FunctionDef) -> str:
+def _name(node: Definition) -> str:
     setter = f"{node.name}.setter"
     return setter if setter in map(ast.unparse, node.decorator_list) else node.name

@@ -11,9 +11,8 @@ LITTLE = 1_000_000  # bytes
 def replace_bytes(path: Path, content: bytes) -> None:
     """Replace the contents of a file, or leave them untouched if anything goes wrong.
 
-    The new contents are first written to a temporary file, which is then moved into place. The old
-    contents therefore survive if the disk is full or the program is killed in between. If ``path``
-    is a link, the file that it points to is replaced.
+    A temporary file is moved into place, so the old contents survive a full disk or a kill. If
+    ``path`` is a link, the file that it points to is replaced.
     """
     path = path.resolve()
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -31,10 +30,7 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return True if the disk that contains ``folder`` has less than 1 MB of free space.
-
-    A full disk may explain why a program has failed.
-    """
+    """Return True if the disk that contains ``folder`` has less than 1 MB of free space."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
@@ -46,7 +42,11 @@ def temporary_of(path: Path) -> Path:
 def is_new(folder: Path, first: Path) -> bool:
     """Return True if a folder is missing or empty, so that results can be written there.
 
-    A folder also counts as empty if its only file is an unfinished copy of ``first``, the file that
-    every run writes first. A run leaves such a copy behind if it is killed right after it starts.
+    An unfinished copy of ``first``, the file that every run writes first, does not count.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}
+
+
+def from_here(path: Path) -> Path:
+    """Return a path for people to read: relative to the working folder if it is inside."""
+    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

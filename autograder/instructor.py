@@ -1,6 +1,6 @@
 """The commands that only instructors use, such as grade, handout and similarity.
 
-A handout does not contain this module.
+A handout does not contain this module. Each command imports what it needs when it runs.
 """
 
 from __future__ import annotations
@@ -9,101 +9,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from autograder.course.choose import add_options, work_of
+from autograder.course.choose import work_of
 from autograder.manifest import ROOT, select_chapters
-from autograder.release import commands as release
-
-
-def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the command-line options of the instructor commands, such as grade and handout.
-
-    Each command imports the modules that it needs only when it runs. Otherwise, a student's `make
-    check` would have to wait while Python imports the whole grader.
-    """
-    unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
-    command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument(
-        "folder",
-        type=Path,
-        nargs="?",
-        help="folder of submissions, or a zip of all of them (default: the class that was graded "
-        "last into --out, or else the sample class)",
-    )
-    command.add_argument("--out", type=Path, required=True, help="folder for the results")
-    command.add_argument("--seed", help="seed for the random numbers (default: a new one)")
-    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
-    command.add_argument("--given", default="", help="chapters that were handed out complete")
-    command.add_argument(
-        "--jobs", type=int, help="submissions graded at once (default: one per core)"
-    )
-    command.add_argument("--cluster", help="Dask scheduler to use, such as tcp://host:8786")
-    command.add_argument(
-        "--checks", type=Path, help="folder of hidden checks (chNN_name/test_*.py)"
-    )
-    command.add_argument("--student", help="grade only this student again, with the same seed")
-    command.add_argument(
-        "--note", default="", help="with --student: the reason to write to regrades.csv"
-    )
-    command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
-    command.add_argument("--anonymous", action="store_true", help="show codes instead of names")
-    command.add_argument("--title", default="", help="title in Canvas, such as 'Lab 1 (12345)'")
-    command.add_argument("--points", type=float, help="what full points are worth on the platform")
-    command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
-    add_options(command)
-    command.set_defaults(run=run_grade)
-
-    for name, help_text, run in (
-        ("handout", "make a handout for students", run_handout),
-        ("classroom", "make a handout with a workflow for GitHub Classroom", run_classroom),
-    ):
-        command = commands.add_parser(name, help=help_text)
-        command.add_argument(
-            "chapters", nargs="?", help="chapters to hand out as stubs, such as 4-5"
-        )
-        command.add_argument(
-            "--given", default="", help="chapters to hand out complete, such as 2-3"
-        )
-        command.add_argument("--out", type=Path, required=True, help="a new folder")
-        add_options(command)
-        command.set_defaults(run=run)
-
-    command = commands.add_parser("gradescope", help="make the autograder zip for Gradescope")
-    command.add_argument(
-        "chapters", nargs="?", default="", help="chapters, such as 2-3 (default: all)"
-    )
-    command.add_argument("--given", default="", help="chapters that were handed out complete")
-    command.add_argument("--out", type=Path, required=True, help="the zip file")
-    command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
-    add_options(command)
-    command.set_defaults(run=run_gradescope)
-
-    command = commands.add_parser("similarity", help="compare the submissions of a class")
-    command.add_argument(
-        "folder", type=Path, help="folder of submissions, one folder or .zip per student"
-    )
-    command.add_argument("--out", type=Path, required=True, help="folder for the pages")
-    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
-    command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
-    add_options(command)
-    command.set_defaults(run=run_similarity)
-
-    command = commands.add_parser("mark", help="mark a class's written answers on a web page")
-    command.add_argument(
-        "folder", type=Path, help="folder of submissions, one folder or .zip per student"
-    )
-    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
-    command.add_argument("--roster", type=Path, help="the roster that the class is graded with")
-    command.add_argument(
-        "--no-browser", action="store_true", help="print the address instead of opening a browser"
-    )
-    add_options(command)
-    command.set_defaults(run=run_mark)
-
-    release.add_commands(commands)
-
-    command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")
-    command.add_argument("--check", action="store_true", help="only list what is out of date")
-    command.set_defaults(run=run_stubs)
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
@@ -145,13 +52,10 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def _class_of(arguments: argparse.Namespace) -> Path:
-    """Return the folder of the class to grade if the command names none.
-
-    It is the class whose grades are in the folder for the results. If there are none, it is the
-    sample class, but never for a real assignment.
+    """Return the class whose grades are in the folder for the results, or else the sample class.
 
     Raises:
-        ValueError: The command is for a real class that it must name.
+        ValueError: The command is for a real class, which it must name.
     """
     from autograder.grader.class_folder import SAMPLE, graded_folder
     from autograder.submissions.unpack import refuse_newer_zip
@@ -196,6 +100,13 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def run_release(arguments: argparse.Namespace) -> int:
+    """Write the released solutions, and pages that compare them with the students' code."""
+    from autograder.release.commands import run_release
+
+    return run_release(arguments)
+
+
 def run_similarity(arguments: argparse.Namespace) -> int:
     """Compare the code of all students, and print how many pairs are unusually similar."""
     from autograder.similarity.run import similarity
@@ -220,11 +131,7 @@ def run_mark(arguments: argparse.Namespace) -> int:
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:
-    """Generate the stubs that students start from, and the table of exercises in each chapter.
-
-    They are generated from our solutions and the manifests. With --check, only list the files that
-    are out of date.
-    """
+    """Generate the stubs, the tables of exercises and the makefiles, or list which are stale."""
     from autograder.handouts.stubs import stale_stubs, write_stubs
     from autograder.handouts.tables import write_tables
 

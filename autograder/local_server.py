@@ -1,8 +1,7 @@
-"""Base classes for small web servers on the user's own machine, such as the one for marking.
+"""Base classes for small web servers on the user's own machine, such as the lab's.
 
 Such a server listens only on 127.0.0.1. Its addresses begin with a random token that other web
-pages and other users of the machine cannot guess. Requests that are addressed to another host name
-or come from another origin are refused.
+pages and other users of the machine cannot guess.
 """
 
 from __future__ import annotations
@@ -26,10 +25,7 @@ HEADERS = {
 
 
 class Site:
-    """A web site that is served only on this machine, at an address that nobody else can guess.
-
-    An example of such an address is http://127.0.0.1:8000/Xy3.../, where Xy3... is a random token.
-    """
+    """A web site that is served only on this machine, as at http://127.0.0.1:8000/TOKEN/."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -40,29 +36,22 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Start the web server on ``port``, or on any free port if it is 0.
-
-        The caller must already be running an event loop.
-        """
+        """Start on ``port``, or any free one if it is 0. An event loop must already be running."""
         sockets = bind_sockets(port, "127.0.0.1")
         self.port = sockets[0].getsockname()[1]
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Reject a web request unless it is addressed to 127.0.0.1 or localhost.
+        """Reject a request to another host name.
 
-        This prevents DNS rebinding, in which a malicious site points its own host name at this
-        server.
+        This prevents DNS rebinding, in which a malicious site points its own name at this server.
         """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return True if a web request comes from our own page, the only one that may change data.
-
-    ``origin`` is the value of the request's Origin header.
-    """
+    """Return True if the Origin header of a request is our own page, which may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -70,10 +59,7 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A base class for request handlers that adds our security headers to every response.
-
-    It also refuses requests that are addressed to another host name.
-    """
+    """A base class for request handlers that adds our security headers to every response."""
 
     site: Site
 

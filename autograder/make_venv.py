@@ -1,12 +1,11 @@
 """Create the virtual environment .venv, or add a group of packages to it.
 
-`make` runs this script before a command that needs it. Without make, run `python3
-autograder/make_venv.py` yourself. It installs the packages listed in requirements.lock, which are
-all that most commands of students need. `python3 autograder/make_venv.py pictures` adds those of
-pictures.lock, which draw the pictures.
+`python3 autograder/make_venv.py` installs the packages of autograder/locks/requirements.lock, which
+are all that most commands of students need. `python3 autograder/make_venv.py pictures` adds those
+of pictures.lock. `make` runs this script before a command that needs it.
 
-The script uses only syntax that Python 3.6 understands. If your Python is too old for the project,
-you therefore see a helpful message instead of a syntax error.
+The script uses only syntax that Python 3.6 understands, so that a Python that is too old for the
+project shows a helpful message instead of a syntax error.
 """
 
 import os
@@ -17,33 +16,24 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
+LOCKS = ROOT / "autograder" / "locks"
 STUDENTS = "requirements"  # the lock with the packages of students
 EVERYTHING = "everything"  # the group that contains all others
-NO_GROUPS = (STUDENTS, "stubs")  # stubs.lock lists files and no packages
 NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is unreachable")
 
 
 def stop(sentence: str) -> None:
-    """Print why the virtual environment could not be set up, and exit.
-
-    The next attempt starts from scratch, because the file .venv/ready has not been written.
-    """
+    """Print why the virtual environment could not be set up, and exit."""
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return the path of the Python interpreter in the virtual environment .venv.
-
-    The path follows the layout that Python 3.11 and later use on this operating system.
-    """
+    """Return the path of the Python in .venv, as Python 3.11 and later lay it out here."""
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
 def shown_python() -> str:
-    """Return the path of the Python interpreter in .venv, as shown to the user.
-
-    The path is relative to the current folder if possible.
-    """
+    """Return the path of the Python in .venv, relative to the current folder if possible."""
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -71,11 +61,8 @@ def check_python() -> None:
 
 
 def install(name: str) -> None:
-    """Install the packages listed in a lock, such as requirements.lock, and print the progress.
-
-    If pip fails, exit and print the reason.
-    """
-    lock = ROOT / f"{name}.lock"
+    """Install the packages listed in a lock, or print why pip failed, and exit."""
+    lock = LOCKS / f"{name}.lock"
     failure = run_pip(lock)
     if any(word in failure.lower() for word in NETWORK_WORDS):
         stop(
@@ -87,10 +74,7 @@ def install(name: str) -> None:
 
 
 def run_pip(lock: Path) -> str:
-    """Install the packages listed in a lock with pip, and print the progress.
-
-    Return pip's output if the installation fails, and an empty string if it succeeds.
-    """
+    """Run pip, and print its progress. Return its output if it fails, or an empty string."""
     lines = lock.read_text(encoding="utf-8").splitlines()
     total = sum("==" in line and line[0].isalpha() for line in lines)
     command = [str(python_of_venv()), "-m", "pip", "install", "--disable-pip-version-check"]
@@ -110,7 +94,7 @@ def run_pip(lock: Path) -> str:
 
 
 def make_venv() -> None:
-    """Create the virtual environment .venv from scratch, with the packages of students.
+    """Create .venv from scratch, with the packages of students.
 
     The file .venv/ready is written last, as proof that the environment is complete.
     """
@@ -136,7 +120,7 @@ def make_venv() -> None:
 def put_engine_on_path() -> None:
     """Make the modules in chapters/ importable from every script that .venv runs.
 
-    Python reads the file engine.pth when it starts. The path in it is relative to that file.
+    The path in engine.pth, which Python reads when it starts, is relative to that file.
     """
     packages = Path(sysconfig.get_path("purelib", "venv", {"base": str(VENV)}))
     engine = os.path.relpath(str(ROOT / "chapters"), str(packages))
@@ -145,7 +129,7 @@ def put_engine_on_path() -> None:
 
 def main(group: str = "") -> None:
     """Create .venv, or add the packages of ``group``, and create .venv first if it is missing."""
-    groups = sorted(lock.stem for lock in ROOT.glob("*.lock") if lock.stem not in NO_GROUPS)
+    groups = sorted(lock.stem for lock in LOCKS.glob("*.lock") if lock.stem != STUDENTS)
     if group and group not in groups:
         stop(f"there is no group of packages called {group!r}; choose from {', '.join(groups)}")
     if not group or not (VENV / "ready").exists():

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import dataclass, field, fields
+from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -19,14 +19,7 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise, as described in the manifest of its chapter.
-
-    Attributes:
-        extra: True if the exercise gives extra credit in an assignment. Its points are then added
-            on top of the total.
-        optional: True if the exercise is not part of the assignment. Students may do it, but it
-            does not count.
-    """
+    """One exercise, as described in the manifest of its chapter."""
 
     id: str
     title: str
@@ -41,33 +34,23 @@ class Exercise:
     chart: list[str] = field(default_factory=list)  # axes of an open exercise: cost and error
     robust: str = ""  # why an engine needs the robust checks, if there are any
     play: list[str] = field(default_factory=list)  # scenes of the lab that become playable
-    extra: bool = False
-    optional: bool = False
+    extra: bool = False  # in an assignment, its points are added on top of the total
+    optional: bool = False  # not part of the assignment, so it does not count
 
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter of the book with its exercises, as described in its manifest.
+    """A chapter of the book with its exercises, as described in its manifest."""
 
-    Attributes:
-        name: The name of the chapter's folder and package, such as ch02_vectors.
-        complete: The modules that students use without changing them, such as cloth.py.
-        builds_on: The numbers of the earlier chapters whose code this one imports. None means that
-            it may import all of them.
-        summary: A sentence about the topic of the chapter.
-        you_can: Sentences about what students are able to do after the chapter.
-        picture: The plot that best shows the topic of the chapter.
-    """
-
-    name: str
+    name: str  # of its folder and package, such as ch02_vectors
     number: int
     title: str
-    complete: list[str]
+    complete: list[str]  # modules that students use without changing them, such as cloth.py
     exercises: list[Exercise]
-    builds_on: list[int] | None = None
+    builds_on: list[int] | None = None  # chapters whose code it imports, or None for all earlier
     summary: str = ""
-    you_can: list[str] = field(default_factory=list)
-    picture: str = ""
+    you_can: list[str] = field(default_factory=list)  # what students are able to do afterwards
+    picture: str = ""  # the plot that best shows its topic
 
     @property
     def edited_files(self) -> list[str]:
@@ -86,11 +69,7 @@ class Chapter:
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Find the exercise in this chapter whose id is ``exercise_id``, such as B2.3.
-
-        Raises:
-            ValueError: The chapter has no such exercise.
-        """
+        """Find an exercise by its id, such as B2.3. If there is none, raise ValueError."""
         for exercise in self.exercises:
             if exercise.id == exercise_id:
                 return exercise
@@ -99,40 +78,57 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read and validate the manifest in a chapter's folder.
-
-    Raises:
-        ValueError: The manifest is not valid. The error message describes the problem.
-    """
+    """Read the manifest in a chapter's folder. If it is not valid, raise ValueError."""
     path = folder / "chapter.toml"
     return _read_chapter(path, path.read_text(encoding="utf-8"))
 
 
 @cache  # grading a class starts hundreds of runs, and each of them reads every manifest
 def _read_chapter(path: Path, text: str) -> Chapter:
-    folder = path.parent
-    match = FOLDER_NAME.fullmatch(folder.name)
+    match = FOLDER_NAME.fullmatch(path.parent.name)
     if match is None:
-        raise ValueError(f"{folder}: a chapter's folder must be named chNN_name")
+        raise ValueError(f"{path.parent}: a chapter's folder must be named chNN_name")
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{path}: {error}") from error
-    exercises = [_exercise(path, entry) for entry in data.pop("exercise", [])]
-    known = {item.name for item in fields(Chapter)} - {"name", "number", "exercises"}
-    if unknown := data.keys() - known:
-        raise ValueError(f"{path}: unknown key {min(unknown)!r}")
-    if "title" not in data:
-        raise ValueError(f"{path}: 'title' is missing")
-    complete = data.pop("complete", [])
-    chapter = Chapter(folder.name, int(match[1]), complete=complete, exercises=exercises, **data)
-    for key, value in (("summary", chapter.summary), ("picture", chapter.picture)):
-        if not isinstance(value, str):
-            raise ValueError(f"{path}: {key} must be a string, got {value!r}")
-    if not _are_words(chapter.you_can):
-        raise ValueError(f"{path}: you_can must be a list of sentences, got {chapter.you_can!r}")
-    _check_needs(path, chapter)
-    return chapter
+    exercises: list[Exercise] = []
+    for entry in data.pop("exercise", []):
+        where = f"{path}, exercise {entry.get('id', '(without an id)')}"
+        _check(where, entry, Exercise)
+        exercise = Exercise(**entry)
+        if exercise.kind not in KINDS:
+            raise ValueError(f"{where}: kind must be one of {', '.join(KINDS)}")
+        if exercise.stars not in (1, 2, 3) or exercise.points <= 0 or len(exercise.chart) == 1:
+            raise ValueError(f"{where}: stars must be 1 to 3, points positive, chart two axes")
+        seen = [other.id for other in exercises]
+        if exercise.id in seen:
+            raise ValueError(f"{where} is listed twice")
+        if missing := [need for need in exercise.needs if need not in seen]:
+            raise ValueError(f"{where} needs {missing[0]}, which does not precede it")
+        exercises.append(exercise)
+    data |= {"name": path.parent.name, "number": int(match[1]), "exercises": exercises}
+    data.setdefault("complete", [])
+    _check(str(path), data, Chapter)
+    return Chapter(**data)
+
+
+def _check(where: str, entry: dict[str, Any], kind: type) -> None:
+    """Check the keys of a table, and the types of texts, numbers and lists of texts."""
+    known = {item.name: item for item in fields(kind)}
+    if unknown := entry.keys() - known.keys():
+        raise ValueError(f"{where}: unknown key {min(unknown)!r}")
+    for name, item in known.items():
+        if name not in entry and item.default is item.default_factory is MISSING:
+            raise ValueError(f"{where}: {name!r} is missing")
+        value = entry.get(name)
+        fits = {
+            "str": isinstance(value, str),
+            "float": type(value) in (int, float),
+            "list[str]": isinstance(value, list) and all(isinstance(v, str) for v in value),
+        }
+        if name in entry and not fits.get(str(item.type), True):
+            raise ValueError(f"{where}: {name} must be of the type {item.type}, got {value!r}")
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
@@ -141,13 +137,7 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Divide chapters into those that students are given and those that they write.
-
-    For a given chapter, students receive our solution. ``numbers`` lists the given chapters, as in
-    "2,4-6". If it is empty, students write all chapters.
-
-    Returns:
-        Two lists of chapters: the given ones, and those that students write.
+    """Divide chapters into those that are given, as in "2,4-6", and those that students write.
 
     Raises:
         ValueError: No chapter is left for students to write, or ``numbers`` is malformed.
@@ -160,11 +150,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if an exercise belongs to a chapter that students receive complete.
-
-    In such a chapter, the autograder uses our solution, so the student has nothing to write.
-    ``numbers`` lists these chapters, as in "2-5".
-    """
+    """Raise ValueError if an exercise belongs to one of the given chapters, as in "2-5"."""
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
             f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
@@ -173,11 +159,7 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """List the earlier chapters whose code a chapter imports.
-
-    These are the chapters in the ``builds_on`` list of its manifest. Without such a list, they are
-    all earlier chapters.
-    """
+    """List the earlier chapters whose code a chapter imports."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -185,9 +167,7 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has selected on the command line, as in "2,4-6".
-
-    An empty selection stands for all chapters.
+    """Return the chapters that a user has selected, as in "2,4-6". Without a selection, it is all.
 
     Raises:
         ValueError: The selection is malformed or contains a chapter that does not exist.
@@ -213,45 +193,3 @@ def numbers_of(chapters: list[Chapter]) -> str:
     """Format the numbers of consecutive chapters as a range for the command line, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
-
-
-def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
-    where = f"{path}, exercise {entry.get('id', '(without an id)')}"
-    known = {item.name for item in fields(Exercise)}
-    wanted = {"id", "title", "kind", "stars", "points", "hints", "terms"}
-    if unknown := entry.keys() - known:
-        raise ValueError(f"{where}: unknown key {min(unknown)!r}")
-    if missing := wanted - entry.keys():
-        raise ValueError(f"{where}: {min(missing)!r} is missing")
-    exercise = Exercise(**entry)
-    if exercise.kind not in KINDS:
-        raise ValueError(f"{where}: kind must be one of {', '.join(KINDS)}, got {exercise.kind!r}")
-    if exercise.stars not in (1, 2, 3):
-        raise ValueError(f"{where}: stars must be 1, 2 or 3, got {exercise.stars!r}")
-    if type(exercise.points) not in (int, float) or exercise.points <= 0:
-        raise ValueError(f"{where}: points must be a positive number, got {exercise.points!r}")
-    if len(exercise.chart) not in (0, 2):
-        raise ValueError(f"{where}: chart must name the cost and the error, got {exercise.chart!r}")
-    if not _are_words(exercise.play):
-        raise ValueError(f"{where}: play must be a list of scenes, got {exercise.play!r}")
-    return exercise
-
-
-def _are_words(value: object) -> bool:
-    return isinstance(value, list) and all(isinstance(item, str) for item in value)
-
-
-def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that no exercise id is used twice, and that each exercise follows its prerequisites.
-
-    Raises:
-        ValueError: An id is used twice, or an exercise is listed before one of its prerequisites.
-    """
-    seen: set[str] = set()
-    for exercise in chapter.exercises:
-        if exercise.id in seen:
-            raise ValueError(f"{path}: exercise {exercise.id} is listed twice")
-        for need in exercise.needs:
-            if need not in seen:
-                raise ValueError(f"{path}: {exercise.id} needs {need}, which does not precede it")
-        seen.add(exercise.id)

@@ -45,7 +45,7 @@ def main(arguments: list[str]) -> int:
     minutes = (time.monotonic() - start) / 60.0
     console.print(f"\n{met} targets met, {missed} missed, in {minutes:.1f} minutes")
     console.print(
-        f"Written to {shown(options.out)}. Run make table to update the READMEs.", soft_wrap=True
+        f"Written to {shown(options.out)}. Run make update to update the READMEs.", soft_wrap=True
     )
     console.print(f"Python {platform.python_version()}, {_versions()}; {platform.platform()}")
     return 0

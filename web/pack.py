@@ -19,6 +19,7 @@ from pathlib import Path
 from sysconfig import get_path
 
 from autograder.handouts.handout import make_handout
+from autograder.handouts.lock import LOCK_NAME
 from autograder.manifest import ROOT, load_chapters
 from web.imports import imported_by
 from web.node import PACKAGES, WEB, run_node
@@ -76,8 +77,8 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         # The pages' data has the stubs and the given modules of the chapters.
         _copy_tree(handout / "chapters", folder / "chapters", "chapter.toml")
         _copy_tree(handout / "tests", folder / "tests", "*")
-        for name in ("stubs.lock", "LICENSE"):
-            shutil.copyfile(handout / name, folder / name)
+        for name in (LOCK_NAME, "LICENSE"):
+            _copy(handout / name, handout, folder)
         # pytest reads its settings in every run, and a whole file takes a seventh of a short one.
         settings = (handout / "pyproject.toml").read_text(encoding="utf-8")
         table = settings[settings.index(PYTEST) :].split("\n\n")[0]

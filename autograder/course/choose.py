@@ -18,14 +18,6 @@ DEFAULT = Path("course.toml")
 NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the course file
 
 
-def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the --assignment and --course options to an instructor command."""
-    command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
-    command.add_argument(
-        "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"
-    )
-
-
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
     """Return the exercises that an instructor has selected on the command line.
 

@@ -15,19 +15,17 @@ from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter
 
 STUDENT_TOOLS = {
-    ".": (
-        "Makefile pyproject.toml requirements.lock pictures.lock stubs.lock LICENSE .gitignore "
-        "glossary.md"
-    ),
+    ".": "Makefile pyproject.toml LICENSE .gitignore glossary.md",
     ".vscode": "*.json",
     "autograder": (
-        "__init__.py __main__.py accepted_files.py answers.py commands.py definitions.py files.py "
-        "local_server.py make_venv.py manifest.py message.py records.py scores.py"
+        "__init__.py __main__.py accepted_files.py answers.py commands.* definitions.py files.py "
+        "local_server.py make_venv.py manifest.py message.py options.py records.py scores.py"
     ),
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py lock.py stubs.py unused.py",
+    "autograder/handouts": "__init__.py bodies.py lock.py stubs.lock stubs.py unused.py",
+    "autograder/locks": "pictures.lock requirements.lock",
     "autograder/student": "*.py",
     "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",
@@ -80,11 +78,10 @@ def make_handout(
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
     code without checks. Exercises in a manifest that are missing from ``chapters`` become optional.
-    The text ``about`` is the section of the README that describes the assignment. The folder
-    ``out`` must be new or empty.
+    The text ``about`` is the section of the README that describes the assignment.
 
     Raises:
-        ValueError: A chapter is in both lists, or the folder is not empty.
+        ValueError: A chapter is in both lists, or the folder ``out`` is not new or empty.
     """
     if both := [c.name for c in chapters if c.name in [other.name for other in given]]:
         raise ValueError(f"{', '.join(both)} cannot be handed out both as stubs and as given")
@@ -119,7 +116,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     _copy_room(root / "lab", out, names)
     _copy_room(root / "plots", out, names)
     _copy([root / "chapters" / "README.md"], out / "chapters")
-    _copy([root / "claims.md", root / "errata.md"], out)
+    _copy([root / "docs/claims.md", root / "docs/errata.md"], out / "docs")
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
@@ -131,54 +128,42 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         _write_manifest(chapter, root / folder, out / folder)
         for path, text in stubs.items():
             if path.startswith(folder + "/"):  # made anew, since the files here may be edited
-                (out / path).write_text(text, encoding="utf-8", newline="\n")
+                _write(out / path, text)
                 if path.endswith(".py"):
-                    kept = out / KEPT / chapter.name / Path(path).name
-                    kept.parent.mkdir(parents=True, exist_ok=True)
-                    kept.write_text(text, encoding="utf-8", newline="\n")
+                    _write(out / KEPT / chapter.name / Path(path).name, text)
         tests = root / "tests" / chapter.name
         _copy([*tests.glob("test_*.py"), *tests.glob("*probes.py")], out / "tests" / chapter.name)
-    (out / KEPT / "README.md").write_text(KEPT_README, encoding="utf-8", newline="\n")
+    _write(out / KEPT / "README.md", KEPT_README)
     for chapter in given:
         modules = (root / "solutions" / chapter.name).glob("*.py")
         _copy(modules, out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
     example = chapters[0].exercises[0].id
     heading, _, body = README.format(titles=titles, example=example).partition("\n\n")
-    text = "\n\n".join([heading, about, body] if about else [heading, body])
-    (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
+    _write(out / "README.md", "\n\n".join(filter(None, [heading, about, body])))
     _remove_dead_links(out)
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Replace each dead link on a handout's pages with plain text.
-
-    A link is dead if the handout does not contain the linked file, such as the lesson of a later
-    chapter.
-    """
+    """Replace links to files that the handout does not contain with plain text."""
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
-        dead = [m for m in PAGE_LINK.finditer(text) if not (page.parent / m[2]).exists()]
-        for link in dead:
-            text = text.replace(link[0], link[1])
-        if dead:
-            page.write_text(text, encoding="utf-8", newline="\n")
+        for link in PAGE_LINK.finditer(text):
+            if not (page.parent / link[2]).exists():
+                text = text.replace(link[0], link[1])
+        _write(page, text)
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write a chapter's manifest, and update the table of exercises in its reference.md.
-
-    Both show how many points each exercise is worth in this assignment.
-    """
+    """Write a chapter's manifest and table of exercises, with the points of this assignment."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
         text = manifest_of(text, whole)
         page = target / "reference.md"
         if page.is_file():
-            new = with_table(page.read_text(encoding="utf-8"), whole)
-            page.write_text(new, encoding="utf-8", newline="\n")
-    (target / "chapter.toml").write_text(text, encoding="utf-8", newline="\n")
+            _write(page, with_table(page.read_text(encoding="utf-8"), whole))
+    _write(target / "chapter.toml", text)
 
 
 def _copy_room(room: Path, out: Path, chapters: Collection[str]) -> None:
@@ -197,3 +182,8 @@ def _copy(files: Iterable[Path], folder: Path) -> None:
     for file in files:
         if file.is_file():
             shutil.copyfile(file, folder / file.name)
+
+
+def _write(file: Path, text: str) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8", newline="\n")

@@ -1,7 +1,4 @@
-"""Read stubs.lock, which contains a hash of each source file that students receive.
-
-As long as the hash of a file still matches, nobody has edited the file.
-"""
+"""Read stubs.lock, the hashes that source files have if no student has edited them."""
 
 from __future__ import annotations
 
@@ -11,7 +8,7 @@ from pathlib import Path
 
 from autograder.manifest import ROOT
 
-LOCK_NAME = "stubs.lock"
+LOCK_NAME = "autograder/handouts/stubs.lock"
 
 
 def stub_hash(text: str) -> str:
@@ -20,10 +17,7 @@ def stub_hash(text: str) -> str:
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return a dictionary that maps the path of each file in stubs.lock to its hash.
-
-    If there is no stubs.lock, the result is empty.
-    """
+    """Return the hashes in stubs.lock, if there is one, keyed by the paths of the files."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

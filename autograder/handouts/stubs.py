@@ -1,46 +1,41 @@
 """Turn our solutions into the stubs in chapters/, the unfinished files that students complete.
 
-The manifest lists the functions that students write. In a stub, each of them keeps its signature
-and docstring, but its body becomes ``raise NotImplementedError``. A hash of every stub is stored in
-stubs.lock. If the hash no longer matches, somebody has edited the stub, and it is never
-overwritten.
+In a stub, each function that students write keeps its signature and docstring, but its body becomes
+``raise NotImplementedError``. If a stub no longer has its hash in stubs.lock, somebody has edited
+it, and it is never overwritten.
 """
 
 from __future__ import annotations
 
 import ast
 import json
-from collections.abc import Collection
-from functools import cache
 from pathlib import Path
-from typing import Any
-
-import libcst as cst
 
 from autograder.answers import blank_answers
 from autograder.definitions import functions
 from autograder.files import replace_bytes
+from autograder.handouts.bodies import with_bodies
 from autograder.handouts.lock import LOCK_NAME, read_lock, stub_hash
-from autograder.handouts.unused import used_names, without_unused
+from autograder.handouts.unused import without_unused
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 KEPT = "stubs"  # the folder of a handout with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate the text of every file that students start from.
+    """Generate the text of every file that students start from, keyed by its path in ``root``.
 
-    The result maps paths such as chapters/ch02_vectors/vector.py to texts. The files are Python
-    stubs, answers.md without the model answers, and data files that contain only the column names.
+    The files are Python stubs, answers.md without the model answers, and data files that contain
+    only the column names.
     """
     stubs = {}
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
             stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
-        for name in chapter.data_files:  # students get only the first line, with the column names
-            lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
-            stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
+        for name in chapter.data_files:
+            with (solution / name).open(encoding="utf-8") as file:
+                stubs[f"chapters/{chapter.name}/{name}"] = file.readline()
         answers = solution / "answers.md"
         if answers.exists():
             text = answers.read_text(encoding="utf-8")
@@ -49,29 +44,15 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Generate the stub of one module, such as vector.py, from our solution.
-
-    Raises:
-        OSError: The solution cannot be read.
-    """
+    """Generate the stub of one module, such as vector.py, from our solution."""
     source = (root / "solutions" / chapter.name / file).read_text(encoding="utf-8")
-    return _stub_of_text(source, tuple(messages_of(chapter, file).items()))
-
-
-@cache
-def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Generate a stub from the text of a solution.
-
-    The result is cached, because parsing the solution with libcst is slow.
-    """
-    return stub_module(source, dict(messages))
+    return stub_module(source, messages_of(chapter, file))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the original stub of a module, as it was before the student edited it.
+    """Return the original stub of a module from our solution, or from the copy in a handout.
 
-    If our solutions are available, the stub is generated from them. A handout does not contain
-    them, but keeps a copy of each original stub. If there is no copy either, the result is None.
+    If there is neither, the result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -80,9 +61,9 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write all stubs and stubs.lock, without overwriting any stub that somebody has edited.
+    """Write all stubs and stubs.lock. Return the paths that were written, and those left alone.
 
-    Return the paths of the stubs that were written, and the paths of the edited ones.
+    A stub that somebody has edited is left alone.
     """
     locked = read_lock(root)
     written, left_alone = [], []
@@ -106,77 +87,45 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """List the files in chapters/ that are out of date or have been edited.
-
-    These are stubs that no longer match our solutions, and complete modules that no longer match
-    stubs.lock.
-    """
+    """List the stubs and complete modules in chapters/ that are out of date or have been edited."""
     stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
     locked = read_lock(root)
     return stale + [path for path, key in complete_hashes(root).items() if locked.get(path) != key]
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Compute a hash of each module that students use without changing it, such as cloth.py.
-
-    The keys of the result are paths such as chapters/ch06_springs/cloth.py.
-    """
-    files = [
-        root / "chapters" / chapter.name / name
-        for chapter in load_chapters(root)
-        for name in chapter.complete
-    ]
-    return {
-        file.relative_to(root).as_posix(): stub_hash(file.read_text(encoding="utf-8"))
-        for file in files
-    }
+    """Compute a hash of each module that students use unchanged, keyed by its path in ``root``."""
+    paths = [f"chapters/{c.name}/{name}" for c in load_chapters(root) for name in c.complete]
+    return {path: stub_hash((root / path).read_text(encoding="utf-8")) for path in paths}
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of a stub in chapters/, or None if the file does not exist.
-
-    Any bytes that are not valid UTF-8 are replaced, so such a file later counts as edited.
-    """
+    """Return the text of a file, or None. One that is not valid UTF-8 then counts as edited."""
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
-def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = ()) -> str:
-    """Turn the source of a solution into a stub by removing the bodies that students write.
+def stub_module(source: str, messages: dict[str, str]) -> str:
+    """Turn a solution into a stub, in which each function of ``messages`` raises its message.
 
-    ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the error message
-    that its stub raises. Private helpers, constants and imports that only these bodies used would
-    give the solution away, so they are removed too. A public helper that only these bodies used
-    stays, but loses its body. Public constants stay, because docstrings mention them. The functions
-    in ``kept`` always keep their bodies.
+    Private helpers, constants and imports that only the removed bodies used would give the solution
+    away, so they are removed too.
 
     Raises:
         ValueError: The module does not define one of the names.
     """
-    defined = functions(ast.parse(source))
-    edited = messages.keys()
-    if missing := messages.keys() - defined.keys():
+    if missing := messages.keys() - functions(ast.parse(source)).keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
-    module = cst.parse_module(source)
-    stub = without_bodies(module, messages)
-    while True:
-        gone = used_names(source) - used_names(stub.code)
-        helpers = _helpers_of(defined, messages, gone)
-        helpers = {name: text for name, text in helpers.items() if name not in kept}
-        if not helpers:
-            break
-        messages = messages | helpers
-        stub = without_bodies(module, messages)
-    private = {name for name in messages.keys() - edited if _short(name).startswith("_")}
-    stub = _without_functions(stub, private)
-    gone = used_names(source) - used_names(stub.code)
-    return without_unused(stub, gone).code
+    return without_unused(without_bodies(source.encode(), messages).decode(), source)
+
+
+def without_bodies(source: bytes, messages: dict[str, str]) -> bytes:
+    """Replace the body of each function in ``messages`` with an error that has this message."""
+    bodies = {n: f"raise NotImplementedError({json.dumps(m)})" for n, m in messages.items()}
+    return with_bodies(source, bodies)
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the error message of each stub, such as "Exercise B2.1: Copy, clear and invert".
-
-    The keys are the names of the functions, such as Vector3.copy.
-    """
+    """Return the error message of each stub in a file, keyed by names such as Vector3.copy."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -184,80 +133,3 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
         for name in exercise.edit
         if name.startswith(prefix)
     }
-
-
-def _helpers_of(
-    defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
-) -> dict[str, str]:
-    """Find the helper functions that only the removed function bodies use.
-
-    The result maps each helper to the error message of a function that uses it, because the
-    helper's own stub raises the same error. A helper is left out if another function, such as a
-    method of a Protocol, has the same short name. In that case, we cannot tell which of the two
-    functions is used.
-    """
-    short_names = [_short(name) for name in defined]
-    return {
-        name: message
-        for name in defined.keys() - messages.keys()
-        if short_names.count(_short(name)) == 1
-        for user, message in reversed(messages.items())
-        if _short(name) in gone and _short(name) in used_names(ast.unparse(defined[user]))
-    }
-
-
-def _short(name: str) -> str:
-    return name.rpartition(".")[2]
-
-
-def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
-    def kept(nodes: Any, prefix: str = "") -> list[Any]:
-        left = []
-        for node in nodes:
-            if isinstance(node, cst.FunctionDef) and prefix + node.name.value in names:
-                continue
-            if isinstance(node, cst.ClassDef):
-                members = kept(node.body.body, f"{node.name.value}.")
-                node = node.with_changes(body=node.body.with_changes(body=members))
-            left.append(node)
-        return left
-
-    return module.with_changes(body=kept(module.body))
-
-
-def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Replace the body of each function in ``messages`` with a NotImplementedError.
-
-    ``messages`` maps the name of each function to its error message.
-    """
-    bodies = {
-        name: f"raise NotImplementedError({json.dumps(message)})"
-        for name, message in messages.items()
-    }
-    return with_bodies(module, bodies)
-
-
-def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Replace the bodies of some functions in a module, and keep their docstrings.
-
-    ``bodies`` maps the name of each function to the source code of its new body.
-    """
-
-    def changed(node: Any, prefix: str = "") -> Any:
-        if isinstance(node, cst.ClassDef):
-            members = [changed(member, f"{node.name.value}.") for member in node.body.body]
-            return node.with_changes(body=node.body.with_changes(body=members))
-        if not isinstance(node, cst.FunctionDef):
-            return node
-        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # "" if it is async
-        if prefix + name not in bodies:
-            return node
-        body: list[Any] = [*cst.parse_module(bodies[prefix + name]).body]
-        if node.get_docstring() is not None:
-            first = node.body.body[0]  # on a line of its own, or on the line of the def
-            line: Any = first if isinstance(first, cst.SimpleStatementLine) else node.body
-            docstring = line.body[0].with_changes(semicolon=cst.MaybeSentinel.DEFAULT)
-            body.insert(0, cst.SimpleStatementLine([docstring]))
-        return node.with_changes(body=cst.IndentedBlock(body))
-
-    return module.with_changes(body=[changed(node) for node in module.body])

@@ -1,4 +1,4 @@
-"""Write the table of exercises in each chapter's reference.md, based on the chapter's manifest."""
+"""Write the tables of exercises from the chapters' manifests, and makefiles from the commands."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from pathlib import Path
 from autograder.definitions import own_name
 from autograder.files import replace_bytes
 from autograder.manifest import Chapter, Exercise
+from autograder.options import makefile
 from autograder.text.marked import with_text
 
-BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
+BEGIN = "<!-- exercises: `make update` writes this table from chapter.toml -->"
 END = "<!-- end of exercises -->"
 
 
@@ -20,7 +21,8 @@ def exercise_table(chapter: Chapter) -> str:
     for exercise in chapter.exercises:
         places = "; ".join(_places(exercise, chapter)) or "`answers.md`"
         stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
-        points = "optional" if exercise.optional else f"{exercise.points}{_extra(exercise)}"
+        extra = " (extra credit)" if exercise.extra else ""
+        points = "optional" if exercise.optional else f"{exercise.points}{extra}"
         rows.append(
             f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {points} "
             f"| {places} | {needs} |"
@@ -28,15 +30,10 @@ def exercise_table(chapter: Chapter) -> str:
     return "\n".join(rows)
 
 
-def _extra(exercise: Exercise) -> str:
-    return " (extra credit)" if exercise.extra else ""
-
-
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List everything that a student writes for an exercise, grouped by file.
+    """List what a student writes by file, as in "`vector.py`: `dot`, `cross`".
 
-    The text for a file looks like "`vector.py`: `dot`, `cross`" or "`drops.csv`: your data". If
-    several classes of a file have a method of the same name, each method is listed with its class.
+    If several classes of a file have a method of the same name, it is listed with its class.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -50,11 +47,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of a chapter's reference.md with an updated table of exercises.
-
-    Raises:
-        ValueError: The page lacks the two comment lines that mark where the table belongs.
-    """
+    """Return the text of a chapter's reference.md with an updated table of exercises."""
     try:
         return with_text(page, BEGIN, END, exercise_table(chapter))
     except ValueError as error:
@@ -62,13 +55,14 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update the table of exercises in each reference.md, and list the files that have changed."""
-    changed = []
-    for chapter in chapters:
-        path = root / "chapters" / chapter.name / "reference.md"
-        old = path.read_text(encoding="utf-8")
-        new = with_table(old, chapter)
-        if new != old:
-            replace_bytes(path, new.encode())
-            changed.append(f"chapters/{chapter.name}/reference.md")
+    """Update the table in each reference.md, and the makefiles. List the files that changed."""
+    pages = {f"chapters/{chapter.name}/reference.md": chapter for chapter in chapters}
+    old = {name: (root / name).read_text(encoding="utf-8") for name in pages}
+    new = {name: with_table(old[name], chapter) for name, chapter in pages.items()}
+    for table in ("commands", "instructor"):
+        name = f"autograder/{table}.mk"
+        old[name], new[name] = (root / name).read_text(encoding="utf-8"), makefile(table)
+    changed = [name for name, text in new.items() if text != old[name]]
+    for name in changed:
+        replace_bytes(root / name, new[name].encode())
     return changed

@@ -1,93 +1,98 @@
-"""Remove from a stub the imports and constants that only the removed function bodies used."""
+"""Remove from a stub the private helpers, constants and imports that only the answers used."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Collection
-from typing import Any
+from collections.abc import Collection
 
-import libcst as cst
+from autograder.definitions import scopes
+from autograder.handouts.bodies import first_line
 
 LINE = 100  # characters, as in pyproject.toml
 
 
-def used_names(source: str) -> set[str]:
-    """Return the names of all variables and attributes that some Python source code uses."""
-    nodes = [*ast.walk(ast.parse(source))]
-    names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
-    return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+def without_unused(stub: str, source: str) -> str:
+    """Remove private definitions that only ``source`` uses, and then imports that are not used.
 
-
-def without_unused(module: cst.Module, gone: Collection[str]) -> cst.Module:
-    """Remove the private constants in ``gone`` from the top of a module, then its unused imports.
-
-    What remains stays separated by blank lines as before. An import such as ``from a import b as
-    b`` stays, because other modules import b from this one.
+    An import such as ``from a import b as b`` stays, because other modules import b from this one.
     """
-    module = _each(module, lambda one: None if _private_constant(one) in gone else one)
-    used = used_names(module.code)
-    return _each(module, lambda one: _with_used_imports(one, used))
+    tree = ast.parse(stub)
+    unused_there = {_name(node) for node in _unreached(ast.parse(source))}
+    gone = [node for node in _unreached(tree) if _name(node) not in unused_there]
+    stub = _changed(stub, tree, dict.fromkeys(gone, ""))
+    tree = ast.parse(stub)
+    used = _used(tree)
+    texts: dict[ast.stmt, str] = {}
+    for node in tree.body:
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            names = [one for one in node.names if _stays(node, one, used)]
+            if names != node.names:
+                texts[node] = _import(node, names)
+    return _changed(stub, tree, texts)
 
 
-def _each(module: cst.Module, left: Callable[[Any], Any]) -> cst.Module:
-    """Replace each statement of a module by what ``left`` returns, or remove it for None."""
-    body: list[Any] = []
-    above: list[Any] = []  # the blank lines above the statements that were just removed
-    for statement in module.body:
-        new = left(statement)
-        if new is None:
-            above = above or [line for line in statement.leading_lines if not line.comment]
-            continue
-        if above and not new.leading_lines:
-            new = new.with_changes(leading_lines=above)
-        above = []
-        body.append(new)
-    return module.with_changes(body=body)
+def _unreached(tree: ast.Module) -> list[ast.stmt]:
+    """Return the private functions, methods, classes and constants that no other code reaches."""
+    every = [node for owner, _ in scopes(tree).values() for node in owner.body]
+    left = [node for node in every if (n := _name(node)).startswith("_") and not n.endswith("__")]
+    reached = _used(tree, left)
+    while found := [node for node in left if _name(node) in reached]:
+        left = [node for node in left if node not in found]
+        reached = reached.union(*(_used(node, left) for node in found))
+    return left
 
 
-def _with_used_imports(statement: Any, used: Collection[str]) -> Any:
-    """Return a statement without its unused imports, or None if nothing is left of it."""
-    match statement:
-        case cst.SimpleStatementLine(body=[cst.Import() | cst.ImportFrom() as node]):
-            there: Any = node.names
-            names = [alias for alias in there if _stays(node, alias, used)]
-            if not names:
-                return None
-            if len(names) < len(there):
-                return statement.with_changes(body=[_only(node, names)])
-    return statement
+def _name(node: ast.stmt) -> str:
+    """Return the name that a statement defines, or "" if it is not a definition of one name."""
+    match node:
+        case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+            return name
+        case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
+            return name
+    return ""
 
 
-def _stays(node: Any, alias: cst.ImportAlias, used: Collection[str]) -> bool:
-    """Return whether an import of one name is used, exports the name or changes the language."""
-    if isinstance(node, cst.ImportFrom) and node.module and node.module.value == "__future__":
+def _used(node: ast.AST, but: Collection[ast.AST] = ()) -> set[str]:
+    """Return the names of the variables and attributes that code uses, outside of some nodes."""
+    names = set()
+    match node:
+        case ast.Name(id=name, ctx=ast.Load()) | ast.Attribute(attr=name):
+            names.add(name)
+    below = (child for child in ast.iter_child_nodes(node) if child not in but)
+    return names.union(*(_used(child, but) for child in below))
+
+
+def _stays(node: ast.Import | ast.ImportFrom, one: ast.alias, used: Collection[str]) -> bool:
+    """Return True if an import of a name is used, exports the name or changes the language."""
+    if isinstance(node, ast.ImportFrom) and node.module == "__future__":
         return True
-    name, own = alias.evaluated_name, alias.evaluated_alias
-    return own == name or (own or name.partition(".")[0]) in used
+    return one.asname == one.name or (one.asname or one.name.partition(".")[0]) in used
 
 
-def _only(node: Any, names: list[Any]) -> Any:
-    """Return a statement that imports only ``names``, on one line if they fit."""
-    comma = cst.Comma(whitespace_after=cst.SimpleWhitespace(" "))
-    commas = [comma] * (len(names) - 1) + [cst.MaybeSentinel.DEFAULT]
-    in_line = [alias.with_changes(comma=c) for alias, c in zip(names, commas, strict=True)]
-    brackets = {} if isinstance(node, cst.Import) else {"lpar": None, "rpar": None}
-    short = node.with_changes(names=in_line, **brackets)
-    if len(cst.Module([]).code_for_node(short)) <= LINE:
-        return short
-    return node.with_changes(
-        names=[*names[:-1], names[-1].with_changes(comma=node.names[-1].comma)]
-    )
+def _import(node: ast.Import | ast.ImportFrom, names: list[ast.alias]) -> str:
+    """Return an import of only these names, on one line if they fit."""
+    if not names:
+        return ""
+    node.names = names
+    text = ast.unparse(node)
+    if len(text) <= LINE:
+        return text
+    start, _, rest = text.partition(" import ")
+    return f"{start} import (\n    {rest.replace(', ', f',{chr(10)}    ')},\n)"
 
 
-def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return the name of the private constant that a statement such as ``_NAME = 3`` defines.
+def _changed(source: str, tree: ast.Module, texts: dict[ast.stmt, str]) -> str:
+    """Replace statements by other texts, or remove those for which the text is empty.
 
-    For any other statement, return None.
+    With a statement, its comments go too. The blank lines above it stay if there are none below.
     """
-    match statement:
-        case cst.SimpleStatementLine(
-            body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
-        ) if name.startswith("_"):
-            return str(name)
-    return None
+    lines = source.split("\n")
+    owners = {node: owner for owner, _ in scopes(tree).values() for node in owner.body}
+    for node, text in sorted(texts.items(), key=lambda item: -item[0].lineno):
+        top, end = node.lineno - 1, node.end_lineno or 0
+        if not text:
+            top = first_line(owners[node], node)
+            while lines[end].strip() and not lines[top].strip():
+                top += 1
+        lines[top:end] = [text] if text else []
+    return "\n".join(lines)

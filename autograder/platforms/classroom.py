@@ -57,7 +57,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
             "with": {
                 "python-version": "3.14",
                 "cache": "pip",
-                "cache-dependency-path": "requirements.lock",
+                "cache-dependency-path": "autograder/locks/requirements.lock",
             },
         },
         # The set-up inside the grader is silent, so errors must appear here.

@@ -103,7 +103,7 @@ def _files(
     The solutions of the chapters in ``reference`` are included.
     """
     yield root / "pyproject.toml"
-    yield root / "requirements.lock"
+    yield root / "autograder/locks/requirements.lock"
     yield root / "LICENSE"
     yield from (root / "autograder").rglob("*.py")
     yield from (root / "autograder/reports/templates").iterdir()

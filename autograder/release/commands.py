@@ -5,31 +5,12 @@ from __future__ import annotations
 import argparse
 from collections.abc import Collection
 from datetime import UTC, datetime
-from pathlib import Path
 
-from autograder.course.choose import add_options, work_of
+from autograder.course.choose import work_of
 from autograder.course.late import clock
 from autograder.course.model import Course
 from autograder.course.reading import read_course
 from autograder.manifest import load_chapters
-
-
-def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the `release` command and its options to the argument parser."""
-    command = commands.add_parser("release", help="release the reference after the deadline")
-    what = "chapters to release, such as 2-3 (not needed with an assignment)"
-    command.add_argument("chapters", nargs="?", default="", help=what)
-    command.add_argument(
-        "--exercises", default="", help="release only these exercises, such as 2.5,B2.3"
-    )
-    command.add_argument(
-        "--submissions", type=Path, help="folder of submissions to compare with the reference"
-    )
-    command.add_argument("--grades", type=Path, help="folder with the grades of the class")
-    command.add_argument("--roster", type=Path, help="the roster that the class was graded with")
-    command.add_argument("--out", type=Path, required=True, help="folder for the released files")
-    add_options(command)
-    command.set_defaults(run=run_release)
 
 
 def run_release(arguments: argparse.Namespace) -> int:

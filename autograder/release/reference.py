@@ -45,7 +45,7 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
     messages = messages_of(held_back, file)
-    return stub_module(text, messages, messages_of(chapter, file)) if messages else text
+    return stub_module(text, messages) if messages else text
 
 
 def write_reference(

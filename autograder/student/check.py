@@ -19,7 +19,7 @@ from autograder.diagnosis.given import (
 )
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import result_of, results_of
-from autograder.student.checked import Report
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.screen import ProgressBar, print_report
 from autograder.student.written import print_written
 
@@ -35,12 +35,9 @@ def check(
 ) -> bool:
     """Check a student's code, print the results, and return True if all checks pass.
 
-    If ``exercise`` is not None, check only that exercise and its prerequisites. If ``only`` is also
-    true, report only the physics checks of the exercise itself. For the chapters in ``given``, the
-    reference solution replaces the student's code.
-
-    A written exercise has no checks, so its question is shown instead. Unanswered questions do not
-    affect the result.
+    With ``exercise``, check only that exercise and its prerequisites. With ``only`` too, report
+    only its own physics checks. The reference replaces the student's code in ``given`` chapters.
+    A written exercise has no checks, so its question is shown instead.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -67,11 +64,10 @@ def report_on(
     given: list[Chapter],
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
-) -> Report:
+) -> ChapterResults:
     """Run the checks of a chapter, or of one exercise and its prerequisites, on a student's code.
 
-    ``run`` is the function that runs checks, such as ``run_checks``. A check that fails only
-    because of a mistake in an earlier chapter is reported as inherited.
+    A check that fails only because of a mistake in an earlier chapter is reported as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)
@@ -87,4 +83,4 @@ def report_on(
         for outcome in (verdicts, again)
     )
     doubtful = [] if again else suspects(first, folders, below, run)
-    return Report(chapter, results, better if again else [], doubtful)
+    return ChapterResults(chapter, results, better if again else [], doubtful)

@@ -1,7 +1,4 @@
-"""Explain to a student why a check has failed and what to do next.
-
-The `check` and `watch` commands show this explanation.
-"""
+"""Explain to a student why a check has failed and what to do next."""
 
 from __future__ import annotations
 
@@ -28,13 +25,9 @@ if TYPE_CHECKING:
 class Failure:
     """An explanation of a failed check for the student, with the next steps to take.
 
-    Attributes:
-        heading: The first line, which says which exercise the check belongs to.
-        diagnosis: The labeled rows that explain the failure.
-        printed: The output of the student's code.
-        steps: What the student should do next.
-        place: The line to open in an editor, or "" if the mistake is in an earlier chapter.
-        hints: The exercise whose hints may help, or "" if the mistake is in an earlier chapter.
+    ``printed`` is the output of the student's code. ``place`` is the line to open in an editor, and
+    ``hints`` the exercise whose hints may help. Both are empty if the mistake is in an earlier
+    chapter.
     """
 
     heading: str
@@ -54,9 +47,8 @@ def failure_of(
 ) -> Failure | None:
     """Choose the failed check of an exercise that the student should see first, and explain it.
 
-    Physics checks come before robust checks. Among checks of the same kind, those of functions in
-    ``edited`` come first, because the student has just worked on them. Checks of functions that
-    have not been written yet come last. Return None if no check has failed.
+    Physics checks come before robust checks, then those of functions that the student has just
+    edited. Checks of functions that are not written yet come last. Return None if no check failed.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -88,10 +80,7 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print why an exercise fails and what the student should do next, such as which line to open.
-
-    If several checks fail, only the one that the student should fix first is explained.
-    """
+    """Print why an exercise fails and what the student should do next."""
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
@@ -105,10 +94,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Shorten what the student's code has printed, to show it below a failed check.
-
-    Return a list with one row, labeled "printed". The list is empty if the code printed nothing.
-    """
+    """Shorten what the student's code has printed to a row, or no row if it printed nothing."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -117,10 +103,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return True if a check concerns a function that the student has just edited.
-
-    This is the case if the check calls the function, or if the error occurs inside it.
-    """
+    """Return True if a check calls a function just edited, or fails inside it."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -7,7 +7,6 @@ import importlib
 import inspect
 import re
 import sys
-from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
@@ -21,14 +20,18 @@ OF_A_CHAPTER = re.compile(r"ch\d\d_")  # the beginning of a module's name
 
 
 def interact(chapters: list[Chapter], folders: list[Path]) -> None:
-    """Start an interpreter in which all names of the chapters are defined.
-
-    ``folders`` are searched for the chapters' modules, the first one first.
-    """
+    """Start an interpreter in which all names of the chapters are defined."""
     sys.path += map(str, folders)
     sys.dont_write_bytecode = True  # stale bytecode could hide a quick change
     names: dict[str, Any] = {"__name__": "__main__", "__builtins__": __builtins__}
-    names |= {"show": show, "reload": reloader(chapters, folders, names)}
+
+    def reload() -> None:
+        """Import your engine again. Objects that you made before keep the old code."""
+        for found in import_engine(chapters, folders).values():
+            names.update(found)
+        print("Your engine is imported again. Objects made before keep the old code.")
+
+    names |= {"show": show, "reload": reload}
     print(f"Python {sys.version.split()[0]} with your engine:")
     for chapter, found in import_engine(chapters, folders).items():
         print(f"  chapter {chapter}: {listed(found)}")
@@ -44,25 +47,8 @@ def interact(chapters: list[Chapter], folders: list[Path]) -> None:
     code.interact(banner="", local=names, exitmsg="")
 
 
-def reloader(
-    chapters: list[Chapter], folders: list[Path], names: dict[str, Any]
-) -> Callable[[], None]:
-    """Return a function that imports the engine afresh, and defines its names in ``names``."""
-
-    def reload() -> None:
-        """Import your engine again. Objects that you made before keep the old code."""
-        for found in import_engine(chapters, folders).values():
-            names.update(found)
-        print("Your engine is imported again. Objects made before keep the old code.")
-
-    return reload
-
-
 def import_engine(chapters: list[Chapter], folders: list[Path]) -> dict[int, dict[str, Any]]:
-    """Import the modules of chapters afresh, and return the names that each chapter defines.
-
-    If a module cannot be imported, the reason is printed.
-    """
+    """Import the modules of chapters afresh, and return the names that each chapter defines."""
     for name in [name for name in sys.modules if OF_A_CHAPTER.match(name)]:
         del sys.modules[name]
     importlib.invalidate_caches()

@@ -1,7 +1,4 @@
-"""Remember the results of checks, so that `watch` runs them again only if a file has changed.
-
-The results are kept in memory and not in a file, because students could edit a file.
-"""
+"""Remember the results of checks, so that `watch` runs them again only if a file has changed."""
 
 from __future__ import annotations
 
@@ -15,10 +12,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks on a student's code, and caches the results until the student changes a file.
-
-    ``run`` is the function that runs the checks. It takes the same arguments as ``run_checks``.
-    """
+    """Runs checks on a student's code, and caches the results until the student changes a file."""
 
     def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:
         self.seed = seed
@@ -33,10 +27,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the results of a chapter's checks, and run the checks only if a file has changed.
-
-        With ``exercises``, return only the results for these exercises and their prerequisites.
-        """
+        """Return the results of a chapter's checks, or of some exercises and what they need."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):
@@ -51,10 +42,7 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all the student's files that can affect the checks of a chapter.
-
-    The checks have to run again only if this hash changes.
-    """
+    """Compute a hash of all the student's files that can affect the checks of a chapter."""
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

@@ -10,10 +10,7 @@ BAR = 40
 
 
 def points_line(results: list[Result]) -> str:
-    """Return the line that shows how many points a student has, with a progress bar.
-
-    The exercises may earn only extra credit, or no points at all because they are optional.
-    """
+    """Return the line that shows how many points a student has, with a progress bar."""
     earned, points = total(results)
     written = [r.exercise for r in results if r.exercise.kind == "written"]
     extra = extra_possible(r.exercise for r in results if r.exercise not in written)
@@ -27,10 +24,9 @@ def points_line(results: list[Result]) -> str:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return a student's points for an exercise as the table shows them, such as "2/3".
+    """Return a student's points for an exercise, such as "2/3".
 
-    For an optional exercise, the table shows "optional" or, if a required exercise builds on it,
-    "needed".
+    An optional exercise is "optional", or "needed" if a required exercise builds on it.
     """
     exercise = result.exercise
     if exercise.optional:

@@ -1,7 +1,6 @@
 """Print what a student sees after a check: the results, one failure in full, and what to do next.
 
-The rich library is slow to import, so it is imported only when there is something to print. By then
-the checks are running in a separate process, so the student does not have to wait.
+The rich library is slow to import, so it is imported while the checks run in another process.
 """
 
 from __future__ import annotations
@@ -13,13 +12,14 @@ from typing import TYPE_CHECKING
 from autograder.answers import questions_of
 from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
-from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
-from autograder.message import Kind, Message
+from autograder.files import from_here
+from autograder.handouts.lock import read_lock, stub_hash
+from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, numbers_of
+from autograder.message import Kind
 from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
-from autograder.student.checked import Report
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
-from autograder.student.originals import changed_files
 from autograder.student.points import points_line, points_of
 from autograder.student.written import all_pass
 from autograder.text.wrapping import plain_console, print_wrapped
@@ -68,7 +68,7 @@ class ProgressBar:
 
 def print_report(
     console: Console,
-    reports: list[Report],
+    reports: list[ChapterResults],
     exercise: Exercise | None,
     engine: list[Path],
     given: list[Chapter],
@@ -76,11 +76,12 @@ def print_report(
     """Print the results of a student's exercises, and explain the first failure in full.
 
     Return True if all checks pass and no file that should stay unchanged has been edited.
-    Unanswered questions are listed but do not count as failures.
     """
     for report in reports:
         print_chapter(console, report, engine)
-        print_inherited(console, report, exercise, engine)
+        for note in inherited_notes(report, exercise, engine):
+            print_wrapped(console, note, STYLES["inherited"])
+            console.print()
     first = first_open(reports, exercise)
     changed = [words for report in reports for words in changed_notes(report.chapter, engine)]
     for words in changed:
@@ -95,7 +96,9 @@ def print_report(
     return not first and not changed
 
 
-def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
+def first_open(
+    reports: list[ChapterResults], exercise: Exercise | None
+) -> tuple[Chapter, Result] | None:
     """Find the exercise that the student should fix first, or return None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
@@ -112,7 +115,7 @@ def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapte
 
 
 def passed_words(
-    reports: list[Report],
+    reports: list[ChapterResults],
     exercise: Exercise | None,
     engine: list[Path],
     given: list[Chapter],
@@ -121,8 +124,7 @@ def passed_words(
 ) -> str:
     """Return the sentence that tells the student that all checks pass.
 
-    If ``changed`` is True, the student has edited a file that should stay unchanged. The sentence
-    then warns that the grader uses the original file.
+    ``changed`` is True if the student has edited a file that should stay unchanged.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -132,17 +134,26 @@ def passed_words(
     return all_pass([report.chapter for report in reports], engine, on_given)
 
 
-def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
+def changed_notes(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[str]:
     """Warn the student about edited files that the grader will replace with the originals."""
-    return [
-        f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
-        "relies on your changes will fail there. Keep your own code in the files that the "
-        f"exercises name, and restore the original, for example with: git checkout -- {file}"
-        for file in changed_files(chapter, engine)
-    ]
+    locked, notes = read_lock(root), []
+    for name in chapter.complete:
+        path = engine[0] / chapter.name / name
+        known = locked.get(f"chapters/{chapter.name}/{name}")
+        if not (known and path.is_file()):
+            continue
+        if stub_hash(path.read_text(encoding="utf-8-sig", errors="replace")) != known:
+            file = from_here(path)
+            notes.append(
+                f"You have edited {file}. It isn't handed in, and grading uses the original, so "
+                "code that relies on your changes will fail there. Keep your own code in the files "
+                "that the exercises name, and restore the original, for example with: "
+                f"git checkout -- {file}"
+            )
+    return notes
 
 
-def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
+def print_chapter(console: Console, report: ChapterResults, engine: list[Path]) -> None:
     """Print a table of a chapter's exercises, and warn about modules that the grader ignores."""
     from rich.table import Table
 
@@ -194,16 +205,9 @@ def passing(checks: Sequence[Verdict]) -> str:
     return f"{passed}/{len(checks)}" if checks else ""
 
 
-def print_inherited(
-    console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
-) -> None:
-    """Tell the student how many checks fail because of earlier chapters, and what to do next."""
-    for note in inherited_notes(report, exercise, engine):
-        print_wrapped(console, note, STYLES["inherited"])
-        console.print()
-
-
-def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
+def inherited_notes(
+    report: ChapterResults, exercise: Exercise | None, engine: list[Path]
+) -> list[str]:
     """Return notes about earlier chapters whose mistakes may explain failures in this one."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
@@ -240,18 +244,14 @@ def _state(result: Result, answered: set[str]) -> str:
         return result.status
     if result.works and result.status == "failed":
         return WORKS
-    lost = [check for check in result.checks if check.status != "passed"]
-    if not lost or any(not _waits_for(result.exercise, check.message) for check in lost):
+    lost = [check.message for check in result.checks if check.status != "passed"]
+    waits = [m.kind is Kind.UNWRITTEN and m.exercise == result.exercise.id for m in lost]
+    if not lost or not all(waits):
         return result.status
     return Kind.UNWRITTEN.value if len(lost) == len(result.checks) else "half written"
 
 
-def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return True if a check fails because a function of its exercise is not written yet."""
-    return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
-
-
-def states_of(report: Report, engine: list[Path]) -> list[str]:
+def states_of(report: ChapterResults, engine: list[Path]) -> list[str]:
     """Describe the state of each of a student's exercises in a few words, as in "half written"."""
     questions = questions_of(report.chapter, engine)
     answered = {question.exercise.id for question in questions if question.answered}

@@ -22,23 +22,21 @@ def show(*things: Any) -> None:
     X points to the right and Y up. If everything has x = 0, Z points to the right instead.
     """
     lines: list[list[Place]] = []
-    for thing in things:
+    labels = []
+    for letter, thing in zip(ascii_lowercase, things, strict=False):
         if hasattr(thing, "position"):
             _, path = _paths.get(id(thing), (thing, deque()))
             lines.append([*path, _place(thing.position)])
+            labels.append(f"{letter}: position {thing.position}, velocity {thing.velocity}")
         elif hasattr(thing, "x"):
             ahead = [i / WIDTH for i in range(WIDTH + 1)]
             lines.append([(thing.x * t, thing.y * t, thing.z * t) for t in ahead])
+            labels.append(f"{letter}: {thing}")
         else:
             raise TypeError(f"show draws vectors and particles, got {thing!r}")
     across = 0 if any(place[0] for line in lines for place in line) else 2
     print(picture([[(place[across], place[1]) for place in line] for line in lines]))
-    print(f"to the right: {'XYZ'[across]}, up: Y")
-    for letter, thing in zip(ascii_lowercase, things, strict=False):
-        if hasattr(thing, "position"):
-            print(f"{letter}: position {thing.position}, velocity {thing.velocity}")
-        else:
-            print(f"{letter}: {thing}")
+    print(f"to the right: {'XYZ'[across]}, up: Y", *labels, sep="\n")
 
 
 def _place(position: Any) -> Place:
@@ -54,16 +52,9 @@ def picture(lines: list[list[Point]]) -> str:
     rows = round((high - low) / scale / 2.0) + 1
     cells = [[" "] * WIDTH for _ in range(rows)]
 
-    def put(point: Point, mark: str) -> None:
-        x, y = point
+    ends = [(line[-1], letter) for letter, line in zip(ascii_lowercase, lines, strict=False)]
+    for (x, y), mark in [*((point, "·") for point in points), ((0.0, 0.0), "+"), *ends]:
         cells[round((high - y) / scale / 2.0)][round((x - left) / scale)] = mark
-
-    for line in lines:
-        for point in line:
-            put(point, "·")
-    put((0.0, 0.0), "+")
-    for letter, line in zip(ascii_lowercase, lines, strict=False):
-        put(line[-1], letter)
     drawn = "\n".join("".join(row).rstrip() for row in cells)
     return f"{drawn}\none character to the right is {scale:.3g}, one line is {2.0 * scale:.3g}"
 

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from autograder.answers import Question, model_answer, questions_of
+from autograder.answers import model_answer, questions_of
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.scores import shown
 
@@ -19,8 +19,7 @@ def print_written(
 ) -> None:
     """Print the question of a written exercise and, if it has been answered, the model answer.
 
-    The rubric is printed below the model answer, so that students can assess their own answers. A
-    handout includes neither, because the instructor marks the answers of a class.
+    A handout has neither the model answer nor the rubric.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -49,19 +48,16 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """List the questions that the student has not answered, with the files for the answers.
-
-    The list is a single line of text, or "" if every question has an answer.
-    """
-    groups = [
-        open_ones
-        for chapter in chapters
-        if (open_ones := [q for q in questions_of(chapter, engine) if _is_open(q)])
-    ]
-    if not groups:
+    """List the questions without an answer and their files in one line, or "" if there are none."""
+    files: dict[Path, list[str]] = {}
+    for chapter in chapters:
+        for question in questions_of(chapter, engine):
+            if not (question.answered or question.exercise.optional):
+                files.setdefault(question.file, []).append(question.exercise.id)
+    if not files:
         return ""
-    count = sum(len(group) for group in groups)
-    where = "; ".join(f"{listed(_ids(group))}, in {group[0].file}" for group in groups)
+    count = sum(map(len, files.values()))
+    where = "; ".join(f"{listed(ids)}, in {file}" for file, ids in files.items())
     return f"{count} {'question is' if count == 1 else 'questions are'} open: {where}"
 
 
@@ -73,25 +69,15 @@ def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") ->
     return f"{which} pass{on_given}.{f' {still}.' if still else ''}"
 
 
-def _is_open(question: Question) -> bool:
-    return not (question.answered or question.exercise.optional)
-
-
 def listed(words: list[str], last: str = "and") -> str:
     """Join words into a list for an English sentence, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
-def _ids(questions: list[Question]) -> list[str]:
-    return [question.exercise.id for question in questions]
-
-
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph in an answer, so that the text fits any screen width.
+    """Join the lines of each paragraph or list item, and remove Markdown's quote markers (>).
 
-    The lines of a list item are joined too, and Markdown's quote markers (>) are removed. Indented
-    lines, such as formulas, stay as they are. In a text that contains code blocks, no lines are
-    joined.
+    Indented lines, such as formulas, and texts that contain code blocks stay as they are.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

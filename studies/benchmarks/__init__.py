@@ -1,1 +1,1 @@
-"""The benchmarks of `make bench`, by subject. The function ``lines`` of a module sets them up."""
+"""The benchmarks of speed, by subject. The function ``lines`` of a module sets them up."""

@@ -1,4 +1,4 @@
-"""Save the results of `make bench` to a file, and load them again."""
+"""Save the results of `make measure WHAT=bench` to a file, and load them again."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of `make bench`, with the date, the machine and the libraries' versions."""
+    """Save the results of the benchmarks, with the date, the machine and the versions."""
     found = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),

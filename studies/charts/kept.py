@@ -1,4 +1,4 @@
-"""Copy the results of a complete run of `make charts` into the repository."""
+"""Copy the results of a complete run of `make measure WHAT=charts` into the repository."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
 FIGURES = "studies/accuracy/figures.json"
 READMES = ("README.md", "studies/README.md")
 SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
-BEGIN, END = "<!-- ratios: `make charts` writes this -->", "<!-- end of ratios -->"
+BEGIN, END = "<!-- ratios: `make measure WHAT=charts` writes this -->", "<!-- end of ratios -->"
 
 
 def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:

@@ -31,7 +31,7 @@ ROUNDS = 31
 CLEAR = "solutions"
 FOLDER = Path(__file__).parent
 FIGURES, PICTURE, PAGE = FOLDER / "figures.json", FOLDER / "clarity.png", FOLDER / "README.md"
-BEGIN, END = "<!-- clarity: `make clarity` writes this -->", "<!-- end of clarity -->"
+BEGIN, END = "<!-- clarity: `make measure WHAT=clarity` writes this -->", "<!-- end of clarity -->"
 
 
 def main(arguments: list[str]) -> int:

@@ -1,4 +1,4 @@
-"""Make steps of scenes for `make clarity`, in a process for one engine.
+"""Make steps of scenes for `make measure WHAT=clarity`, in a process for one engine.
 
     python studies/clarity/steps.py FOLDER ...
 

@@ -6,8 +6,8 @@ order, so it needs an order of elimination. Second, a cable can only pull, so th
 find out which cables are taut.
 
 A chain is also a net, and both solvers have the same error. But for 30 rods a step of the net takes
-3.6 times as long (`make bench`), because the net looks up which links meet at each particle. This
-is why DirectChain has a solver of its own.
+3.6 times as long (`make measure WHAT=bench`), because the net looks up which links meet at each
+particle. This is why DirectChain has a solver of its own.
 
 This file is complete, so there is nothing to fill in.
 """

@@ -9,7 +9,8 @@ resolved first.
 
 For each resolution, ContactResolver compares all n contacts. The heap updates only the few contacts
 that changed, and each update visits only about log n of its entries. For ten contacts, comparing
-all of them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
+all of them is fast enough. For 300 contacts the heap is many times faster (`make measure
+WHAT=bench`).
 
 To reach this speed, the resolver computes with plain floats, and changes the particles' vectors in
 place. It computes anything that is constant during a step only once.

@@ -68,7 +68,9 @@ def test_clear_leaves_zero(rng: Random) -> None:
     expect_close(v, ZERO, slips, then="; v")
 
 
-@pytest.mark.exercise("B2.1", asks="Reverse the direction, in place", read="book 2.1; errata.md")
+@pytest.mark.exercise(
+    "B2.1", asks="Reverse the direction, in place", read="book 2.1; docs/errata.md"
+)
 def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     a = vector(rng)
     with calls(

@@ -14,7 +14,7 @@ from ch03_laws_of_motion import exercises
 from draw import Triple, vector
 from expect import UNCHANGED, expect_close, expect_unchanged, xyz
 
-EQUATION = "book 3.3, Eq. 3.6, and errata.md"
+EQUATION = "book 3.3, Eq. 3.6, and docs/errata.md"
 DOC = "the docstring of the function"
 ZERO = Triple((0.0, 0.0, 0.0))
 READ = "book 3, exercise 3.5; Eq. 3.5 and 3.6"

@@ -14,13 +14,13 @@ from draw import Triple, vector
 from expect import expect_close, expect_that, expect_unchanged, xyz
 
 DOC = "the docstring of the function"
-MASS, GRAVITY = "book 3.2, Eq. 3.2; errata.md", "book 3.2, Eq. 3.3"
+MASS, GRAVITY = "book 3.2, Eq. 3.2; docs/errata.md", "book 3.2, Eq. 3.3"
 EQUATION, LAG = "book 2.2, Eq. 2.9", "book 3, exercise 3.4"
 FLOOR = "You divide with //, which rounds down to a whole number. Use / instead."
 G = 6.67428e-11
 START, VELOCITY = Triple((2.0, 5.0, -1.0)), Triple((1.0, -1.0, 2.0))
 ACCELERATION = Triple((-2.0, 1.0, 0.5))
-STEPS = "book 2.2, Eq. 2.7 and 2.8; errata.md"
+STEPS = "book 2.2, Eq. 2.7 and 2.8; docs/errata.md"
 POSITION_FIRST = (
     "You return the two results in the wrong order. Return the position first and the velocity "
     "second."

@@ -14,8 +14,8 @@ from ch03_laws_of_motion.particle import Particle
 from draw import Triple, vector
 from expect import about, expect_close, expect_that, expect_unchanged, xyz
 
-DOC, LAST = "the docstring of integrate; errata.md", "the docstring of last_acceleration"
-EULER = "book 3.3.1, Eq. 2.7 and 2.8; errata.md"
+DOC, LAST = "the docstring of integrate; docs/errata.md", "the docstring of last_acceleration"
+EULER = "book 3.3.1, Eq. 2.7 and 2.8; docs/errata.md"
 FIRST_LAW, DAMPING = "book 3.2: the first law", "book 3.3, Eq. 3.6"
 # The rounding errors of a few operations on numbers up to 40.
 ROUNDED = 1e-13

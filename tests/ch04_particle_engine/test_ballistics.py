@@ -23,7 +23,7 @@ TABLE = {
     "grenade": (0.6, (0.0, 12.0, 12.0), (0.0, -10.0, 0.0), 0.9),
 }
 AIM, FIRE = "the docstring of aim", "the docstring of fire"
-BULLET = "book 4.1.1; errata.md"
+BULLET = "book 4.1.1; docs/errata.md"
 QUARTER = math.pi / 2.0
 X, Y, Z = Triple((1.0, 0.0, 0.0)), Triple((0.0, 1.0, 0.0)), Triple((0.0, 0.0, 1.0))
 

@@ -87,7 +87,7 @@ def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> 
         expect_exactly(show.dropped, 0, then=DROPPED, cause=nobody)
 
 
-@pytest.mark.exercise("B4.5", asks="no new fireworks are lit", read=f"{SHOW}; errata.md")
+@pytest.mark.exercise("B4.5", asks="no new fireworks are lit", read=f"{SHOW}; docs/errata.md")
 def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     with calls(
         "With keep_old, burning fireworks keep their slots, as in the book's text (E-20). If all "
@@ -112,7 +112,7 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
 
 
 @pytest.mark.exercise(
-    "B4.5", asks="the oldest fireworks are put out to make room", read=f"{SHOW}; errata.md"
+    "B4.5", asks="the oldest fireworks are put out to make room", read=f"{SHOW}; docs/errata.md"
 )
 def test_drop_oldest_puts_out_the_oldest() -> None:
     with calls(

@@ -16,7 +16,7 @@ from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 KICK = "the docstring of kick"
-E_16 = f"{KICK}, E-16 of errata.md"
+E_16 = f"{KICK}, E-16 of docs/errata.md"
 LAST = "the docstring of last_acceleration"
 # Numbers up to 100, and a handful of roundings of each.
 ROUNDED = 1e-12
@@ -70,7 +70,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
         xyz(p.position), v * h, slips, then="; p.position", unit="m", tolerance=ROUNDED,
         cause="The position must move with the velocity from before the step, as in chapter 3. "
         "Don't change the position in kick, because drift moves it.",
-        read="book 3.3.1, the docstring of kick, errata.md",
+        read="book 3.3.1, the docstring of kick, docs/errata.md",
     )  # fmt: skip
 
 

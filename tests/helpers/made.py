@@ -20,5 +20,5 @@ def made_stubs() -> dict[str, str]:
     paths = lock.keys() - complete_hashes().keys()
     stubs = {path: (ROOT / path).read_text(encoding="utf-8") for path in sorted(paths)}
     changed = [path for path, text in stubs.items() if stub_hash(text) != lock[path]]
-    assert changed == [], "make stubs writes these again"
+    assert changed == [], "make update writes these again"
     return stubs

@@ -7,10 +7,24 @@ import re
 from autograder.manifest import ROOT
 
 PAGES = [
-    *("README.md", "study_guide.md", "learning_path.md", "CONTRIBUTING.md"),
+    *("README.md", "docs/study_guide.md", "docs/learning_path.md", "docs/CONTRIBUTING.md"),
     *(f"{folder}/README.md" for folder in ("autograder", "sample_class", "lab", "web", "studies")),
     *("tests/README.md", "solutions/README.md"),
 ]
+MAKEFILES = [
+    "Makefile",
+    "autograder/recipes.mk",
+    "autograder/commands.mk",
+    "autograder/instructor.mk",
+]
+# The variables that each command of make takes.
+TAKES = {
+    name: variables.split()
+    for file in MAKEFILES
+    for name, variables in re.findall(
+        r"(?m)^TAKES_([\w-]+) :=(.*)$", (ROOT / file).read_text(encoding="utf-8")
+    )
+}
 INLINE = r"(?<!`)`((?:[A-Z]+=\S+ )?(?:make [^\s`]+|\.venv/bin/python|python3)\s[^`]+)`"
 BLOCK = re.compile(rf"(?ms)^```sh\n(.+?)^```|{INLINE}")
 

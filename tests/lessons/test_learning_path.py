@@ -13,7 +13,7 @@ from lessons.lesson import lesson_of, minutes_of
 
 CHAPTERS = load_chapters()
 EXERCISES = {exercise.id: exercise for chapter in CHAPTERS for exercise in chapter.exercises}
-PAGE = (ROOT / "learning_path.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/learning_path.md").read_text(encoding="utf-8")
 SHORT, WHOLE = PAGE.split("## The whole course")
 MINUTES = {
     number: time for chapter in CHAPTERS for number, time in minutes_of(lesson_of(chapter.name))

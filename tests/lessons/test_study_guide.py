@@ -11,11 +11,12 @@ from autograder.course.reading import read_course
 from autograder.manifest import ROOT, load_chapters
 from lessons.doable import lost
 
-GUIDE = (ROOT / "study_guide.md").read_text(encoding="utf-8")
+GUIDE = (ROOT / "docs/study_guide.md").read_text(encoding="utf-8")
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
 EXERCISES = [exercise.id for chapter in CHAPTERS.values() for exercise in chapter.exercises]
 PLANS = {
-    path.stem: read_course(path).assignments for path in sorted((ROOT / "plans").glob("*.toml"))
+    path.stem: read_course(path).assignments
+    for path in sorted((ROOT / "docs/plans").glob("*.toml"))
 }
 WEEKS = [(name, week) for name, works in PLANS.items() for week in range(1, len(works) + 1)]
 

@@ -13,7 +13,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters
 from graded import points_of
 
-PAGE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/CONTRIBUTING.md").read_text(encoding="utf-8")
 MAP = PAGE.partition("\n## A map of the folders\n")[2].partition("\n## ")[0]
 ADDING = PAGE.partition("\n## Adding an exercise\n")[2].partition("\n## ")[0]
 COMMANDS = re.findall(r"(?m)^make [^#\n]+", ADDING)

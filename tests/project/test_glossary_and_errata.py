@@ -130,7 +130,7 @@ def test_a_chapter_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> 
         for name in ("README.md", "reference.md")
     )
     assert {"../../glossary.md", "reference.md"} <= {*lesson}
-    assert {"../../glossary.md", "../../errata.md", "README.md"} <= {*reference}
+    assert {"../../glossary.md", "../../docs/errata.md", "README.md"} <= {*reference}
 
 
 PRINTED_IN = r"(?:[Ss]ection [2-9](?:\.\d+){1,2}|Eq\. [2-9]\.\d+|Exercise [2-9]\.\d+)"
@@ -147,7 +147,7 @@ ERRATUM = re.compile(
 
 def errata() -> list[tuple[str, str]]:
     """Return each entry on one line, with the title of its part of the page."""
-    text = (ROOT / "errata.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/errata.md").read_text(encoding="utf-8")
     parts = [part.partition("\n") for part in re.split(r"(?m)^## ", text)]
     return [
         (" ".join(("### " + entry).split()), title)
@@ -217,13 +217,16 @@ def parts_of(erratum: re.Match[str], certain: bool) -> Iterator[tuple[str, bool]
 
 @cache
 def reference_tests() -> dict[str, str]:
-    """Return the text of each test of the reference."""
+    """Return the text of each test of the reference, by its link in the errata."""
     files = (ROOT / "tests/reference").rglob("*.py")
-    return {file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8") for file in files}
+    return {
+        f"../{file.relative_to(ROOT).as_posix()}": file.read_text(encoding="utf-8")
+        for file in files
+    }
 
 
 def test_the_index_by_chapter_has_each_erratum_once_under_its_chapter() -> None:
-    text = (ROOT / "errata.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/errata.md").read_text(encoding="utf-8")
     rows = re.findall(r"(?m)^\| ([2-9]) \| (.+) \|$", text)
     index = {number: chapter for chapter, row in rows for number in re.findall(r"\[(E-\d+)\]", row)}
     assert all(f"](#{number.lower()})" in text for number in index)

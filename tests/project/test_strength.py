@@ -65,7 +65,7 @@ def strength(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 @pytest.mark.usefixtures("strength")
 def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
-    """In a fresh copy, make table changes nothing."""
+    """In a fresh copy, make update changes nothing."""
     import table
     from autograder.text.marked import between
 
@@ -82,12 +82,16 @@ def test_the_checks_of_a_chapter_are_strong_and_fair_enough(chapter: Chapter) ->
     from kept import SOLUTIONS, mutants_of, seeds_of
 
     mutants = mutants_of(chapter)
-    assert mutants, f"a check or the reference has changed: run make mutants CH={chapter.number}"
+    assert mutants, (
+        f"a check or the reference has changed: run make measure WHAT=mutants CH={chapter.number}"
+    )
     assert mutants["killed"] / mutants["of"] >= 0.97
     for solution in SOLUTIONS:
         for file, pythons in seeds_of(solution, chapter).items():
-            said = f"{file} or the {solution} has changed: run make seeds CH={chapter.number}"
-            assert pythons, said
+            assert pythons, (
+                f"{file} or the {solution} has changed: "
+                f"run make measure WHAT=seeds CH={chapter.number}"
+            )
             assert min(pythons.values()) >= 1000
 
 
@@ -194,7 +198,7 @@ def test_a_file_of_checks_changes_with_what_it_imports(tmp_path: Path) -> None:
 
 
 def test_what_is_measured_is_committed() -> None:
-    """Otherwise make table in a fresh copy would erase the figures."""
+    """Otherwise make update in a fresh copy would erase the figures."""
     ignored = ("git", "check-ignore", "tests/strength/figures.json", str(bench_figures.FILE))
     assert subprocess.run(ignored, cwd=ROOT, check=False).returncode != 0
 

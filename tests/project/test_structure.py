@@ -165,7 +165,7 @@ def names_in(module: str, listed: str) -> list[str]:
 
 def test_every_command_of_the_readmes_is_there() -> None:
     makefiles = "".join(
-        (ROOT / name).read_text(encoding="utf-8") for name in ("Makefile", "instructor.mk")
+        (ROOT / name).read_text(encoding="utf-8") for name in ("Makefile", "autograder/recipes.mk")
     )
     targets = set(re.findall(r"(?m)^([a-z-]+):", makefiles)) - {"say-what-test-is"}
     listed = set(re.findall(r"(?m)^([a-z-]+): .*## \S", makefiles))
@@ -184,7 +184,7 @@ def test_every_command_of_the_readmes_is_there() -> None:
 @pytest.mark.slow
 def test_every_pytest_command_of_the_pages_finds_tests() -> None:
     """A test that was renamed leaves a command that runs nothing, which pytest calls status 5."""
-    for name in ("CONTRIBUTING.md", "tests/README.md"):
+    for name in ("docs/CONTRIBUTING.md", "tests/README.md"):
         page = (ROOT / name).read_text(encoding="utf-8")
         commands = re.findall(r"\.venv/bin/python (-m pytest [^`#\n]+)", page)
         assert commands, name
@@ -194,7 +194,7 @@ def test_every_pytest_command_of_the_pages_finds_tests() -> None:
             assert done.returncode == 0, f"{command}\n{done.stdout[-500:]}{done.stderr}"
 
 
-PAGES = [*ROOT.glob("*.md"), *ROOT.glob("chapters/**/*.md"), *ROOT.glob("*/README.md")]
+PAGES = [*ROOT.glob("*.md"), *ROOT.glob("chapters/**/*.md"), *ROOT.glob("*/*.md")]
 
 
 def test_links_between_pages_lead_somewhere() -> None:

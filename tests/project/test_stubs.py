@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from autograder.definitions import functions
+from autograder.handouts.lock import LOCK_NAME
 from autograder.handouts.stubs import (
     complete_hashes,
     make_stubs,
@@ -23,6 +24,7 @@ from autograder.handouts.stubs import (
 )
 from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.options import makefile
 from copies import copy_tree
 from made import made_stubs
 from typed import typed
@@ -251,10 +253,11 @@ def test_a_name_that_the_solution_does_not_have_is_an_error() -> None:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """Return a copy of the files that make stubs reads and writes."""
+    """Return a copy of the files that make update reads and writes."""
     for folder in ("chapters", "solutions"):
         copy_tree(ROOT / folder, tmp_path / folder)
-    shutil.copyfile(ROOT / "stubs.lock", tmp_path / "stubs.lock")
+    (tmp_path / LOCK_NAME).parent.mkdir(parents=True)
+    shutil.copyfile(ROOT / LOCK_NAME, tmp_path / LOCK_NAME)
     for path, text in made_stubs().items():
         (tmp_path / path).write_text(text, encoding="utf-8")
     return tmp_path
@@ -282,3 +285,9 @@ def test_the_exercise_tables_are_what_the_manifests_say() -> None:
     for chapter in load_chapters():
         page = (ROOT / "chapters" / chapter.name / "reference.md").read_text(encoding="utf-8")
         assert with_table(page, chapter) == page
+
+
+@pytest.mark.parametrize("table", ["commands", "instructor"])
+def test_the_makefiles_are_what_the_tables_of_commands_say(table: str) -> None:
+    text = (ROOT / "autograder" / f"{table}.mk").read_text(encoding="utf-8")
+    assert text == makefile(table), "make update writes it again"

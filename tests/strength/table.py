@@ -12,9 +12,9 @@ from sample import sample_table
 from wrong import read_wrong
 
 PAGE = ROOT / "tests" / "README.md"
-BEGIN, END = "<!-- strength: `make table` writes this -->", "<!-- end of strength -->"
+BEGIN, END = "<!-- strength: `make update` writes this -->", "<!-- end of strength -->"
 CLASS = ROOT / "sample_class" / "README.md"
-BEGIN_SAMPLE, END_SAMPLE = "<!-- sample: `make table` writes this -->", "<!-- end of sample -->"
+BEGIN_SAMPLE, END_SAMPLE = "<!-- sample: `make update` writes this -->", "<!-- end of sample -->"
 HEAD = [
     "chapter",
     "exercises",
@@ -48,7 +48,10 @@ def write_tables(console: Console) -> bool:
         path.write_text(with_text(page, begin, end, f"\n{text}\n"), encoding="utf-8", newline="\n")
     console.print(f"the tables are in {PAGE} and {CLASS}", markup=False)
     if any("-" in cells for cells in rows):
-        console.print("A dash means that a figure is missing. Run make mutants and make seeds.")
+        console.print(
+            "A dash means that a figure is missing. Measure "
+            "them with make measure WHAT=mutants and WHAT=seeds."
+        )
     return True
 
 

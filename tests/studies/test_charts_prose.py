@@ -1,4 +1,4 @@
-"""What the pages say about speed and accuracy is what `make charts` and `make bench` measured."""
+"""What the pages say about speed and accuracy is what was measured."""
 
 from __future__ import annotations
 

@@ -3,9 +3,9 @@
 import {escape} from "./markdown.mjs";
 
 export const plainPages = [
-  ["claims.md", "What the book claims, and what we measured", "Rules of thumb of the book as questions."],
-  ["errata.md", "Where the printed book is wrong", "Mistakes in the second edition of the book."],
-  ["learning_path.md", "Learning path", "Which exercises to do if you have little time."],
+  ["docs/claims.md", "What the book claims, and what we measured", "Rules of thumb of the book as questions."],
+  ["docs/errata.md", "Where the printed book is wrong", "Mistakes in the second edition of the book."],
+  ["docs/learning_path.md", "Learning path", "Which exercises to do if you have little time."],
   ["chapters/README.md", "Commands and files", "What students read and edit, and the commands."],
 ];
 

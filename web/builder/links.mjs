@@ -11,9 +11,9 @@ export function pageOf(file) {
   return {
     "chapters/README.md": "commands.html",
     "glossary.md": "glossary.html",
-    "claims.md": "claims.html",
-    "errata.md": "errata.html",
-    "learning_path.md": "learning_path.html",
+    "docs/claims.md": "claims.html",
+    "docs/errata.md": "errata.html",
+    "docs/learning_path.md": "learning_path.html",
     "README.md": "index.html",
   }[file];
 }

@@ -11,24 +11,21 @@ import ast
 import builtins
 import sys
 from collections.abc import Sequence
-from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
-from types import CodeType, FrameType, ModuleType
+from types import CodeType, FrameType
 
 from autograder.diagnosis.faults import is_inside, short
 
 NAME = "__stop_at_this_call__"  # of a built-in function
+LOAD = SourceFileLoader.get_code
 
 
 class Stops:
     """Counts the calls of a student's functions, and says at which of them to stop.
 
     ``edits`` names the functions that count, such as ch02_vectors/vector.Vector3.cross. A call
-    counts only if no other counted call is still running.
-
-    Attributes:
-        calls: The number of calls so far.
-        at: The number of the call to stop at, or 0 to stop at none.
+    counts only if no other counted call is still running. The stop is at call number ``at``.
     """
 
     def __init__(self, edits: Sequence[str], folders: Sequence[Path]) -> None:
@@ -40,8 +37,7 @@ class Stops:
     def install(self) -> None:
         """Put stops into all of the student's modules that are imported from now on."""
         setattr(builtins, NAME, self.count)
-        sys.meta_path.insert(0, self)
-        sys.dont_write_bytecode = True
+        setattr(SourceFileLoader, "get_code", lambda loader, name: self.get_code(loader, name))  # noqa: B010
 
     def count(self, name: str) -> bool:
         """Count the call of a function, and return True if it is the one to stop at."""
@@ -58,29 +54,13 @@ class Stops:
             frame = frame.f_back
         return False
 
-    def find_spec(
-        self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Find a module as Python does, but load it with stops if it is the student's."""
-        spec = PathFinder.find_spec(name, path, target) if "." in name else None
-        if spec and spec.origin and is_inside(spec.origin, self.folders):
-            spec.loader = WithStops(name, spec.origin)
-            return spec
-        return None
-
-
-class WithStops(SourceFileLoader):
-    """Loads a module from its source, with stops in its functions."""
-
-    def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002
-        """Return the module's code. Python's cached bytecode has no stops."""
-        return self.source_to_code(self.get_data(self.path), self.path)
-
-    def source_to_code(self, data: bytes, path: str) -> CodeType:  # type: ignore[override]
-        """Compile the module with stops."""
-        tree = ast.parse(data, path)
-        _add_stops(tree, _module(path))
-        return compile(tree, path, "exec", dont_inherit=True)
+    def get_code(self, loader: SourceFileLoader, fullname: str) -> CodeType | None:
+        """Compile a module of the student's with stops. Python's cached bytecode has none."""
+        if not is_inside(loader.path, self.folders):
+            return LOAD(loader, fullname)
+        tree = ast.parse(loader.get_data(loader.path), loader.path)
+        _add_stops(tree, _module(loader.path))
+        return compile(tree, loader.path, "exec", dont_inherit=True)
 
 
 def _module(path: str) -> str:

@@ -20,37 +20,31 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Find the exercises that the student has edited since the last call.
+        """Find the exercises edited since the last call, with their functions and data files.
 
-        Each exercise is returned with the functions or data files that have changed. Changes to
-        comments and layout do not count. If a module is unreadable at the moment, all of its
-        functions count as edited, because any of them may have changed.
+        Changes to comments and layout do not count. If a module is unreadable at the moment, all of
+        its functions count as edited, because any of them may have changed.
         """
         edited = []
         for chapter in self.chapters:
-            names = {name for file in chapter.handed_in for name in self._look_at(chapter, file)}
+            names = {name for file in chapter.handed_in for name in self._changes(chapter, file)}
             for exercise in chapter.exercises:
-                own = [name for name in (*exercise.edit, *exercise.files) if _is_in(name, names)]
+                parts = (*exercise.edit, *exercise.files)
+                own = [p for p in parts if p in names or f"{p.partition('.')[0]}.*" in names]
                 if own:
                     edited.append((chapter, exercise, own))
         return edited
 
-    def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the functions in one of the student's files that have changed since the last call.
-
-        A data file, such as drops.csv, is compared as a whole.
-        """
+    def _changes(self, chapter: Chapter, name: str) -> set[str]:
+        """Return the functions in one file that have changed. A data file is one part."""
         path = self.engine / chapter.name / name
-        try:
-            text = path.read_bytes()
-        except OSError:
-            text = b""
+        text = path.read_bytes() if path.is_file() else b""
         if self.texts.get(path) == text:
             return set()
         self.texts[path] = text
         module = name.removesuffix(".py")
         parts = {name: text.hex()} if module == name else _bodies(module, text)
-        if parts is None:
+        if not parts:  # unreadable, or emptied by an editor that is about to write the file
             return {f"{module}.*"}
         before = self.parts.get(path, {})
         self.parts[path] = parts
@@ -58,19 +52,10 @@ class Edits:
         return {part for part in names if before.get(part) != parts.get(part)}
 
 
-def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function in a student's module, without comments and layout.
-
-    The result is None if the module is unreadable or defines no functions. This can happen while a
-    file is being saved, because some editors empty the file first.
-    """
+def _bodies(module: str, text: bytes) -> dict[str, str]:
+    """Return the code of each function in a module, without comments and layout."""
     try:
         found = functions(ast.parse(text))
     except (SyntaxError, ValueError):
-        return None
-    return {f"{module}.{name}": ast.dump(node) for name, node in found.items()} or None
-
-
-def _is_in(name: str, edited: set[str]) -> bool:
-    """Return True if the student has edited a function, or made its whole module unreadable."""
-    return name in edited or f"{name.partition('.')[0]}.*" in edited
+        return {}
+    return {f"{module}.{name}": ast.dump(node) for name, node in found.items()}

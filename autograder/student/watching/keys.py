@@ -22,10 +22,7 @@ def available() -> bool:
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Make the terminal pass on each key at once, without waiting for Enter and without echo.
-
-    When the context ends, the terminal returns to its previous mode.
-    """
+    """Make the terminal pass on each key at once and without echo, until the context ends."""
     if not available() or sys.platform == "win32":
         yield
         return
@@ -42,10 +39,9 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys that the student has pressed since the last call, without waiting for one.
+    """Return the keys pressed since the last call, without special keys such as arrows.
 
-    Special keys, such as the arrow keys, are ignored. If the terminal has been closed, the result
-    ends with END. Call this function only if ``available`` returns True.
+    If the terminal has been closed, the result ends with END.
     """
     keys = ""
     if sys.platform == "win32":

@@ -1,7 +1,4 @@
-"""Lay out the `watch` page, which shows the state of the student's current exercise.
-
-The page is shortened so that its heading and the list of keys fit on the terminal.
-"""
+"""Lay out the `watch` page, and shorten it until its heading and keys fit on the terminal."""
 
 from __future__ import annotations
 
@@ -21,13 +18,8 @@ Line = tuple[str, str]  # a text and its style
 class Page:
     """The content of the `watch` page.
 
-    Attributes:
-        top: The lines above the explanation of a failed check.
-        failure: The explanation of a failed check, or None.
-        bottom: The lines below the explanation.
-        whole: The command that prints the full explanation. It is shown if the page has room for
-            only a part.
-        note: A short message at the end of the page, such as a hint.
+    The explanation of a failed check, if any, is between the lines ``top`` and ``bottom``.
+    ``whole`` is the command that prints it in full. ``note`` is a short message at the end.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -37,30 +29,24 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line to the `watch` page, below the explanation of the failed check."""
+        """Add a line below the explanation of the failed check."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the `watch` page, ending with a list of the keys that the student can press.
-
-        On a terminal, clear the screen first and shorten the page until it fits.
-        """
+        """Print the page, and the keys. On a terminal, clear the screen and make the page fit."""
         keys = [(KEYS, "bold")] if with_keys else []
-        if not console.is_terminal:
-            lines = [*self.top, *self._diagnosis(), *self._below(), *keys]
-            for words, style in lines:
-                _print(console, words, style)
-            return
-        console.clear()
-        for words, style in self.fitted(console.width, console.height, keys):
-            _print(console, words, style)
+        if console.is_terminal:
+            console.clear()
+            lines = self.fitted(console.width, console.height, keys)
+        else:
+            rows = [*self.failure.diagnosis, *self._printed()] if self.failure else []
+            diagnosis = [(laid_out(rows), "")] if self.failure else []
+            lines = [*self.top, *diagnosis, *self._below(), *keys]
+        for words, style in lines:
+            console.print(words, style=style, markup=False, soft_wrap=True)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Shorten the `watch` page to ``width`` columns and ``height`` lines.
-
-        If the explanation of the failed check is too long, lines are removed from its middle. The
-        heading and the list of keys therefore stay visible.
-        """
+        """Shorten the page by leaving out the middle of a long explanation."""
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
         diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)
@@ -69,15 +55,9 @@ class Page:
         few = max(2, room - len(diagnosis))
         if len(printed) > few:
             printed = [*printed[: few - 1], (f"{'...':10}in full: {self.whole}", "")]
-        room -= len(printed)
         note = f"{'...':10}too long for this screen; in full: {self.whole}"
-        middle = [(words, "") for words in cut(diagnosis, room, note[:width])]
+        middle = [(words, "") for words in cut(diagnosis, room - len(printed), note[:width])]
         return [*top, *middle, *printed, *below, *keys]
-
-    def _diagnosis(self) -> list[Line]:
-        if self.failure is None:
-            return []
-        return [(laid_out([*self.failure.diagnosis, *self._printed()]), "")]
 
     def _printed(self) -> list[Row]:
         printed = self.failure.printed if self.failure else ""
@@ -94,7 +74,3 @@ class Page:
 
 def _wrapped(lines: list[Line], width: int) -> list[Line]:
     return [(part, style) for words, style in lines for part in wrapped(words, width) or [""]]
-
-
-def _print(console: Console, words: str, style: str) -> None:
-    console.print(words, style=style, markup=False, soft_wrap=True)

@@ -18,36 +18,30 @@ from autograder.student.memory import Memory
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.watching import keys
+from autograder.student.watching.guide import TROUBLE, Guide
+from autograder.student.watching.latest import LatestResults
 from autograder.student.watching.page import KEYS
-from autograder.student.watching.progress import Progress
-from autograder.student.watching.session import TROUBLE, Session
 from autograder.text.wrapping import plain_console
 
 TICK = 100  # milliseconds until we look again whether a key was pressed
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show the state of the student's current exercise, and check it after every save.
+    """Show the state of the student's current exercise after every save, until q is pressed.
 
-    The current exercise is the one that the student edited last. At the start, it is the first one
-    that is still open. The command ends when the student presses q.
-
-    Raises:
-        ValueError: The reference solution of a chapter in ``given`` is missing. Handouts do not
-            contain the solutions.
+    The current exercise is the one that the student edited last, at first the first open one.
     """
     with with_given(given, engine) as folders, keys.single_keys():
-        progress = Progress(chapters, folders, given, Memory(seed))
-        console = plain_console()
-        session = Session(progress, engine, console, has_keys=keys.available())
-        board = Keyboard(session)
-        if not session.has_keys:
+        latest = LatestResults(chapters, folders, given, Memory(seed))
+        guide = Guide(latest, engine, plain_console(), has_keys=keys.available())
+        board = Keyboard(guide)
+        if not guide.has_keys:
             board.say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
         # The first check runs after the first tick. After that, no change can be missed.
         for changes in changes_in(engine[0], rust_timeout=TICK, yield_on_timeout=True):
-            if (changes or not session.seen) and session.look():
+            if (changes or not guide.seen) and guide.look():
                 board.asking = False
-            for key in keys.pressed().lower() if session.has_keys else "":
+            for key in keys.pressed().lower() if guide.has_keys else "":
                 if key in ("q", keys.END):
                     return
                 board.press(key)
@@ -56,26 +50,20 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 class Keyboard:
     """Reacts to the keys that the student presses during `watch`, such as h for a hint."""
 
-    def __init__(self, session: Session) -> None:
-        self.session = session
+    def __init__(self, guide: Guide) -> None:
+        self.guide = guide
         self.hints: dict[str, int] = {}
         self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Respond to a key that the student has pressed, such as h for a hint.
-
-        Unknown keys are ignored. If `watch` has just asked the student to confirm a reset, the key
-        is the answer.
-        """
+        """Respond to a key. After the question whether to reset, it is the answer."""
         try:
             if self.asking:
                 self.answer(key)
             elif key in "\r\n":
-                self.session.go_on()
-            elif key == "h":
-                self.hint()
-            elif key == "r":
-                self.ask()
+                self.guide.go_on()
+            elif key in "hr" and self.guide.current:
+                {"h": self.hint, "r": self.ask}[key]()
             elif key in "lap":
                 {"l": self.list, "a": self.check_all, "p": self.plot}[key]()
                 self.say(KEYS, "bold")
@@ -83,72 +71,59 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a short message, such as a hint, at the bottom of the `watch` page.
-
-        The message replaces the previous one.
-        """
-        self.session.page.note = [(line, style) for line in words.splitlines()]
-        self.session.draw()
+        """Show a short message at the bottom of the page, in place of the previous one."""
+        self.guide.page.note = [(line, style) for line in words.splitlines()]
+        self.guide.draw()
 
     def say(self, words: str, style: str = "") -> None:
-        """Print a message to the student below the `watch` page."""
-        self.session.console.print(words, style=style, markup=False, soft_wrap=True)
+        """Print a message below the page."""
+        self.guide.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the student the next hint for the current exercise.
-
-        If there are no more hints, the last one is shown again.
-        """
-        if not self.session.current:
-            return
-        exercise = self.session.current[1]
+        """Show the next hint for the current exercise, or the last one again."""
+        assert self.guide.current
+        exercise = self.guide.current[1]
         of = len(exercise.hints)
         number = self.hints[exercise.id] = min(self.hints.get(exercise.id, 0) + 1, of)
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
         """Ask the student whether to replace the code for the current exercise with its stubs."""
-        if not self.session.current:
-            return
-        self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
+        assert self.guide.current
+        self.note(f"{question(*self.guide.current, self.guide.engine[0])} (y or n)", "bold")
         self.asking = True
 
     def answer(self, key: str) -> None:
         """Reset the current exercise to its stubs if the student has answered y."""
         self.asking = False
-        if key != "y" or not self.session.current:
+        if key != "y" or not self.guide.current:
             self.note("Nothing was reset.")
             return
-        done = reset(*self.session.current, self.session.engine[0])
-        self.session.look()
+        done = reset(*self.guide.current, self.guide.engine[0])
+        self.guide.look()
         self.note(done)
 
     def list(self) -> None:
         """Print a table with the state of each exercise in the current chapter."""
-        session = self.session
-        chapter = session.current[0] if session.current else session.progress.chapters[-1]
-        print_chapter(session.console, session.progress.report(chapter), session.engine)
+        guide = self.guide
+        print_chapter(guide.console, guide.latest.report(guide.chapter), guide.engine)
 
     def check_all(self) -> None:
         """Rerun all checks on the student's code, and print what `make check` would print."""
-        session, progress = self.session, self.session.progress
-        progress.memory.known.clear()
-        reports = [progress.report(chapter) for chapter in progress.chapters]
-        print_report(session.console, reports, None, session.engine, progress.given)
+        guide, latest = self.guide, self.guide.latest
+        latest.memory.known.clear()
+        reports = [latest.report(chapter) for chapter in latest.chapters]
+        print_report(guide.console, reports, None, guide.engine, latest.given)
 
     def plot(self) -> None:
-        """Draw the plots of the current chapter with the student's engine, and save them as files.
-
-        A separate process draws them, without opening a window.
-        """
-        session = self.session
-        chapter = session.current[0] if session.current else session.progress.chapters[-1]
-        self.say(f"Drawing chapter {chapter.number} ...")
-        command = [sys.executable, "-m", "plots", "draw", "--engine", str(session.engine[0])]
-        if given := session.progress.given:
+        """Draw the plots of the current chapter in another process, without opening a window."""
+        number = str(self.guide.chapter.number)
+        self.say(f"Drawing chapter {number} ...")
+        command = [sys.executable, "-m", "plots", "draw", "--engine", str(self.guide.engine[0])]
+        if given := self.guide.latest.given:
             command += ["--given", ",".join(str(chapter.number) for chapter in given)]
         subprocess.run(
-            [*command, "--chapter", str(chapter.number)],
+            [*command, "--chapter", number],
             cwd=ROOT,
             env=os.environ | {"MPLBACKEND": "agg"},
             stdin=subprocess.DEVNULL,

@@ -12,7 +12,6 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-import libcst as cst
 import pytest
 
 from autograder.checks.verdict import Verdict
@@ -31,8 +30,9 @@ from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.points import points_of
-from autograder.student.screen import Report, first_open
+from autograder.student.screen import first_open
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, results, scores
@@ -164,11 +164,10 @@ def test_extra_credit_counts_above_the_total(submissions: Path, root: Path, tmp_
 
 def half_done(out: Path, assigned: set[str]) -> None:
     """Write the assigned bodies of chapter 2 into a handout, and no others."""
-    source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
+    source = (ROOT / "solutions/ch02_vectors/vector.py").read_bytes()
     titles = {f"Exercise {e.id}: {e.title}" for e in CH02.exercises if e.id in assigned}
     left = {n: m for n, m in messages_of(CH02, "vector.py").items() if m not in titles}
-    stub = without_bodies(cst.parse_module(source), left)
-    (out / "chapters/ch02_vectors/vector.py").write_text(stub.code, encoding="utf-8")
+    (out / "chapters/ch02_vectors/vector.py").write_bytes(without_bodies(source, left))
 
 
 def check(out: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -224,7 +223,7 @@ def test_a_hand_out_names_what_earlier_assignments_must_have_left(tmp_path: Path
         Verdict("test", e.id, 1, "failed" if e.id in ("B2.3", "B2.4", "2.1") else "passed")
         for e in handed.exercises
     ]
-    first = first_open([Report(handed, results_of(handed, verdicts), [], [])], None)
+    first = first_open([ChapterResults(handed, results_of(handed, verdicts), [], [])], None)
     assert first is not None
     assert first[1].exercise.id == "B2.4", "B2.3 is optional, and 2.1 needs B2.4"
 

@@ -86,7 +86,6 @@ def test_an_answer_is_words_in_place_of_the_place_holder(
     ("text", "named"),
     [
         (f"{BEFORE}{PLACE}\n\n{ANSWER}{AFTER}", PLACE),
-        (f"{BEFORE}_Write your anser here\n\n{ANSWER}{AFTER}", "_Write your anser here"),
         (f"{BEFORE}{ANSWER}{AFTER}".replace("## 2.2b", "## 2b"), "## 2b"),
         (f"{BEFORE}{ANSWER}{AFTER}".replace("## 2.2b Why", "Why"), "## 2.2b"),
         (f"{BEFORE}{ANSWER}{AFTER}## 2.2b\n\nAgain.\n", "## 2.2b"),

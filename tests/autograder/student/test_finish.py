@@ -15,8 +15,8 @@ from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import Result, result_of
 from autograder.student import finish
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
-from autograder.student.screen import Report
 from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
@@ -24,7 +24,7 @@ CH03 = CHAPTERS[3]
 SOLUTIONS = [ROOT / "solutions", ROOT / "chapters"]
 
 
-def report_of(chapter: Chapter, *fail: str, robust: Sequence[str] = ()) -> Report:
+def report_of(chapter: Chapter, *fail: str, robust: Sequence[str] = ()) -> ChapterResults:
     """Return a chapter with a check of both tiers in each exercise, of which some fail.
 
     Those of the exercises in ``fail``, and the robust ones of those in ``robust``.
@@ -39,7 +39,7 @@ def report_of(chapter: Chapter, *fail: str, robust: Sequence[str] = ()) -> Repor
         ]
         return result_of(exercise, checks)
 
-    return Report(chapter, [result(exercise) for exercise in chapter.exercises], [], [])
+    return ChapterResults(chapter, [result(exercise) for exercise in chapter.exercises], [], [])
 
 
 def ids(chapter: Chapter, *but: str) -> list[str]:
@@ -47,7 +47,7 @@ def ids(chapter: Chapter, *but: str) -> list[str]:
 
 
 def shown(
-    reports: list[Report], exercise: Exercise | None = None, engine: list[Path] = SOLUTIONS
+    reports: list[ChapterResults], exercise: Exercise | None = None, engine: list[Path] = SOLUTIONS
 ) -> str:
     console = Console(file=io.StringIO(), width=80)
     print_finish(console, reports, exercise, engine, [])
@@ -73,7 +73,9 @@ def test_a_chapter_is_finished_when_its_physics_works() -> None:
     assert not is_finished(report_of(CH03, "3.5b"))
     assert is_finished(report_of(CHAPTERS[4], "P4.1", "G4.1"))
     whole = report_of(CH03)
-    assert not is_finished(Report(CH03, whole.results[:4], [], [])), "the rest was not checked"
+    assert not is_finished(ChapterResults(CH03, whole.results[:4], [], [])), (
+        "the rest was not checked"
+    )
 
 
 def test_it_says_what_one_can_do_what_to_play_what_is_open_and_what_comes_next() -> None:
@@ -126,7 +128,7 @@ def test_a_scene_is_not_offered_while_an_exercise_before_it_is_a_stub(tmp_path: 
     ch06 = CHAPTERS[6]
     exercise = ch06.exercise("B6.6")
     whole = report_of(ch06)
-    alone = Report(ch06, [r for r in whole.results if r.exercise == exercise], [], [])
+    alone = ChapterResults(ch06, [r for r in whole.results if r.exercise == exercise], [], [])
     assert "SCENE=cloth" in shown([alone], exercise)
     stub = "raise NotImplementedError('Exercise B6.3: One spring for both ends')"
     write_all(ch06, stub, tmp_path, but=[e.id for e in ch06.exercises if e.id != "B6.3"])

@@ -15,7 +15,8 @@ from autograder.manifest import Chapter, load_chapter
 from autograder.reports.feedback import write_feedback
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import Result, result_of, results_of
-from autograder.student.screen import Report, print_report
+from autograder.student.chapter_results import ChapterResults
+from autograder.student.screen import print_report
 from graded import check, exercise_of, report_of
 from small import CHECKS, RIGHT, make_root
 
@@ -107,7 +108,7 @@ def test_the_screen_shows_physics_before_robust_checks(
     chapter: Chapter, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     wrong = RIGHT.replace("return 4 * x", "return 5 * x")
-    report = Report(chapter, list(results_by_id(chapter, tmp_path, wrong).values()), [], [])
+    report = ChapterResults(chapter, list(results_by_id(chapter, tmp_path, wrong).values()), [], [])
     engine = [tmp_path / "engine"]
     assert not print_report(Console(width=80), [report], None, engine, [])
     screen = capsys.readouterr().out

@@ -96,7 +96,7 @@ def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> N
             if path.endswith(".py"):  # make reset copies it from there
                 kept = out / path.replace("chapters", "stubs", 1)
                 assert kept.read_text(encoding="utf-8") == text
-    assert "](tests/" not in (out / "errata.md").read_text(encoding="utf-8")
+    assert "](tests/" not in (out / "docs/errata.md").read_text(encoding="utf-8")
     assert {"Makefile", "README.md", "glossary.md", "tests/ch02_vectors/probes.py"} <= names
     assert "sample_class" not in {name.split("/")[0] for name in names}
 
@@ -151,9 +151,8 @@ def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> Non
     root = tmp_path / "root"
     for folder in ("chapters", "solutions", "tests", "autograder", "scenes"):
         copy_tree(ROOT / folder, root / folder)
-    for name in ["Makefile", "pyproject.toml", "requirements.lock", "LICENSE", ".gitignore"]:
-        shutil.copyfile(ROOT / name, root / name)
-    for name in ("claims.md", "errata.md", "glossary.md"):
+    copy_tree(ROOT / "docs", root / "docs")
+    for name in ["Makefile", "pyproject.toml", "LICENSE", ".gitignore", "glossary.md"]:
         shutil.copyfile(ROOT / name, root / name)
     later = "ch99_later"
     for folder in ("chapters", "solutions", "tests"):

@@ -12,13 +12,8 @@ import pytest
 
 from autograder import __main__ as autograder
 from autograder.manifest import ROOT
-from printed import PAGES, command_lines
+from printed import PAGES, TAKES, command_lines
 
-MAKEFILES = "\n".join((ROOT / f).read_text(encoding="utf-8") for f in ("Makefile", "instructor.mk"))
-TAKES = {
-    name: variables.split()
-    for name, variables in re.findall(r"(?m)^TAKES_([\w-]+) :=(.*)$", MAKEFILES)
-}
 # What is added to a line of Python, so that it reads its options and does nothing.
 ONLY_READ = {
     "-m dask": "--help",
@@ -56,7 +51,7 @@ def test_python_accepts_each_line(page: str, monkeypatch: pytest.MonkeyPatch) ->
     for _, *words in lines_of(page, "python"):
         start = " ".join(words[:2])
         if words[0] == "autograder/make_venv.py":
-            assert all((ROOT / f"{group}.lock").exists() for group in words[1:])
+            assert all((ROOT / f"autograder/locks/{group}.lock").exists() for group in words[1:])
         elif start == "-m autograder" and "--help" not in words:
             monkeypatch.setattr(sys, "argv", words[1:])
             monkeypatch.setattr(autograder, "prepare", lambda *_: False)  # ends after the options

@@ -47,7 +47,7 @@ def test_linux_runs_the_test_command_of_the_readme() -> None:
 def test_the_site_is_published_as_the_make_command_builds_it() -> None:
     steps = PAGES["publish"]["steps"]
     assert {"run": "make site"} in steps
-    assert "TAKES_site :=" in (ROOT / "instructor.mk").read_text(encoding="utf-8")
+    assert "TAKES_site :=" in (ROOT / "autograder/recipes.mk").read_text(encoding="utf-8")
     assert [step["with"]["path"] for step in steps if "artifact" in step.get("uses", "")] == [
         "build/site"
     ]

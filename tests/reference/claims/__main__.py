@@ -1,4 +1,4 @@
-"""Measure all claims of the book, and write claims.md: python tests/reference/claims."""
+"""Measure all claims of the book, and write docs/claims.md: python tests/reference/claims."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ def main() -> None:
     from reference.claims.ledger import claims_in, page
 
     claims = list(claims_in(motion, springs, contacts, turns))
-    (ROOT / "claims.md").write_text(page(claims), encoding="utf-8")
-    print(f"measured {len(claims)} claims of the book: claims.md")
+    (ROOT / "docs/claims.md").write_text(page(claims), encoding="utf-8")
+    print(f"measured {len(claims)} claims of the book: docs/claims.md")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What a claim of the book is, and the page claims.md, which lists all of them."""
+"""What a claim of the book is, and the page docs/claims.md, which lists all of them."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from lessons.lesson import lesson_of
 from reference.claims import contacts, motion, springs, turns
 from reference.claims.ledger import Claim, claims_in, summary
 
-PAGE = (ROOT / "claims.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/claims.md").read_text(encoding="utf-8")
 CLAIMS = list(claims_in(motion, springs, contacts, turns))
 CHAPTERS = {str(chapter.number): chapter for chapter in load_chapters()}
 WITH_CHAPTER = [
@@ -19,8 +19,10 @@ WITH_CHAPTER = [
 
 @pytest.mark.parametrize(("chapter", "claim"), WITH_CHAPTER)
 def test_a_claim_has_its_verdict_and_its_entry(chapter: Chapter, claim: Claim) -> None:
-    assert f"](../../claims.md#chapter-{chapter.number})" in lesson_of(chapter.name)
-    assert claim.entry() in PAGE, "run make claims, and read what has changed in claims.md"
+    assert f"](../../docs/claims.md#chapter-{chapter.number})" in lesson_of(chapter.name)
+    assert claim.entry() in PAGE, (
+        "run make measure WHAT=claims, and read what has changed in claims.md"
+    )
 
 
 def test_the_page_has_these_claims_and_no_others() -> None:

@@ -13,8 +13,8 @@ from autograder.diagnosis.given import with_given
 from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.message import Kind
 from autograder.scores import results_of
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.check import report_on
-from autograder.student.checked import Report
 from autograder.student.failure import failure_of
 from autograder.student.memory import Memory
 from autograder.student.screen import ProgressBar, first_open
@@ -87,7 +87,7 @@ class Runs:
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
-        first = first_open([Report(self.chapter, results, [], [])], self.exercise)
+        first = first_open([ChapterResults(self.chapter, results, [], [])], self.exercise)
         failure = failure_of(*first, engine) if first else None
         if failure:
             post("trouble", failure=failure_to_page(failure))

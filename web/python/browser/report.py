@@ -8,7 +8,7 @@ from typing import Any
 from autograder.answers import questions_of
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import result_of, total
-from autograder.student.checked import Report
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.failure import Failure, failure_of
 from autograder.student.finish import end_of
 from autograder.student.screen import (
@@ -23,7 +23,7 @@ from autograder.student.screen import (
 
 
 def report_to_page(
-    report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
+    report: ChapterResults, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
     """Convert a report on a student's work to data that the page can display.
 
@@ -53,13 +53,13 @@ def report_to_page(
 
 def report_of_written(chapter: Chapter, exercise: Exercise, engine: list[Path]) -> dict[str, Any]:
     """Build the page's report on a written exercise, which has no automatic checks."""
-    report = Report(chapter, [result_of(exercise, [])], [], [])
+    report = ChapterResults(chapter, [result_of(exercise, [])], [], [])
     question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)
     told = report_to_page(report, exercise, engine, [])
     return told | {"summary": "", "notes": question.problems, "finish": []}
 
 
-def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
+def _results(report: ChapterResults, engine: list[Path]) -> list[dict[str, Any]]:
     return [
         {
             "id": result.exercise.id,

@@ -1,25 +1,21 @@
-"""Keep track of which exercises a student has finished, and which one comes next."""
+"""Keep the latest result of every exercise, which tells what a student should do next."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.checks.verdict import asked_for
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result
+from autograder.student.chapter_results import ChapterResults
 from autograder.student.check import report_on
-from autograder.student.checked import Report
 from autograder.student.memory import Memory
 from autograder.student.points import bar
 from autograder.student.screen import ProgressBar
 
 
-class Progress:
-    """Runs the checks for a student, and remembers the latest result of every exercise.
-
-    These results determine which exercise comes next.
-    """
+class LatestResults:
+    """Runs the checks for a student, and remembers the latest result of every exercise."""
 
     def __init__(
         self, chapters: list[Chapter], folders: list[Path], given: list[Chapter], memory: Memory
@@ -30,11 +26,8 @@ class Progress:
         self.memory = memory
         self.last: dict[tuple[str, str], Result] = {}
 
-    def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check the student's code for a chapter, remember the results, and return the report.
-
-        With ``exercise``, check only that exercise and its prerequisites.
-        """
+    def report(self, chapter: Chapter, exercise: Exercise | None = None) -> ChapterResults:
+        """Check a chapter, or one exercise and its prerequisites, and remember the results."""
         with ProgressBar() as progress:
             report = report_on(chapter, exercise, self.folders, self.given, self.memory, progress)
         for result in report.results:
@@ -42,10 +35,9 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Find the exercise that the student should work on next, or return None if all are done.
+        """Find the exercise to work on next, or return None if all are done.
 
-        Within a chapter, exercises that fail physics checks come first. Exercises that fail only
-        robust checks come after them.
+        In a chapter, exercises that fail physics checks come before those that fail robust ones.
         """
         for chapter in self.chapters:
             wanted = asked_for(chapter)
@@ -62,18 +54,14 @@ class Progress:
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return True if all physics checks of a chapter passed when they last ran.
-
-        An optional exercise counts only if a required exercise builds on it.
-        """
+        """Return True if all physics checks that the chapter asks for passed when they last ran."""
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
         """Describe the student's progress in a chapter, as in "3 of 8 exercises work".
 
-        An exercise works if its physics checks pass. Once all exercises work, the robust checks
-        count too, as in "8 of 8 work, 3 complete".
+        Once all exercises work, the robust checks count too, as in "8 of 8 work, 3 complete".
         """
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
@@ -84,21 +72,15 @@ class Progress:
             what = "are complete" if complete == of else f"work, {complete} complete"
         return f"Chapter {chapter.number} {bar(done, of)} {done} of {of} {what}"
 
-    def _results(self, chapter: Chapter) -> Sequence[Result]:
+    def _results(self, chapter: Chapter) -> list[Result]:
         return [result for (name, _), result in self.last.items() if name == chapter.name]
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return True if any physics check of an exercise fails.
-
-    A written exercise has no checks, so the result is False.
-    """
+    """Return True if any physics check of an exercise fails. A written exercise has no checks."""
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return True if any check of an exercise fails, whether it is a physics or a robust check.
-
-    A written exercise has no checks, so the result is False.
-    """
+    """Return True if any check of an exercise fails. A written exercise has no checks."""
     return result.status not in ("passed", "waiting")

@@ -9,14 +9,11 @@ from autograder.scores import Result
 
 
 @dataclass(frozen=True)
-class Report:
+class ChapterResults:
     """The results of checking a student's code for one chapter.
 
-    Attributes:
-        results: The results with the student's own code in the earlier chapters.
-        on_reference: The results with our solutions in the earlier chapters. The list is empty if
-            the checks did not run with our solutions.
-        suspects: The earlier chapters whose mistakes may have caused failures.
+    ``on_reference`` are the results with our solutions in the earlier chapters, if the checks ran
+    with them. ``suspects`` are earlier chapters whose mistakes may have caused failures.
     """
 
     chapter: Chapter

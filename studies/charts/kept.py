@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import platform
 import re
 import textwrap
 from collections.abc import Sequence
@@ -15,6 +13,7 @@ from autograder.manifest import ROOT
 from autograder.text.marked import with_text
 from studies.accuracy.results import Row
 from studies.charts.ratios import described, figures_of, table
+from studies.stored import store
 
 PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
 FIGURES = "studies/accuracy/figures.json"
@@ -31,9 +30,7 @@ def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     figures = figures_of(rows)
-    versions = {"python": platform.python_version(), "pymunk": metadata.version("pymunk")}
-    found = {"measured": day} | versions | {"rows": figures}
-    replace_bytes(root / FIGURES, (json.dumps(found, indent=1) + "\n").encode())
+    store(root / FIGURES, measured=day, pymunk=metadata.version("pymunk"), rows=figures)
     alt = "\n".join(textwrap.wrap(f"![{described(rows)}]", 105, break_long_words=False))
     for name in READMES:
         path = root / name

@@ -8,11 +8,8 @@ same steps of the same scene in turn.
 from __future__ import annotations
 
 import argparse
-import json
-import platform
 import subprocess
 import sys
-from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +23,7 @@ from scenes.reason import shown
 from scenes.timing import Line, Measurement, Timer, measure, significant, versus
 from studies.clarity.lines import lines_of
 from studies.clarity.steps import SCENES
+from studies.stored import store
 
 ROUNDS = 31
 CLEAR = "solutions"
@@ -51,8 +49,7 @@ def main(arguments: list[str]) -> int:
         told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
         print_wrapped(console, told, hanging=21)
     rows = [row(line) for line in lines]
-    kept = {"measured": date.today().isoformat(), "python": platform.python_version(), "rows": rows}
-    FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    store(FIGURES, rows=rows)
     draw(rows, PICTURE)
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(with_text(page, BEGIN, END, table(rows)), encoding="utf-8", newline="\n")

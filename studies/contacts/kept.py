@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import json
-import platform
 from collections.abc import Sequence
-from datetime import date
 from pathlib import Path
+from typing import Any
 
 from scenes.timing import significant
 from studies.accuracy.measure import Point
 from studies.accuracy.results import models_of, time_to
 from studies.contacts.scenes import FRAMES
+from studies.stored import store
 
 FILE = Path(__file__).with_name("figures.json")
 TOLERANCES = (1e-1, 1e-2, 1e-3)
@@ -38,8 +38,9 @@ def keep(points: Sequence[Point], file: Path) -> None:
         (p.scene, p.model, p.by, p.steps, significant(p.error), significant(1e3 * p.time / FRAMES))
         for p in points
     ]
-    start = {"measured": date.today().isoformat(), "python": platform.python_version()}
-    text = json.dumps(start | {"points": rows, "within": within(points)})
-    file.write_text(
-        text.replace(": [[", ": [\n  [").replace("], [", "],\n  [") + "\n", encoding="utf-8"
-    )
+    store(file, a_row_a_line, points=rows, within=within(points))
+
+
+def a_row_a_line(found: Any) -> str:
+    """Format figures as JSON."""
+    return json.dumps(found).replace(": [[", ": [\n  [").replace("], [", "],\n  [")

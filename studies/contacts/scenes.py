@@ -19,10 +19,9 @@ from ch07_constraints.links import Rod, TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from scenes import spheres
 from scenes.chain import Chain
-from scenes.clock import RATE
 from scenes.setup import Setup
 from scenes.track import Move
-from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames
+from studies.accuracy.scene import STEPS, Made, Scene, by_steps
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
 
@@ -98,11 +97,10 @@ def swinging(link: type[Rod] = TwoSidedRod) -> Measured:
     return setup, change
 
 
-def run(make: Callable[[], Measured], solver: str, steps: int) -> Outcome:
-    """Simulate a stack or a rope with one contact solver, and measure the error in each frame."""
-    (setup, error), duration = make(), 1.0 / (RATE * steps)
-    step = SOLVERS[solver](setup.particles, setup.contacts)
-    return Outcome(in_frames(step, lambda: (error(duration),), FRAMES, steps), FRAMES * steps)
+def solving(make: Callable[[], Measured], solver: str, duration: float) -> Made:
+    """Return what simulates a stack or a rope with a contact solver, and measures the error."""
+    setup, error = make()
+    return SOLVERS[solver](setup.particles, setup.contacts), lambda: (error(duration),)
 
 
 def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -> Scene:
@@ -112,7 +110,8 @@ def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -
         one_sided = solver == SMALL and NET in solvers
         built = partial(make, link=Rod) if one_sided else make
         by = "the book" if solver == BOOK else "ours"
-        models.append(Model(solver, partial(run, built, solver), STEPS[:8], by))
+        made = partial(solving, built, solver)
+        models.append(by_steps(solver, made, FRAMES, steps=STEPS[:8], by=by))
     return Scene(name, FRAMES, 1.0, lambda _: (0.0,), models, "steps")
 
 

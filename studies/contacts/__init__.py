@@ -39,7 +39,7 @@ def main(arguments: list[str]) -> int:
     # These modules import chapters.
     from plots.ch07_constraints.solvers import contact_solvers
     from studies.accuracy.measure import measured_in
-    from studies.contacts import kept, scenes
+    from studies.contacts import scenes
 
     pyplot.switch_backend("agg")
     console = plain_console()
@@ -48,7 +48,7 @@ def main(arguments: list[str]) -> int:
     file = options.out / "measured.json"
     measured = measured_in(console, scenes.scenes(), rounds, slowest, slowest, file)
     png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
-    kept.keep(measured.points, numbers)
+    scenes.keep(measured.points, numbers)
     picture = contact_solvers(numbers)
     picture.figure.savefig(png, dpi=110)
     table = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
@@ -62,7 +62,9 @@ def main(arguments: list[str]) -> int:
     console.print("-: the longest run is not accurate enough, or the solver does not apply.")
     told = f"picture: {shown(png)}\nall points: {shown(numbers)}"
     if not options.quick:
-        shutil.copy(numbers, kept.FILE)
-        told += f"\nWritten to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture."
+        shutil.copy(numbers, scenes.FILE)
+        told += (
+            f"\nWritten to {shown(scenes.FILE)}. Run make figures to redraw the lesson's picture."
+        )
     console.print(told, soft_wrap=True)
     return 0

@@ -1,4 +1,4 @@
-"""The stacks and ropes on which the contact solvers of chapter 7 are compared.
+"""The stacks and ropes on which the contact solvers of chapter 7 are compared, and the results.
 
 A model records an error after every frame, which would be 0 with an exact solution. The mass ratio
 is that of the top sphere, or the weight at the end of a rope, to the other bodies.
@@ -6,9 +6,11 @@ is that of the top sphere, or the weight at the end of a rope, to the other bodi
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from ch05_forces.particle import Particle
@@ -20,15 +22,21 @@ from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from scenes import spheres
 from scenes.chain import Chain
 from scenes.setup import Setup
+from scenes.timing import significant
 from scenes.track import Move
+from studies.accuracy.measure import Point
+from studies.accuracy.results import models_of, time_to
 from studies.accuracy.scene import STEPS, Made, Scene, by_steps
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
+from studies.stored import store
 
 FRAMES = 60
 COUNT = 10  # spheres, or rods
 ANGLE = math.radians(60.0)  # from which the rope swings
 RATIOS = (1, 10, 100, 1000)
+FILE = Path(__file__).with_name("figures.json")  # from which the lesson's picture is drawn
+TOLERANCES = (1e-1, 1e-2, 1e-3)
 
 BOOK, IMPULSES, COLD = "the book's resolver", "sequential impulses", "without warm starting"
 SMALL, NET = "soft constraints", "direct net"
@@ -130,3 +138,32 @@ def scenes() -> list[Scene]:
         scene_of(f"{SWING}, stretch", partial(rope, 1.0, ANGLE), of_ropes),
         scene_of(f"{SWING}, energy", swinging, of_ropes),
     ]
+
+
+def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]:
+    """Find the times in ms per frame of all solvers that meet each tolerance in each scene."""
+    found = []
+    for scene in dict.fromkeys(point.scene for point in points):
+        models = models_of([point for point in points if point.scene == scene])
+        for tolerance in TOLERANCES:
+            times = {name: time_to(own, tolerance) for name, own in models.items()}
+            ms = {name: significant(1e3 * time / FRAMES, 4) for name, time in times.items() if time}
+            found.append((scene, tolerance, ms))
+    return found
+
+
+def keep(points: Sequence[Point], file: Path) -> None:
+    """Write the date, the version of Python, all points and the table to a JSON file.
+
+    A point is (scene, model, by, steps, error, ms per frame).
+    """
+    rows = [
+        (p.scene, p.model, p.by, p.steps, significant(p.error), significant(1e3 * p.time / FRAMES))
+        for p in points
+    ]
+    store(file, a_row_a_line, points=rows, within=within(points))
+
+
+def a_row_a_line(found: Any) -> str:
+    """Format figures as JSON."""
+    return json.dumps(found).replace(": [[", ": [\n  [").replace("], [", "],\n  [")

@@ -16,8 +16,18 @@ from ch07_constraints.time_division import time_division_step
 from lab.scenes.ch07_constraints.ropes import Ropes
 from plots.ch07_constraints.rods import stretch
 from scenes.chain import Chain, Link
-from studies.contacts.kept import FILE
-from studies.contacts.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
+from studies.contacts.scenes import (
+    BOOK,
+    COLD,
+    FILE,
+    IMPULSES,
+    NET,
+    ROPE,
+    SMALL,
+    STACK,
+    SWING,
+    named,
+)
 
 UP = Vector3(0, 1)
 H = 1 / 60

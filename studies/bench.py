@@ -74,13 +74,12 @@ def every(console: Console) -> list[Measurement]:
         constraints,
         grading,
         particles,
-        sparks,
         springs,
         worlds,
     )
 
     found = [grading.line_of_check(), *algebra.lines_of_vectors(console), *particles.lines()]
-    found += [*sparks.lines(), *springs.lines(), *constraints.lines(), *worlds.lines()]
+    found += [*particles.lines_of_sparks(), *springs.lines(), *constraints.lines(), *worlds.lines()]
     return [*found, *algebra.lines_of_rotations(console), *accuracy.lines(), *grading.lines()]
 
 

@@ -49,7 +49,7 @@ def main(arguments: list[str]) -> int:
     from studies.accuracy import results
     from studies.accuracy.catalog import scenes_with
     from studies.accuracy.measure import measured_in
-    from studies.charts import kept, page
+    from studies.charts import page
     from studies.charts.overview import draw_overview
     from studies.charts.ratios import figures_of, precise, told, told_ratio
 
@@ -87,8 +87,8 @@ def main(arguments: list[str]) -> int:
         f"all charts on one page: {shown(options.out / 'index.html')}"
     )
     if not options.quick and not options.scene:
-        kept.keep(rows, measured.day, options.out)
-        files = ", ".join((kept.PICTURE, kept.PAGE, *kept.READMES))
+        page.keep(rows, measured.day, options.out)
+        files = ", ".join((page.PICTURE, page.PAGE, *page.READMES))
         said += f"\nupdated in the repository: {files}"
     console.print(said, soft_wrap=True)
     return 0

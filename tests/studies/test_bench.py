@@ -29,7 +29,6 @@ from studies.benchmarks import (
     algebra,
     constraints,
     particles,
-    sparks,
     springs,
 )
 
@@ -272,14 +271,14 @@ def test_what_forces_are_compared_with_goes_the_same_way() -> None:
 def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(sparks, "SPARKS", 5)
+    monkeypatch.setattr(particles, "SPARKS", 5)
     errors = []
     for frames in (500, 1000):
-        monkeypatch.setattr(sparks, "FRAME", 2.0 / frames)
-        show = sparks.burst()
-        speeds = sparks.speeds_of(show)
-        stepped = sparks.step(show, frames, "xyz")
-        closed = sparks.positions(speeds, 2.0, "xyz")
+        monkeypatch.setattr(particles, "FRAME", 2.0 / frames)
+        show = particles.burst()
+        speeds = particles.speeds_of(show)
+        stepped = particles.step(show, frames, "xyz")
+        closed = particles.positions(speeds, 2.0, "xyz")
         pairs = zip(chain(*stepped), chain(*closed), strict=True)
         errors.append(max(abs(a - b) for a, b in pairs))
     # The error is of order 1, and the next order is less than a hundredth of it.

@@ -108,7 +108,7 @@ def test_the_command_prints_a_table_and_draws(
     few = [SCENES[named(STACK, 1)], SCENES[named(ROPE, 1)]]
     monkeypatch.setattr(scenes, "scenes", lambda: few)
     monkeypatch.setattr(contacts, "QUICK", (1, 1e-3))
-    monkeypatch.setattr(kept, "FILE", tmp_path / "not stored.json")
+    monkeypatch.setattr(scenes, "FILE", tmp_path / "not stored.json")
     assert contacts.main(["--quick", "--out", str(tmp_path)]) == 0
     told = capsys.readouterr().out
     assert "Time in ms per frame" in told

@@ -16,7 +16,6 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import ParticlePairs
-from ch08_mass_aggregate.sleeping import SleepingWorld
 from scenes import spheres
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
@@ -107,10 +106,6 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         step = SOLVERS[solver](setup.particles, setup.contacts)
         return step, partial(places_of, setup.particles[fixed:])
 
-    def sleeping() -> tuple[SleepingWorld, list[Particle]]:
-        setup = make()
-        return put_to_sleep(setup), [*setup.particles[fixed:]]
-
     def in_space(iterations: int, slop: float | None, _: float = 0.0) -> InSpace:
         space, bodies = twin_of(make(), iterations=iterations)
         if slop is not None:
@@ -137,7 +132,7 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
     models = [
         by_steps(BOOK, partial(ours, BOOK), FRAMES, units, STEPS[:6], by="the book"),
         *(by_steps(one, partial(ours, one), FRAMES, units, STEPS[:8]) for one in (IMPULSES, SMALL)),
-        asleep(sleeping, FRAMES),
+        asleep(partial(put_to_sleep, make, fixed), FRAMES),
         by_pymunk(EXAMPLES, partial(in_space, 10, None), FRAMES, units=units),
         *(
             by_pymunk(at_best(count), partial(in_space, count, 0.0), FRAMES, units=units)

@@ -61,8 +61,8 @@ def main(arguments: list[str]) -> int:
     rounds, slowest, theirs = QUICK if options.quick else FULL
     console = plain_console()
     options.out.mkdir(parents=True, exist_ok=True)
-    file = options.out / "measured.json"
-    measured = measured_in(console, scenes, rounds, slowest, theirs, file)
+    kept = options.out / "measured.json"
+    measured = measured_in(console, scenes, rounds, slowest, theirs, kept)
     for scene in scenes:
         if scene.differs:
             console.print(

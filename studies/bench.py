@@ -7,6 +7,7 @@ is almost the same on every machine.
 from __future__ import annotations
 
 import argparse
+import json
 import platform
 import sys
 import time
@@ -16,10 +17,13 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.commands import TUNED, find_engine
+from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
 from scenes.reason import shown
-from scenes.timing import Line, Measurement, measure
-from studies.benchmarks.kept import FILE, keep
+from scenes.timing import Line, Measurement, measure, significant
+from studies.stored import store
+
+FILE = ROOT / "studies/benchmarks/figures.json"
 
 
 def main(arguments: list[str]) -> int:
@@ -39,7 +43,17 @@ def main(arguments: list[str]) -> int:
     for line in lines:
         console.print(line.what)
         console.print(f"    {told(line)}", style="bold")
-    keep(lines, _versions(), options.out)
+    found = {
+        line.what: {
+            "ratio": significant(line.median),
+            "quartiles": [significant(line.low), significant(line.high)],
+            "target": str(line.target or ""),
+            "verdict": line.verdict,
+        }
+        for line in lines
+    }
+    machine = f"{platform.system()} {platform.machine()}"
+    store(options.out, machine=machine, libraries=_versions(), lines=found)
     verdicts = [line.verdict for line in lines]
     met, missed = verdicts.count("met"), verdicts.count("missed")
     minutes = (time.monotonic() - start) / 60.0
@@ -56,20 +70,25 @@ def every(console: Console) -> list[Measurement]:
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
-        check,
+        algebra,
         constraints,
         grading,
         particles,
-        rotations,
-        sparks,
         springs,
-        vectors,
         worlds,
     )
 
-    found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*springs.lines(), *constraints.lines(), *worlds.lines()]
-    return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
+    found = [grading.line_of_check(), *algebra.lines_of_vectors(console), *particles.lines()]
+    found += [*particles.lines_of_sparks(), *springs.lines(), *constraints.lines(), *worlds.lines()]
+    return [*found, *algebra.lines_of_rotations(console), *accuracy.lines(), *grading.lines()]
+
+
+def kept(file: Path = FILE) -> dict[str, float]:
+    """Load the medians by what they measure, or an empty dict if no results are stored yet."""
+    if not file.exists():
+        return {}
+    lines = json.loads(file.read_text(encoding="utf-8"))["lines"]
+    return {what: line["ratio"] for what, line in lines.items()}
 
 
 def told(line: Line) -> str:

@@ -46,48 +46,33 @@ def parts() -> list[tuple[str, Move, Move]]:
     """List the optional features: a name, a frame with the feature, and the same one without it."""
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
-    from ch05_forces.forces import ForceRegistry, Gravity
+    from ch05_forces.forces import Gravity
     from ch05_forces.particle import Particle
     from ch06_springs.integrators import explicit_euler, leapfrog, runge_kutta_4, velocity_verlet
     from ch07_constraints.detectors import GroundPlane, ParticlePairs
     from ch08_mass_aggregate.sleeping import SleepingWorld
     from ch08_mass_aggregate.world import ParticleWorld
-    from studies.benchmarks.worlds import (
-        DOWN,
-        integrate,
-        on_the_ground,
-        stepping,
-        stepping_bare,
-    )
+    from scenes.setup import Setup
+    from studies.benchmarks.worlds import DOWN, integrate, on_the_ground, stepping, stepping_bare
 
-    def falling(acceleration: bool = True) -> list[Particle]:
+    def falling(has_gravity: bool = True) -> list[Particle]:
         """Create particles far from the ground and each other, with or without gravity."""
         return [
-            Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
+            Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if has_gravity else None)
             for i in range(COUNT)
         ]
 
     def bare() -> Move:
         return partial(integrate, falling())
 
-    def by_generator(particles: list[Particle], gravity: Gravity) -> Move:
-        def move() -> None:
-            for particle in particles:
-                gravity.update_force(particle, FRAME)
-                particle.integrate(FRAME)
+    def direct() -> None:
+        for particle in pulled:
+            gravity.update_force(particle, FRAME)
+            particle.integrate(FRAME)
 
-        return move
-
-    def by_registry(particles: list[Particle], gravity: Gravity) -> Move:
-        registry = ForceRegistry()
-        for particle in particles:
-            registry.add(particle, gravity)
-
-        def move() -> None:
-            registry.update_forces(FRAME)
-            integrate(particles)
-
-        return move
+    def by_registry() -> None:
+        registry.update_forces(FRAME)
+        integrate(registered)
 
     def in_world(*detectors: Callable[[list[Particle]], object]) -> Move:
         particles = falling()
@@ -95,11 +80,11 @@ def parts() -> list[tuple[str, Move, Move]]:
         world.contact_generators += [make(particles) for make in detectors]  # type: ignore[misc]
         return stepping(world)
 
-    gravity = Gravity(DOWN)
-    direct = by_generator(falling(acceleration=False), gravity)
+    gravity, pulled, registered = Gravity(DOWN), falling(False), falling(False)
+    registry = Setup(registered, [(particle, gravity) for particle in registered]).registry()
     return [
         ("gravity as a force generator", direct, bare()),
-        ("a registry for it", by_registry(falling(acceleration=False), gravity), direct),
+        ("a registry for it", by_registry, direct),
         ("a world around the particles", in_world(), bare()),
         ("a search for the ground, which is far below", in_world(GroundPlane), in_world()),
         (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.sleeping import SleepingWorld
@@ -12,15 +12,18 @@ from studies.accuracy.in_pymunk import in_turn
 from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 
 
-def put_to_sleep(setup: Setup) -> SleepingWorld:
-    """Create the world of a scene in which nothing moves, with all particles asleep."""
+def put_to_sleep(
+    make: Callable[[], Setup], fixed: int = 0
+) -> tuple[SleepingWorld, Sequence[Particle]]:
+    """Create a world in which all particles sleep, and list all but the first ``fixed`` ones."""
+    setup = make()
     world = SleepingWorld(setup.particles, setup.contacts, sleep_frames=1)
     world.fall_asleep(world.contacts())
-    return world
+    return world, setup.particles[fixed:]
 
 
 def asleep(
-    make: Callable[[], tuple[SleepingWorld, list[Particle]]], frames: int, name: str = "asleep"
+    make: Callable[[], tuple[SleepingWorld, Sequence[Particle]]], frames: int, name: str = "asleep"
 ) -> Model:
     """Create a model from a world in which all particles sleep, and those to be compared."""
 

@@ -7,7 +7,8 @@ from functools import partial
 from typing import Any
 
 from scenes.clock import RATE
-from studies.accuracy.scene import TOLERANCES, Model, Outcome, Place
+from scenes.setup import Setup
+from studies.accuracy.scene import TOLERANCES, Model, Outcome, Place, by_integrators
 from studies.models.multistep import LoneMultistep, Multistep
 from studies.models.order_8 import Accelerations, Order8
 from studies.models.smooth_net import hermite_weights
@@ -15,6 +16,8 @@ from studies.models.smooth_net import hermite_weights
 LONG = 12  # frames; the number of steps is given per this many frames
 LONG_STEPS = (2, 3, 4, 6, *(LONG * 2**n for n in range(13)))
 ORDERS = (4, 6, 8)
+
+Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
 
 
 def flat(positions: Sequence[complex]) -> Place:
@@ -70,6 +73,18 @@ def in_plane(
     return [*models, Model("order 8, own steps", by_tolerance, TOLERANCES, takes_tolerance=True)]
 
 
+def stepped(
+    make: Callable[[], Setup], acceleration: Acceleration, frames: int, *, is_damped: bool
+) -> list[Model]:
+    """Create our models that step the equations of motion of a body."""
+    (body,) = make().particles
+    place, velocity = (complex(v.x, v.y) for v in (body.position, body.velocity))
+    return [
+        *by_integrators(make, frames),
+        *in_plane([place], [velocity], on_all(acceleration), frames, is_damped=is_damped),
+    ]
+
+
 def in_long_steps(
     step: Callable[[], object],
     state: Callable[[], tuple[list[Any], list[Any]]],
@@ -95,6 +110,6 @@ def in_long_steps(
     return places[:frames]
 
 
-def on_all(acceleration: Callable[[complex, complex], complex]) -> Accelerations:
+def on_all(acceleration: Acceleration) -> Accelerations:
     """Turn the acceleration of one body into a function that takes and returns lists."""
     return lambda positions, velocities: [acceleration(positions[0], velocities[0])]

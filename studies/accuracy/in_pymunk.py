@@ -19,8 +19,9 @@ from typing import TYPE_CHECKING, Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from scenes.clock import RATE
-from scenes.setup import alone
+from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
+from studies.accuracy.in_plane import Acceleration
 from studies.accuracy.scene import MANY, Model, Outcome, Place, in_frames
 
 if TYPE_CHECKING:
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 EXAMPLES, BEST = "pymunk, as in its examples", "pymunk at its best"
 BATCH = 4  # bodies from which it is faster to read all positions in one call
 
-Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
-Pair = tuple[float, float]
 Step = Callable[[float], object]
 
 
@@ -75,18 +74,22 @@ def from_two_runs(model: Model) -> Model:
     return replace(model, name=f"{model.name}, from two runs", run=run)
 
 
-def lone(
-    position: Pair, velocity: Pair, acceleration: Acceleration, frames: int
-) -> tuple[Model, Model, Model]:
+def lone(make: Callable[[], Setup], acceleration: Acceleration, frames: int) -> list[Model]:
     """Create the models of a single body in pymunk under a force of our own.
 
     The force acts before each step, or in ``velocity_func``, or as a change of the velocity before
     each step, from half a step behind.
     """
-    first = acceleration(complex(*position), complex(*velocity))
+    (start,) = make().particles
+    place, velocity = (complex(v.x, v.y) for v in (start.position, start.velocity))
+    first = acceleration(place, velocity)
+
+    def begun(_: float, behind: float = 0.0) -> InSpace:
+        past = velocity - behind * first
+        return twin_of(alone(Particle(start.position, Vector3(past.real, past.imag))), iterations=1)
 
     def called_back(_: float) -> InSpace:
-        space, (body,) = space_with(position, velocity)
+        space, (body,) = begun(0.0)
         update = body.update_velocity
 
         def change(body: pymunk.Body, _gravity: Any, _damping: float, duration: float) -> None:
@@ -95,10 +98,6 @@ def lone(
 
         body.velocity_func = change
         return space, [body]
-
-    def behind(duration: float) -> InSpace:
-        start = complex(*velocity) - 0.5 * duration * first
-        return space_with(position, (start.real, start.imag))
 
     def pushing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
         (body,) = bodies
@@ -125,24 +124,16 @@ def lone(
 
         return step
 
-    def begun(_: float) -> InSpace:
-        return space_with(position, velocity)
-
-    return (
+    return [
         by_pymunk("pymunk, force by hand", begun, frames, stepping=pushing),
         by_pymunk(EXAMPLES, called_back, frames),
-        by_pymunk(BEST, behind, frames, stepping=changing),
-    )
+        by_pymunk(BEST, lambda h: begun(h, 0.5 * h), frames, stepping=changing),
+    ]
 
 
 def at_best(iterations: int) -> str:
     """Return the name of pymunk at its best in a scene with joints."""
     return f"{BEST}, {iterations} iteration{'s' * (iterations > 1)}"
-
-
-def space_with(position: Pair, velocity: Pair) -> InSpace:
-    """Create a pymunk space without gravity, with a single body of 1 kg."""
-    return twin_of(alone(Particle(Vector3(*position), Vector3(*velocity))), iterations=1)
 
 
 def in_turn(bodies: Sequence[pymunk.Body]) -> Place:

@@ -20,6 +20,8 @@ from importlib import metadata
 from pathlib import Path
 
 import pymunk  # noqa: F401 - otherwise the first run of a pymunk model would include the import
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT
@@ -29,6 +31,7 @@ from studies.accuracy.scene import Model, Outcome, Scene
 EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
 LEAST = 1e-2  # s for one measurement; a faster run is repeated
 LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW rounds
+SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
 @dataclass
@@ -64,27 +67,75 @@ class Measured:
     day: str = ""  # of the last round
 
 
-def explore(
-    scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
+def measured_in(
+    console: Console,
+    scenes: Sequence[Scene],
+    rounds: int,
+    slowest: float,
+    theirs: float,
+    file: Path | None = None,
 ) -> Measured:
-    """Measure the error and the work of every model in every scene, but not the times.
+    """Measure all models in all scenes, with the limits of ``explore``, and show the progress.
+
+    If an earlier run with the same code and limits left a ``file``, it is resumed.
+    """
+    sign = sign_of([scene.name for scene in scenes], slowest, theirs) if file else ""
+    found = (load(file, sign) if file else None) or Measured([])
+    saved = time.monotonic()
+
+    def keep(every: float = 0.0) -> None:
+        nonlocal saved
+        if file and time.monotonic() - saved >= every:
+            save(found, file, sign)
+            saved = time.monotonic()
+
+    def advance() -> None:
+        progress.advance(task)
+        keep(SAVED_EVERY)
+
+    def hear(what: str) -> None:
+        progress.update(task, description=what, advance=1)
+
+    if found.points:
+        console.print(f"resuming an earlier run after {found.rounds} of {rounds} rounds")
+    explored = {point.scene for point in found.points}
+    new = [scene for scene in scenes if scene.name not in explored]
+    left = max(rounds - found.rounds, 0)
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
+    hidden = not console.is_terminal
+    with Progress(*columns, console=console, transient=True, disable=hidden) as progress:
+        task = progress.add_task("", total=sum(len(scene.models) for scene in new))
+        for scene in new:
+            found.points += explore(scene, slowest, theirs, hear)
+            keep()
+        progress.remove_task(task)
+        task = progress.add_task("timing", total=left * len(found.points))
+        for _ in range(left):
+            time_once(found, scenes, advance)
+            keep()
+    return found
+
+
+def explore(
+    scene: Scene, slowest: float, theirs: float, hear: Callable[[str], None]
+) -> list[Point]:
+    """Measure the error and the work of every model of a scene, but not the times.
 
     The steps become shorter until only rounding is left or a run takes too long: ``theirs`` seconds
     for pymunk's models, and ``slowest`` for ours. ``hear`` gets a line of text before each model.
     """
     points = []
-    for scene in scenes:
-        for model in scene.models:
-            hear(f"{scene.name}: {model.name}")
-            for steps in model.steps:
-                start = time.process_time()
-                outcome = run(model, steps)
-                taken = time.process_time() - start
-                points.append(point_of(scene, model, steps, outcome))
-                slow = taken > (theirs if model.by == "pymunk" else slowest)
-                if slow or points[-1].error < EXACT:
-                    break
-    return Measured(points)
+    for model in scene.models:
+        hear(f"{scene.name}: {model.name}")
+        for steps in model.steps:
+            start = time.process_time()
+            outcome = run(model, steps)
+            taken = time.process_time() - start
+            points.append(point_of(scene, model, steps, outcome))
+            slow = taken > (theirs if model.by == "pymunk" else slowest)
+            if slow or points[-1].error < EXACT:
+                break
+    return points
 
 
 def point_of(scene: Scene, model: Model, steps: int, outcome: Outcome | None) -> Point:

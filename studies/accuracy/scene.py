@@ -23,6 +23,7 @@ STEPS = tuple(2**n for n in range(11))  # per frame
 MANY = tuple(2**n for n in range(16))  # per frame, for pymunk
 TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, for a model that takes one
 Place = Sequence[float]  # all coordinates that are compared, in m
+Made = tuple[Callable[[float], object], Callable[[], Place]]  # what makes a step, and reads places
 
 
 @dataclass(frozen=True)
@@ -97,6 +98,11 @@ def solved(
         found = solve_ivp(rates, span, start, "DOP853", times, rtol=1e-13, atol=1e-13)
         return [place(state) for state in found.y.T]
 
+    return framed(places)
+
+
+def framed(places: Callable[[], Sequence[Place]]) -> Callable[[float], Place]:
+    """Return a motion as a function of time, from its positions after every frame."""
     return lambda time: places()[round(time * RATE) - 1]
 
 
@@ -182,10 +188,30 @@ def exact_steps(places: Callable[[], Sequence[Place]]) -> Model:
     return Model("exact steps", run, (1,), is_formula=True)
 
 
-def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
+def by_formula(place_at: Callable[[float], Place], frames: int, units: int = 1) -> Model:
     """Create a model that evaluates a closed form at the end of every frame, without time steps."""
 
     def run(_: int) -> Outcome:
-        return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
+        return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames * units)
 
     return Model("closed form", run, (1,), is_formula=True)
+
+
+def by_steps(
+    name: str,
+    make: Callable[[float], Made],
+    frames: int,
+    units: int = 1,
+    steps: Sequence[int] = STEPS,
+    **others: Any,
+) -> Model:
+    """Create a model from ``make``, which takes the duration of a step in s.
+
+    Each step counts as ``units`` of work. ``others`` are fields of the model.
+    """
+
+    def run(count: int) -> Outcome:
+        places = in_frames(*make(1.0 / (RATE * count)), frames, count)
+        return Outcome(places, units * frames * count)
+
+    return Model(name, run, steps, **others)

@@ -1,10 +1,12 @@
-"""Measure how much longer grading takes because the autograder isolates students' code.
+"""Measure how long students wait for `make check`, and what isolation costs in grading.
 
 For comparison, one process imports the students' code itself and runs the same checks.
 """
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -16,7 +18,7 @@ from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.class_list import read_class
 from autograder.submissions.stage import stage
-from scenes.timing import Measurement, Target, both, timer, versus
+from scenes.timing import Measurement, Target, Timer, both, timer, versus
 
 ENGINE = [ROOT / "solutions", ROOT / "chapters"]
 AT_A_TIME = 2
@@ -84,3 +86,19 @@ def _sample_class(behind: Behind) -> Measurement:
     what = "the sample class: in isolated workers / in the process of the checks"
     figure = versus(timer(partial(grade, behind)), timer(partial(grade, None)))
     return Measurement(what, figure, 1)  # it takes a minute or two
+
+
+def line_of_check() -> Measurement:
+    """Set up the benchmark that compares `make check` for one chapter with importing pytest."""
+    check = _running("-m", "autograder", "check", "--chapter", "2")
+    for _ in range(2):  # the first run compiles the modules
+        check()
+    what = "make check CH=2 / importing pytest"
+    figure = versus(check, _running("-c", "import pytest"))
+    return Measurement(what, figure, 15, Target("at most", 3))
+
+
+def _running(*command: str) -> Timer:
+    """Return a function that runs Python with these arguments and returns the time taken, in s."""
+    call = [sys.executable, *command]
+    return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -11,7 +11,6 @@ import argparse
 import csv
 import platform
 import sys
-import time
 from importlib import metadata
 from itertools import repeat
 from pathlib import Path
@@ -20,7 +19,6 @@ from typing import TYPE_CHECKING, Any
 from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.commands import TUNED, find_engine
@@ -36,7 +34,6 @@ if TYPE_CHECKING:
 QUICK = (3, 0.05, 0.05)
 FULL = (3, 0.3, 1.0)
 COLUMNS = ("scene", "tolerance", "better model", "ours", "pymunk", "pymunk / ours")
-SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
 def main(arguments: list[str]) -> int:
@@ -49,9 +46,10 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
-    from studies.accuracy import measure, results
+    from studies.accuracy import results
     from studies.accuracy.catalog import scenes_with
-    from studies.charts import kept, page
+    from studies.accuracy.measure import measured_in
+    from studies.charts import page
     from studies.charts.overview import draw_overview
     from studies.charts.ratios import figures_of, precise, told, told_ratio
 
@@ -63,36 +61,8 @@ def main(arguments: list[str]) -> int:
     rounds, slowest, theirs = QUICK if options.quick else FULL
     console = plain_console()
     options.out.mkdir(parents=True, exist_ok=True)
-    resumed = options.out / "measured.json"
-    sign = measure.sign_of([scene.name for scene in scenes], slowest, theirs)
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        measured = measure.load(resumed, sign) or measure.Measured([])
-        if measured.points:
-            console.print(f"resuming an earlier run after {measured.rounds} of {rounds} rounds")
-        explored = {point.scene for point in measured.points}
-        task = progress.add_task("", total=None)
-        for scene in scenes:
-            if scene.name not in explored:
-                measured.points += measure.explore(
-                    [scene], slowest, theirs, lambda what: progress.update(task, description=what)
-                ).points
-                measure.save(measured, resumed, sign)
-        progress.remove_task(task)
-        left = max(rounds - measured.rounds, 0)
-        task = progress.add_task("timing", total=left * len(measured.points))
-        saved = time.monotonic()
-
-        def advance() -> None:
-            nonlocal saved
-            progress.advance(task)
-            if time.monotonic() - saved > SAVED_EVERY:
-                measure.save(measured, resumed, sign)
-                saved = time.monotonic()
-
-        for _ in range(left):
-            measure.time_once(measured, scenes, advance)
-            measure.save(measured, resumed, sign)
+    kept = options.out / "measured.json"
+    measured = measured_in(console, scenes, rounds, slowest, theirs, kept)
     for scene in scenes:
         if scene.differs:
             console.print(
@@ -117,8 +87,8 @@ def main(arguments: list[str]) -> int:
         f"all charts on one page: {shown(options.out / 'index.html')}"
     )
     if not options.quick and not options.scene:
-        kept.keep(rows, measured.day, options.out)
-        files = ", ".join((kept.PICTURE, kept.PAGE, *kept.READMES))
+        page.keep(rows, measured.day, options.out)
+        files = ", ".join((page.PICTURE, page.PAGE, *page.READMES))
         said += f"\nupdated in the repository: {files}"
     console.print(said, soft_wrap=True)
     return 0

@@ -8,20 +8,26 @@ from __future__ import annotations
 
 import csv
 import io
+import re
+import textwrap
 from collections.abc import Sequence
 from functools import cache
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from autograder.files import replace_bytes
+from autograder.manifest import ROOT
+from autograder.text.marked import with_text
 from scenes.clock import RATE
 from studies.accuracy.catalog import group_of, scenes_with
 from studies.accuracy.measure import Point
-from studies.accuracy.results import TOLERANCES, front, models_of, table
+from studies.accuracy.results import TOLERANCES, Row, front, models_of, table
 from studies.accuracy.scene import Scene
 from studies.charts import ratios
+from studies.stored import store
 
 HERE = Path(__file__).parent
 LIBRARIES = ("d3.min.js", "d3.LICENSE", "plot.umd.min.js", "plot.LICENSE")
@@ -50,6 +56,12 @@ LOOKS = {
     "the book": [("red", symbol) for symbol in (*LINES, *FILLED)],
     "pymunk": [(color, symbol) for symbol in (*LINES, *FILLED) for color in ("black", "gray")],
 }
+
+PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
+FIGURES = "studies/accuracy/figures.json"
+READMES = ("README.md", "studies/README.md")
+SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
+BEGIN, END = "<!-- ratios: `make measure WHAT=charts` writes this -->", "<!-- end of ratios -->"
 
 
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
@@ -135,3 +147,21 @@ def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
             start = (scene.name, p.model, p.by, p.is_formula, p.steps, per[p.model], p.error)
             writer.writerow((*start, *(f"{time:.4g}" for time in times), p.work, scene.counted))
     return file.getvalue()
+
+
+def keep(rows: Sequence[Row], day: str, out: Path, root: Path = ROOT) -> None:
+    """Copy the picture, the page and the ratios in ``out``, measured on ``day``, to the repository.
+
+    The READMEs get a new description of the picture, and one of them a new table.
+    """
+    replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
+    replace_bytes(root / PAGE, (out / "index.html").read_bytes())
+    figures = ratios.figures_of(rows)
+    store(root / FIGURES, measured=day, pymunk=metadata.version("pymunk"), rows=figures)
+    alt = "\n".join(textwrap.wrap(f"![{ratios.described(rows)}]", 105, break_long_words=False))
+    for name in READMES:
+        path = root / name
+        text = SHOWN.sub(lambda _: alt, path.read_text(encoding="utf-8"))
+        if BEGIN in text:
+            text = with_text(text, BEGIN, END, ratios.table(figures))
+        replace_bytes(path, text.encode())

@@ -48,8 +48,9 @@ def main(arguments: list[str]) -> int:
         except SceneError as error:
             parser.error(str(error))
     from scenes.clock import RATE
-    from studies.accuracy import measure, results
+    from studies.accuracy import results
     from studies.accuracy.catalog import scenes_with
+    from studies.accuracy.measure import measured_in
     from studies.choose.report import print_choice, print_line
 
     try:
@@ -57,11 +58,7 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     console = plain_console()
-    with console.status("measuring") as status:
-        measured = measure.explore(scenes, SLOWEST, SLOWEST, status.update)
-        for done in range(ROUNDS):
-            status.update(f"timing, round {done + 1} of {ROUNDS}")
-            measure.time_once(measured, scenes, lambda: None)
+    measured = measured_in(console, scenes, ROUNDS, SLOWEST, SLOWEST)
     missed = False
     for scene in scenes:
         own = [point for point in measured.points if point.scene == scene.name]

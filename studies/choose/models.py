@@ -64,7 +64,9 @@ def models_of(world: ParticleWorld) -> list[Model]:
         order = 1 if damped else ORDERS.get(name, 1)
         found.append(Model(name, order, _with(integrator)))
     if not damped:  # adaptive damps once per frame, which no tolerance makes more accurate
-        found.append(Model("adaptive", 1, _adaptive, TOLERANCES, takes_tolerance=True))
+        found.append(
+            Model("adaptive", 1, lambda w: _with(w.integrator)(w), TOLERANCES, takes_tolerance=True)
+        )
     return found
 
 
@@ -73,13 +75,14 @@ def _special(world: ParticleWorld) -> list[Model]:
     generators = world.contact_generators
     found = []
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
-        found = [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]
+        direct = _after_forces(lambda w: DirectNet(w.contact_generators, w.particles).step)
+        found = [Model("direct net", 2, direct), Model("smooth net", 4, _smooth_net)]
     elif all(hasattr(generator, "next_impact") for generator in generators):
         found = [
-            Model("time division", 1, _time_division),
-            Model("sequential impulses", 1, _impulses),
+            Model("time division", 1, _after_forces(_time_division)),
+            Model("sequential impulses", 1, _of_all(SequentialImpulses)),
         ]
-    return [*found, Model("small steps", 1, _small_steps)]
+    return [*found, Model("small steps", 1, _of_all(SmallSteps))]
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
@@ -90,10 +93,6 @@ def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
         return lambda duration: integrator(particles, forces, duration)
 
     return step_of
-
-
-def _adaptive(world: ParticleWorld) -> Step:
-    return _with(world.integrator)(world)
 
 
 def _resolving(name: str) -> Model:
@@ -117,35 +116,31 @@ def _exact(world: ParticleWorld) -> Step:
     return step
 
 
-def _direct_net(world: ParticleWorld) -> Step:
-    return _after_forces(world, DirectNet(world.contact_generators, world.particles).step)
-
-
 def _smooth_net(world: ParticleWorld) -> Step:
     net, forces = SmoothNet(world.contact_generators, world.particles), world.registry
     return lambda duration: net.step(duration, forces.update_forces)
 
 
-def _impulses(world: ParticleWorld) -> Step:
-    solver = SequentialImpulses(world.particles, world.contact_generators)
-    return _after_forces(world, solver.step)
-
-
-def _small_steps(world: ParticleWorld) -> Step:
-    return _after_forces(world, SmallSteps(world.particles, world.contact_generators).step)
-
-
 def _time_division(world: ParticleWorld) -> Step:
     generators: list[Any] = world.contact_generators
-    detectors = Detectors(*generators)
-    return _after_forces(world, partial(time_division_step, world.particles, detectors))
+    return partial(time_division_step, world.particles, Detectors(*generators))
 
 
-def _after_forces(world: ParticleWorld, move: Step) -> Step:
-    """Return a step that evaluates the forces, and then calls ``move``."""
+def _after_forces(make: Callable[[ParticleWorld], Step]) -> Callable[[ParticleWorld], Step]:
+    """Return a ``step_of`` function whose steps evaluate the forces, and then move the world."""
 
-    def step(duration: float) -> None:
-        world.registry.update_forces(duration)
-        move(duration)
+    def step_of(world: ParticleWorld) -> Step:
+        move = make(world)
 
-    return step
+        def step(duration: float) -> None:
+            world.registry.update_forces(duration)
+            move(duration)
+
+        return step
+
+    return step_of
+
+
+def _of_all(solver: Callable[[Any, Any], Any]) -> Callable[[ParticleWorld], Step]:
+    """Return the ``step_of`` function of a solver of all particles and contacts."""
+    return _after_forces(lambda world: solver(world.particles, world.contact_generators).step)

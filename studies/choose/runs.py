@@ -12,11 +12,10 @@ from scenes.clock import RATE
 from scenes.timing import fastest
 from studies.accuracy.measure import LEAST, LONG, Point
 from studies.accuracy.results import first_within
-from studies.choose.clocks import check_forces
 from studies.choose.halving import LEAST as CONVERGING
 from studies.choose.halving import Halved, Run, distance, halved
 from studies.choose.models import Model, models_of
-from studies.choose.scene import OwnScene, SceneError, why
+from studies.choose.scene import OwnScene, SceneError, check_forces, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 PATIENCE = 5  # times SLOWEST, for a model whose runs begin to converge

@@ -8,11 +8,10 @@ same steps of the same scene in turn.
 from __future__ import annotations
 
 import argparse
-import json
-import platform
+import ast
 import subprocess
 import sys
-from datetime import date
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,9 +23,10 @@ from autograder.text.wrapping import plain_console, print_wrapped
 from plots.drawing import BLUE, GRAY
 from scenes.reason import shown
 from scenes.timing import Line, Measurement, Timer, measure, significant, versus
-from studies.clarity.lines import lines_of
 from studies.clarity.steps import SCENES
+from studies.stored import store
 
+Definition = ast.FunctionDef | ast.ClassDef
 ROUNDS = 31
 CLEAR = "solutions"
 FOLDER = Path(__file__).parent
@@ -51,8 +51,7 @@ def main(arguments: list[str]) -> int:
         told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
         print_wrapped(console, told, hanging=21)
     rows = [row(line) for line in lines]
-    kept = {"measured": date.today().isoformat(), "python": platform.python_version(), "rows": rows}
-    FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    store(FIGURES, rows=rows)
     draw(rows, PICTURE)
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(with_text(page, BEGIN, END, table(rows)), encoding="utf-8", newline="\n")
@@ -101,6 +100,33 @@ def row(line: Line) -> dict[str, Any]:
         "clear": sum(lines_of(find_engine(CLEAR), *part) for part in parts),
         "tuned": sum(lines_of(find_engine(TUNED), *part) for part in parts),
     }
+
+
+def lines_of(engine: Sequence[Path], file: str, name: str) -> int:
+    """Count the lines of a definition without its docstrings, comments and empty lines.
+
+    ``engine`` lists the folders in which to look for ``file``.
+    """
+    path = next(folder / file for folder in engine if (folder / file).is_file())
+    text = path.read_text(encoding="utf-8")
+    node: ast.Module | Definition = ast.parse(text)
+    for part in name.split("."):
+        node = next(n for n in node.body if isinstance(n, Definition) and n.name == part)
+    assert isinstance(node, Definition)
+    said = {
+        line
+        for inner in ast.walk(node)
+        if isinstance(inner, Definition) and ast.get_docstring(inner)
+        for line in range(inner.body[0].lineno, (inner.body[0].end_lineno or 0) + 1)
+    }
+    rows = enumerate(text.splitlines(), 1)
+    return sum(
+        node.lineno <= number <= (node.end_lineno or 0)
+        and number not in said
+        and bool(row.strip())
+        and not row.strip().startswith("#")
+        for number, row in rows
+    )
 
 
 def table(rows: list[dict[str, Any]]) -> str:

@@ -3,7 +3,7 @@
 A heavy body that rests on a light one, or hangs from it, is hard to simulate, so each scene is run
 with several mass ratios. The command prints how much time per frame each solver needs to keep the
 error small. A complete run also stores its measurements, from which `make figures` draws the
-picture in the lesson.
+picture in the lesson. If you start an interrupted run again, it resumes where it stopped.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from pathlib import Path
 
 from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
-from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.commands import TUNED, find_engine
@@ -39,26 +38,17 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = map(str, find_engine(TUNED))
     # These modules import chapters.
     from plots.ch07_constraints.stacks import contact_solvers
-    from studies.accuracy import measure
-    from studies.contacts import kept, scenes
+    from studies.accuracy.measure import measured_in
+    from studies.contacts import scenes
 
     pyplot.switch_backend("agg")
     console = plain_console()
     rounds, slowest = QUICK if options.quick else FULL
-    every = scenes.scenes()
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("", total=None)
-        measured = measure.explore(
-            every, slowest, slowest, lambda what: progress.update(task, description=what)
-        )
-        progress.remove_task(task)
-        task = progress.add_task("timing", total=rounds * len(measured.points))
-        for _ in range(rounds):
-            measure.time_once(measured, every, lambda: progress.advance(task))
     options.out.mkdir(parents=True, exist_ok=True)
+    file = options.out / "measured.json"
+    measured = measured_in(console, scenes.scenes(), rounds, slowest, slowest, file)
     png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
-    kept.keep(measured.points, numbers)
+    scenes.keep(measured.points, numbers)
     picture = contact_solvers(numbers)
     picture.figure.savefig(png, dpi=110)
     table = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
@@ -72,7 +62,9 @@ def main(arguments: list[str]) -> int:
     console.print("-: the longest run is not accurate enough, or the solver does not apply.")
     told = f"picture: {shown(png)}\nall points: {shown(numbers)}"
     if not options.quick:
-        shutil.copy(numbers, kept.FILE)
-        told += f"\nWritten to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture."
+        shutil.copy(numbers, scenes.FILE)
+        told += (
+            f"\nWritten to {shown(scenes.FILE)}. Run make figures to redraw the lesson's picture."
+        )
     console.print(told, soft_wrap=True)
     return 0

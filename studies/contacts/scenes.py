@@ -1,4 +1,4 @@
-"""The stacks and ropes on which the contact solvers of chapter 7 are compared.
+"""The stacks and ropes on which the contact solvers of chapter 7 are compared, and the results.
 
 A model records an error after every frame, which would be 0 with an exact solution. The mass ratio
 is that of the top sphere, or the weight at the end of a rope, to the other bodies.
@@ -6,9 +6,11 @@ is that of the top sphere, or the weight at the end of a rope, to the other bodi
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from ch05_forces.particle import Particle
@@ -19,16 +21,22 @@ from ch07_constraints.links import Rod, TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from scenes import spheres
 from scenes.chain import Chain
-from scenes.clock import RATE, Move
+from scenes.clock import Move
 from scenes.setup import Setup
-from studies.accuracy.scene import STEPS, Model, Outcome, Scene, in_frames
+from scenes.timing import significant
+from studies.accuracy.measure import Point
+from studies.accuracy.results import models_of, time_to
+from studies.accuracy.scene import STEPS, Made, Scene, by_steps
 from studies.models.direct_net import DirectNet
 from studies.models.heap_resolver import HeapResolver
+from studies.stored import store
 
 FRAMES = 60
 COUNT = 10  # spheres, or rods
 ANGLE = math.radians(60.0)  # from which the rope swings
 RATIOS = (1, 10, 100, 1000)
+FILE = Path(__file__).with_name("figures.json")  # from which the lesson's picture is drawn
+TOLERANCES = (1e-1, 1e-2, 1e-3)
 
 BOOK, IMPULSES, COLD = "the book's resolver", "sequential impulses", "without warm starting"
 SMALL, NET = "soft constraints", "direct net"
@@ -97,11 +105,10 @@ def swinging(link: type[Rod] = TwoSidedRod) -> Measured:
     return setup, change
 
 
-def run(make: Callable[[], Measured], solver: str, steps: int) -> Outcome:
-    """Simulate a stack or a rope with one contact solver, and measure the error in each frame."""
-    (setup, error), duration = make(), 1.0 / (RATE * steps)
-    step = SOLVERS[solver](setup.particles, setup.contacts)
-    return Outcome(in_frames(step, lambda: (error(duration),), FRAMES, steps), FRAMES * steps)
+def solving(make: Callable[[], Measured], solver: str, duration: float) -> Made:
+    """Return what simulates a stack or a rope with a contact solver, and measures the error."""
+    setup, error = make()
+    return SOLVERS[solver](setup.particles, setup.contacts), lambda: (error(duration),)
 
 
 def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -> Scene:
@@ -111,7 +118,8 @@ def scene_of(name: str, make: Callable[..., Measured], solvers: Sequence[str]) -
         one_sided = solver == SMALL and NET in solvers
         built = partial(make, link=Rod) if one_sided else make
         by = "the book" if solver == BOOK else "ours"
-        models.append(Model(solver, partial(run, built, solver), STEPS[:8], by))
+        made = partial(solving, built, solver)
+        models.append(by_steps(solver, made, FRAMES, steps=STEPS[:8], by=by))
     return Scene(name, FRAMES, 1.0, lambda _: (0.0,), models, "steps")
 
 
@@ -130,3 +138,32 @@ def scenes() -> list[Scene]:
         scene_of(f"{SWING}, stretch", partial(rope, 1.0, ANGLE), of_ropes),
         scene_of(f"{SWING}, energy", swinging, of_ropes),
     ]
+
+
+def within(points: Sequence[Point]) -> list[tuple[str, float, dict[str, float]]]:
+    """Find the times in ms per frame of all solvers that meet each tolerance in each scene."""
+    found = []
+    for scene in dict.fromkeys(point.scene for point in points):
+        models = models_of([point for point in points if point.scene == scene])
+        for tolerance in TOLERANCES:
+            times = {name: time_to(own, tolerance) for name, own in models.items()}
+            ms = {name: significant(1e3 * time / FRAMES, 4) for name, time in times.items() if time}
+            found.append((scene, tolerance, ms))
+    return found
+
+
+def keep(points: Sequence[Point], file: Path) -> None:
+    """Write the date, the version of Python, all points and the table to a JSON file.
+
+    A point is (scene, model, by, steps, error, ms per frame).
+    """
+    rows = [
+        (p.scene, p.model, p.by, p.steps, significant(p.error), significant(1e3 * p.time / FRAMES))
+        for p in points
+    ]
+    store(file, a_row_a_line, points=rows, within=within(points))
+
+
+def a_row_a_line(found: Any) -> str:
+    """Format figures as JSON."""
+    return json.dumps(found).replace(": [[", ": [\n  [").replace("], [", "],\n  [")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 
+from lab.scenes.ch07_constraints.ropes import Ropes
+
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import explicit_euler
@@ -13,11 +15,20 @@ from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top
 from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
 from ch07_constraints.time_division import time_division_step
-from lab.scenes.ch07_constraints.ropes import Ropes
 from plots.ch07_constraints.rods import stretch
 from scenes.chain import Chain, Link
-from studies.contacts.kept import FILE
-from studies.contacts.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
+from studies.contacts.scenes import (
+    BOOK,
+    COLD,
+    FILE,
+    IMPULSES,
+    NET,
+    ROPE,
+    SMALL,
+    STACK,
+    SWING,
+    named,
+)
 
 UP = Vector3(0, 1)
 H = 1 / 60

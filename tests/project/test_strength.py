@@ -18,7 +18,7 @@ from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 from graded import report_of
 from ready import ready
-from studies.benchmarks import kept as bench_figures
+from studies import bench as bench_figures
 from wrong import read_wrong
 
 CHAPTERS = load_chapters()

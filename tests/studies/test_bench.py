@@ -26,14 +26,11 @@ from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import EXAMPLES
 from studies.benchmarks import (
     accuracy,
+    algebra,
     constraints,
     particles,
-    rotations,
-    sparks,
     springs,
-    vectors,
 )
-from studies.benchmarks.kept import kept
 
 
 def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() -> None:
@@ -151,7 +148,7 @@ def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
         {"ratio": 1.5, "quartiles": [1.5] * 2, "target": "at most 1.15", "verdict": "missed"},
         {"ratio": 0.25, "quartiles": [0.25] * 2, "target": "", "verdict": ""},
     ]
-    assert kept(out) == {"quick": 2500.0, "slow": 1.5, "told": 0.25}
+    assert bench.kept(out) == {"quick": 2500.0, "slow": 1.5, "told": 0.25}
 
 
 def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:
@@ -201,20 +198,20 @@ def test_the_exact_model_of_a_scene_is_one_of_ours_without_steps() -> None:
         assert scene.error(accuracy.fastest_exact(scene).run(1)) < 1e-12
 
 
-@pytest.mark.parametrize("subject", [vectors, rotations])
-def test_a_peer_that_is_not_there_is_named(subject: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("lines_of", [algebra.lines_of_vectors, algebra.lines_of_rotations])
+def test_a_peer_that_is_not_there_is_named(lines_of: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(timing.importlib.util, "find_spec", lambda _: None)
     screen = io.StringIO()
-    lines = subject.lines(Console(file=screen))
+    lines = lines_of(Console(file=screen))
     assert [line.what for line in lines if "geometric mean" in line.what] == []
     assert "-m pip install -r studies/peers.txt" in screen.getvalue()
 
 
-@pytest.mark.parametrize("subject", [vectors, rotations])
+@pytest.mark.parametrize("subject", [algebra.VECTORS, algebra.ROTATIONS])
 @pytest.mark.parametrize("library", ["ours", "numpy"])
 def test_every_statement_of_the_libraries_at_hand_can_be_timed(subject: Any, library: str) -> None:
-    statements = subject.STATEMENTS[library]
-    assert set(statements) <= set(subject.STATEMENTS["ours"])
+    statements = subject[library]
+    assert set(statements) <= set(subject["ours"])
     for code in statements.values():
         assert timeit.Timer(code, statements["setup"]).timeit(1) > 0.0
 
@@ -225,20 +222,20 @@ def names_of(setup: str) -> dict[str, Any]:
     return names
 
 
-@pytest.mark.parametrize(("first", "second"), [pair[:2] for pair in rotations.RIVALS[:2]])
+@pytest.mark.parametrize(("first", "second"), [pair[:2] for pair in algebra.RIVALS[:2]])
 def test_two_ways_to_undo_a_matrix_end_at_the_same(first: str, second: str) -> None:
-    names = names_of(rotations.SETUP)
+    names = names_of(algebra.SETUP)
     # A dozen roundings of numbers up to 4.
     assert [*eval(first, names)] == pytest.approx([*eval(second, names)], abs=1e-14)
 
 
 def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
-    names = names_of(rotations.SETUP)
+    names = names_of(algebra.SETUP)
     # A dozen roundings of numbers up to 4, also below.
     assert [*eval("m @ v", names)] == pytest.approx([*eval("q.rotate(v)", names)], abs=1e-14)
     of_product = [*eval("M3.from_quaternion(q * p)", names)]
     assert [*eval("m @ n", names)] == pytest.approx(of_product, abs=1e-14)
-    ours, theirs = rotations.STATEMENTS["ours"], rotations.STATEMENTS["numpy"]
+    ours, theirs = algebra.ROTATIONS["ours"], algebra.ROTATIONS["numpy"]
     others = names_of(theirs["setup"])
     for operation in ("product", "transform", "transpose", "inverse"):
         wanted = eval(theirs[operation], others).ravel()
@@ -274,14 +271,14 @@ def test_what_forces_are_compared_with_goes_the_same_way() -> None:
 def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(sparks, "SPARKS", 5)
+    monkeypatch.setattr(particles, "SPARKS", 5)
     errors = []
     for frames in (500, 1000):
-        monkeypatch.setattr(sparks, "FRAME", 2.0 / frames)
-        show = sparks.burst()
-        speeds = sparks.speeds_of(show)
-        stepped = sparks.step(show, frames, "xyz")
-        closed = sparks.positions(speeds, 2.0, "xyz")
+        monkeypatch.setattr(particles, "FRAME", 2.0 / frames)
+        show = particles.burst()
+        speeds = particles.speeds_of(show)
+        stepped = particles.step(show, frames, "xyz")
+        closed = particles.positions(speeds, 2.0, "xyz")
         pairs = zip(chain(*stepped), chain(*closed), strict=True)
         errors.append(max(abs(a - b) for a, b in pairs))
     # The error is of order 1, and the next order is less than a hundredth of it.

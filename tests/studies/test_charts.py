@@ -308,16 +308,16 @@ def test_an_interrupted_run_loses_neither_a_scene_nor_the_runs_of_a_round(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(charts, "QUICK", (1, 1e-3, 1e-3))
-    monkeypatch.setattr(charts, "SAVED_EVERY", 0.0)
+    monkeypatch.setattr(measure, "SAVED_EVERY", 0.0)
     explored: list[str] = []
     timed: list[tuple[str, int]] = []
     stops = iter([False, True, False])
 
-    def explore(scenes: list[Scene], *others: Any) -> Measured:
-        explored.append(scenes[0].name)
+    def explore(scene: Scene, *others: Any) -> list[Point]:
+        explored.append(scene.name)
         if next(stops):
             raise KilledError
-        return real(scenes, *others)
+        return real(scene, *others)
 
     def seconds_of(model: Model, steps: int) -> float:
         if len(timed) == 3 and explored[-1]:

@@ -102,7 +102,7 @@ def test_make_charts_says_what_the_sign_means(
         for model, found in errors.items()
         for i, error in enumerate(found)
     ]
-    monkeypatch.setattr(measure, "explore", lambda *_: measure.Measured(measured))
+    monkeypatch.setattr(measure, "explore", lambda *_: measured)
     monkeypatch.setattr(measure, "seconds_of", lambda _, steps: 1e-3 * steps)
     assert charts.main(["--quick", "--scene", name, "--out", str(tmp_path)]) == 0
     assert "~: pymunk's time is extrapolated" in capsys.readouterr().out

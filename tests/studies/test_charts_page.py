@@ -20,7 +20,7 @@ from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Row, Side
 from studies.charts import page
-from studies.charts.kept import BEGIN, END, FIGURES, PAGE, PICTURE, READMES, keep
+from studies.charts.page import BEGIN, END, FIGURES, PAGE, PICTURE, READMES, keep
 from studies.charts.ratios import described, figures_of, told_ratio
 
 browser = pytest.fixture(browsers.browser, scope="module")

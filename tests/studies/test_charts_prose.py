@@ -11,8 +11,8 @@ from autograder.manifest import ROOT
 from autograder.text.marked import between
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.results import TOLERANCES
-from studies.benchmarks.kept import kept
-from studies.charts.kept import BEGIN, END, FIGURES
+from studies.bench import kept
+from studies.charts.page import BEGIN, END, FIGURES
 from studies.charts.ratios import TIE, is_smooth, misses, rounded, table
 
 ROWS = json.loads((ROOT / FIGURES).read_text(encoding="utf-8"))["rows"]

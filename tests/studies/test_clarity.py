@@ -9,8 +9,7 @@ import pytest
 
 from autograder.commands import TUNED, find_engine
 from autograder.text.marked import between
-from studies.clarity import BEGIN, CLEAR, END, FIGURES, PAGE, Engine, draw, table
-from studies.clarity.lines import lines_of
+from studies.clarity import BEGIN, CLEAR, END, FIGURES, PAGE, Engine, draw, lines_of, table
 from studies.clarity.steps import SCENES
 
 ROWS = json.loads(FIGURES.read_text(encoding="utf-8"))["rows"]

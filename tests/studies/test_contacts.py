@@ -13,7 +13,7 @@ from plots.ch07_constraints.stacks import STYLES, contact_solvers
 from plots.drawing import slope
 from studies import contacts
 from studies.accuracy.measure import Point
-from studies.contacts import kept, scenes
+from studies.contacts import scenes
 from studies.contacts.scenes import BOOK, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
 
 SCENES = {scene.name: scene for scene in scenes.scenes()}
@@ -71,7 +71,7 @@ def test_a_net_keeps_a_rope_at_any_mass_ratio() -> None:
 
 def test_the_committed_points_are_those_of_this_code() -> None:
     """The errors, which are the same on every machine; those above 1 may depend on rounding."""
-    stored = json.loads(kept.FILE.read_text(encoding="utf-8"))["points"]
+    stored = json.loads(scenes.FILE.read_text(encoding="utf-8"))["points"]
     points = {(scene, model, steps): error for scene, model, _, steps, error, _ in stored}
     for scene in SCENES.values():
         for model in scene.models:
@@ -91,7 +91,7 @@ def test_the_table_has_the_time_that_is_needed_or_a_dash(tmp_path: Path) -> None
         Point(scene, BOOK, "the book", 2, 1e-3, 0, [0.06, 0.48, 6.0]),
         Point(scene, IMPULSES, "ours", 1, 5.4321e-3, 0, [0.06]),
     ]
-    kept.keep(points, file)
+    scenes.keep(points, file)
     picture = contact_solvers(file)
     assert picture.columns == ("scene", "error", *scenes.SOLVERS)
     rows = {row[1]: row[2:] for row in picture.rows}
@@ -108,11 +108,11 @@ def test_the_command_prints_a_table_and_draws(
     few = [SCENES[named(STACK, 1)], SCENES[named(ROPE, 1)]]
     monkeypatch.setattr(scenes, "scenes", lambda: few)
     monkeypatch.setattr(contacts, "QUICK", (1, 1e-3))
-    monkeypatch.setattr(kept, "FILE", tmp_path / "not stored.json")
+    monkeypatch.setattr(scenes, "FILE", tmp_path / "not stored.json")
     assert contacts.main(["--quick", "--out", str(tmp_path)]) == 0
     told = capsys.readouterr().out
     assert "Time in ms per frame" in told
-    assert told.count("stack, ratio 1 ") == len(kept.TOLERANCES)
+    assert told.count("stack, ratio 1 ") == len(scenes.TOLERANCES)
     assert "contact_solvers.png" in told
     assert (tmp_path / "contact_solvers.png").stat().st_size > 20_000
     stored = json.loads((tmp_path / "points.json").read_text(encoding="utf-8"))["points"]

@@ -18,7 +18,17 @@ from scenes.dropped_balls import DroppedBalls
 from scenes.resolving import resolving
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, by_pymunk
-from studies.accuracy.scene import MANY, Model, Outcome, Scene, in_frames, places_of
+from studies.accuracy.scene import (
+    MANY,
+    Made,
+    Model,
+    Outcome,
+    Scene,
+    by_steps,
+    framed,
+    in_frames,
+    places_of,
+)
 
 RADIUS = 0.1  # m
 
@@ -49,13 +59,12 @@ def by_its_impacts(balls: DroppedBalls, frames: int, _: int) -> Outcome:
     return Outcome([(0.0, RADIUS + height) for height in heights], frames)
 
 
-def by_resolver(balls: DroppedBalls, frames: int, integrator: Integrator, steps: int) -> Outcome:
-    """Simulate bouncing balls with an integrator, and resolve their contacts after each step."""
+def by_resolver(balls: DroppedBalls, integrator: Integrator, _: float) -> Made:
+    """Return what moves balls with an integrator, and then resolves their contacts."""
     setup = balls.setup()
     resolve = ContactResolver().resolve_contacts
     step = resolving(integrator, setup.particles, setup.contacts, resolve)
-    places = in_frames(step, partial(places_of, setup.particles), frames, steps)
-    return Outcome(places, frames * steps)
+    return step, partial(places_of, setup.particles)
 
 
 def in_space(balls: DroppedBalls, ahead: float) -> InSpace:
@@ -73,19 +82,22 @@ def scene_of(name: str, balls: DroppedBalls, frames: int, scale: float) -> Scene
     """Create the scene of balls that bounce, with errors as fractions of ``scale`` m."""
     heights = balls.heights_at([frame / RATE for frame in range(1, frames + 1)])
     exact = [tuple(part for y in ys for part in (0.0, y)) for ys in heights]
-    by_steps = partial(by_resolver, balls, frames)
+    euler, better = (
+        partial(by_resolver, balls, way) for way in (explicit_euler, semi_implicit_euler)
+    )
+    then = "Euler, then contacts"
     models = [
         Model("time division", partial(by_time_division, balls, frames), (1,), is_formula=True),
         Model("its impacts alone", partial(by_its_impacts, balls, frames), (1,), is_formula=True),
-        Model("explicit Euler, then contacts", partial(by_steps, explicit_euler), MANY, "the book"),
-        Model("semi-implicit Euler, then contacts", partial(by_steps, semi_implicit_euler), MANY),
+        by_steps(f"explicit {then}", euler, frames, steps=MANY, by="the book"),
+        by_steps(f"semi-implicit {then}", better, frames, steps=MANY),
         by_pymunk(EXAMPLES, lambda _: in_space(balls, 0.0), frames),
         by_pymunk(BEST, partial(in_space, balls), frames),
     ]
     if len(balls.heights) > 1:
         del models[1]  # the formula for the impacts is that of a single ball
     counted = "searches for contacts"
-    return Scene(name, frames, scale, lambda time: exact[round(time * RATE) - 1], models, counted)
+    return Scene(name, frames, scale, framed(lambda: exact), models, counted)
 
 
 def bouncing_ball(restitution: float) -> Scene:

@@ -8,7 +8,7 @@ Pymunk is two-dimensional, so its bridge is flat: no rods, and cables as long as
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from ch02_vectors.vector import Vector3
@@ -55,7 +55,7 @@ def bridge() -> Scene:
             for name, (links, most) in ours.items()
         ),
         *(Model(name, partial(by_net, net, DirectNet, FRAMES), few) for name, net in nets.items()),
-        asleep(sleeping, FRAMES),
+        asleep(partial(put_to_sleep, whole), FRAMES),
         asleep(found_by_equilibrium, FRAMES, "found by equilibrium, then asleep"),
         by_pymunk(EXAMPLES, partial(in_space, 10), FRAMES, some),
         by_pymunk("pymunk, 50 iterations", partial(in_space, 50), FRAMES, some),
@@ -119,18 +119,12 @@ def by_world(
     return Outcome(in_frames(step, partial(places_of, setup.particles), FRAMES, steps), work)
 
 
-def sleeping() -> tuple[SleepingWorld, list[Particle]]:
-    """Build the rope bridge with all of its planks asleep, and return it with the planks' ends."""
-    setup = whole()
-    return put_to_sleep(setup), [*setup.particles]
-
-
-def found_by_equilibrium() -> tuple[SleepingWorld, list[Particle]]:
+def found_by_equilibrium() -> tuple[SleepingWorld, Sequence[Particle]]:
     """Compute where the rope bridge rests instead of simulating it. Its planks then sleep."""
     setup = whole()
     world = SleepingWorld(setup.particles, setup.contacts)
     equilibrium(world)
-    return world, [*setup.particles]
+    return world, setup.particles
 
 
 def in_space(iterations: int, _: float = 0.0, *, corrects: bool = False) -> InSpace:

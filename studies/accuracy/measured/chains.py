@@ -27,7 +27,6 @@ from ch07_constraints.going_further.angle_pendulum import AnglePendulum, DoubleP
 from ch07_constraints.going_further.direct_chain import DirectChain
 from ch07_constraints.links import TwoSidedRod
 from scenes.chain import Chain
-from scenes.clock import Move
 from scenes.resolving import resolving
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
@@ -35,10 +34,12 @@ from studies.accuracy.in_plane import in_plane
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, by_pymunk, from_two_runs
 from studies.accuracy.scene import (
     STEPS,
+    Made,
     Model,
     Outcome,
     Place,
     Scene,
+    by_steps,
     flat,
     in_frames,
     places_of,
@@ -53,7 +54,6 @@ from studies.models.rod_tensions import RodTensions
 G = 9.81  # m/s^2
 ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 COUNTED = "contacts resolved, or rods solved for"
-Made = tuple[Move, Callable[[], Place]]  # what makes a step, and what reads the positions
 
 
 def pendulum() -> Scene:
@@ -67,12 +67,12 @@ def pendulum() -> Scene:
         half = math.asin(math.sqrt(m) * cn / dn)
         return math.sin(2.0 * half), -math.cos(2.0 * half)
 
-    def by_angle() -> Made:
+    def by_angle(_: float) -> Made:
         bob = AnglePendulum(1.0, chain.angle, gravity=ROUND_G)
         return bob.step, lambda: flat([bob.position])
 
     _, *others = models_of(chain, frames, STEPS, 1)  # by_angle replaces the first one
-    first = counted("by its angle, Runge-Kutta 4", by_angle, frames, 4, is_formula=True)
+    first = by_steps("by its angle, Runge-Kutta 4", by_angle, frames, 4, is_formula=True)
     return Scene("pendulum from horizontal", frames, 1.0, truth, [first, *others], COUNTED)
 
 
@@ -80,11 +80,11 @@ def double_pendulum() -> Scene:
     """Create the scene of two bobs of 1 kg on two rods of 1 m, which swing for 2 s."""
     chain, frames = Chain([1.0, 1.0], 1.0, math.radians(60.0), G), 120
 
-    def by_two_angles() -> Made:
+    def by_two_angles(_: float) -> Made:
         bobs = DoublePendulum([1.0, 1.0], chain.masses, [chain.angle] * 2, gravity=G)
         return bobs.step, lambda: flat(bobs.positions)
 
-    first = counted("by its two angles, Runge-Kutta 4", by_two_angles, frames, 4, is_formula=True)
+    first = by_steps("by its two angles, Runge-Kutta 4", by_two_angles, frames, 4, is_formula=True)
     models = [first, *models_of(chain, frames, STEPS, 2, 10)]
     return Scene("double pendulum", frames, 1.0, exact(chain, frames), models, COUNTED)
 
@@ -122,16 +122,16 @@ def models_of(chain: Chain, frames: int, steps: Sequence[int], *iterations: int)
             return AngleRope(chain.length, chain.masses[0], angles, gravity=chain.gravity)
         return AngleChain(lengths, chain.masses, angles, gravity=chain.gravity)
 
-    def angled() -> Made:
+    def angled(_: float) -> Made:
         made = make_angles()
         return made.step, lambda: flat(made.positions)
 
-    def tense() -> Made:
+    def tense(_: float) -> Made:
         particles = chain.particles()
         rods = RodTensions(particles, Vector3())
         return partial(runge_kutta_4, particles, rods.update_forces), partial(places_of, particles)
 
-    def direct() -> Made:
+    def direct(_: float) -> Made:
         particles = chain.particles()
         return DirectChain(particles, Vector3()).step, partial(places_of, particles)
 
@@ -147,34 +147,17 @@ def models_of(chain: Chain, frames: int, steps: Sequence[int], *iterations: int)
     resolved = partial(by_resolver, chain.setup, frames)
     best = [by_pymunk(at_best(n), ahead(chain, n), frames) for n in iterations]
     return [
-        counted("by its angles, Runge-Kutta 4", angled, frames, 4 * count, steps, is_formula=True),
+        by_steps("by its angles, Runge-Kutta 4", angled, frames, 4 * count, steps, is_formula=True),
         *(replace(one, name=f"by its angles, {one.name}", is_formula=True) for one in high),
         *in_plane(start, [0j] * count, rods, frames, is_damped=True),
-        counted("rods as forces, Runge-Kutta 4", tense, frames, 4 * count, steps),
-        counted("direct chain", direct, frames, count, steps),
+        by_steps("rods as forces, Runge-Kutta 4", tense, frames, 4 * count, steps),
+        by_steps("direct chain", direct, frames, count, steps),
         Model("explicit Euler, rods", partial(resolved, explicit_euler), steps, "the book"),
         Model("semi-implicit Euler, rods", partial(resolved, semi_implicit_euler), steps),
         by_pymunk(EXAMPLES, lambda _: twin_of(chain.setup()), frames),
         *best,
         *map(from_two_runs, best),
     ]
-
-
-def counted(
-    name: str,
-    make: Callable[[], Made],
-    frames: int,
-    units: int,
-    steps: Sequence[int] = STEPS,
-    is_formula: bool = False,
-) -> Model:
-    """Create a model in which each step counts as ``units`` of work."""
-
-    def run(count: int) -> Outcome:
-        step, place = make()
-        return Outcome(in_frames(step, place, frames, count), units * frames * count)
-
-    return Model(name, run, steps, is_formula=is_formula)
 
 
 def by_resolver(

@@ -20,14 +20,13 @@ from scenes.flight import FLIGHT_TIME, PROJECTILE
 from scenes.orbit import KeplerOrbit
 from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.in_plane import in_plane, on_all
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, Acceleration, by_pymunk, from_two_runs, lone
+from studies.accuracy.in_plane import stepped
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, by_pymunk, from_two_runs, lone
 from studies.accuracy.scene import (
     Model,
     Place,
     Scene,
     by_formula,
-    by_integrators,
     by_setup,
     exact_steps,
 )
@@ -103,7 +102,7 @@ def quadratic_drag() -> Scene:
         by_formula(lambda time: (0.0, -quadratic_fall(1.0, G, k2, time)[1]), frames),
         exact_steps(in_equal_frames),
         *stepped(make, acceleration, frames, is_damped=True),
-        *pushed(make, acceleration, frames),
+        *lone(make, acceleration, frames),
     ]
     models.append(from_two_runs(models[-1]))
     return Scene("fall with quadratic drag", frames, 30.0, truth, models)
@@ -120,7 +119,7 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
     models = [
         *stepped(kepler.setup, acceleration, frames, is_damped=False),
-        *pushed(kepler.setup, acceleration, frames),
+        *lone(kepler.setup, acceleration, frames),
     ]
     models.append(from_two_runs(models[-1]))
     return Scene(f"orbit of eccentricity {e:g}", frames, 1.0, kepler.exact, models)
@@ -161,30 +160,11 @@ def floating_block() -> Scene:
         by_formula(place_at, frames),
         exact_steps(in_equal_frames),
         *stepped(make, acceleration, frames, is_damped=False),
-        *pushed(make, acceleration, frames),
+        *lone(make, acceleration, frames),
         best,
         from_two_runs(best),
     ]
     return Scene("floating block", frames, amplitude, truth, models)
-
-
-def stepped(
-    make: Callable[[], Setup], acceleration: Acceleration, frames: int, *, is_damped: bool
-) -> list[Model]:
-    """Create our models that step the equations of motion of a body."""
-    (body,) = make().particles
-    place, velocity = (complex(v.x, v.y) for v in (body.position, body.velocity))
-    return [
-        *by_integrators(make, frames),
-        *in_plane([place], [velocity], on_all(acceleration), frames, is_damped=is_damped),
-    ]
-
-
-def pushed(make: Callable[[], Setup], acceleration: Acceleration, frames: int) -> list[Model]:
-    """Create pymunk's models of a body under a force of our own."""
-    (body,) = make().particles
-    place, velocity = ((v.x, v.y) for v in (body.position, body.velocity))
-    return [*lone(place, velocity, acceleration, frames)]
 
 
 # The first orbit resembles a planet's. The second resembles a comet's, and takes only 60 frames.

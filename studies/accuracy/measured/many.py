@@ -16,14 +16,12 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import ParticlePairs
-from ch08_mass_aggregate.sleeping import SleepingWorld
 from scenes import spheres
-from scenes.clock import RATE
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.asleep import asleep, asleep_in_pymunk, put_to_sleep
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, Step, at_best, by_pymunk, in_turn
-from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames, places_of
+from studies.accuracy.scene import STEPS, Made, Place, Scene, by_formula, by_steps, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
 
 FRAMES = 60  # of the spheres at rest
@@ -47,26 +45,19 @@ def falling() -> Scene:
         height = UP * time - 0.5 * G * time * time
         return tuple([part for x, v in thrown for part in (x + v * time, height)])
 
-    def outcome(step: Callable[[float], object], place: Callable[[], Place], steps: int) -> Outcome:
-        return Outcome(in_frames(step, place, LONG, steps), LONG * steps * BODIES)
-
-    def by_formula(_: int) -> Outcome:
-        return Outcome([place_at(n / RATE) for n in range(1, LONG + 1)], LONG * BODIES)
-
-    def by_particles(steps: int) -> Outcome:
+    def by_particles(duration: float) -> Made:
         bodies = setup().particles
         for body in bodies:
-            body.velocity.y = UP - G * (0.5 / (RATE * steps))
+            body.velocity.y = UP - G * (0.5 * duration)
 
         def step(duration: float) -> None:
             for body in bodies:
                 body.integrate(duration)
 
-        return outcome(step, partial(places_of, bodies), steps)
+        return step, partial(places_of, bodies)
 
-    def by_lists(steps: int) -> Outcome:
+    def by_lists(duration: float) -> Made:
         """Add lists of numbers, which is about the least that plain Python can do."""
-        duration = 1.0 / (RATE * steps)
         change = [-G * duration * duration] * BODIES
         xs, across = [x for x, _ in thrown], [v * duration for _, v in thrown]
         ys, up = [0.0] * BODIES, [UP * duration + 0.5 * change[0]] * BODIES
@@ -82,18 +73,21 @@ def falling() -> Scene:
             found[::2], found[1::2] = xs, ys
             return found
 
-        return outcome(step, place, steps)
+        return step, place
 
-    def read_in_turn(steps: int) -> Outcome:
+    def read_in_turn(_: float) -> Made:
         space, bodies = twin_of(setup())
-        return outcome(space.step, partial(in_turn, bodies), steps)
+        return space.step, partial(in_turn, bodies)
 
     steps = STEPS[:4]
+    ways = {
+        "particles, half a step ahead": by_particles,
+        "plain lists, half a step ahead": by_lists,
+    }
     models = [
-        Model("closed form", by_formula, (1,), is_formula=True),
-        Model("particles, half a step ahead", by_particles, steps),
-        Model("plain lists, half a step ahead", by_lists, steps),
-        Model(EXAMPLES, read_in_turn, steps, "pymunk"),
+        by_formula(place_at, LONG, BODIES),
+        *(by_steps(name, way, LONG, BODIES, steps) for name, way in ways.items()),
+        by_steps(EXAMPLES, read_in_turn, LONG, BODIES, steps, by="pymunk"),
         by_pymunk(BEST, lambda h: twin_of(setup(), h), LONG, steps, units=BODIES),
     ]
     return Scene("a thousand bodies in free fall", LONG, 2.0, place_at, models, COUNTED)
@@ -107,15 +101,10 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
     moving = places_of(make().particles[fixed:])
     units = len(moving) // 2
 
-    def ours(solver: str, steps: int) -> Outcome:
+    def ours(solver: str, _: float) -> Made:
         setup = make()
-        place = partial(places_of, setup.particles[fixed:])
         step = SOLVERS[solver](setup.particles, setup.contacts)
-        return Outcome(in_frames(step, place, FRAMES, steps), FRAMES * steps * units)
-
-    def sleeping() -> tuple[SleepingWorld, list[Particle]]:
-        setup = make()
-        return put_to_sleep(setup), [*setup.particles[fixed:]]
+        return step, partial(places_of, setup.particles[fixed:])
 
     def in_space(iterations: int, slop: float | None, _: float = 0.0) -> InSpace:
         space, bodies = twin_of(make(), iterations=iterations)
@@ -141,10 +130,9 @@ def resting(name: str, make: Callable[[], Setup], first: Sequence[int], fixed: i
         return step
 
     models = [
-        Model(BOOK, partial(ours, BOOK), STEPS[:6], "the book"),
-        Model(IMPULSES, partial(ours, IMPULSES), STEPS[:8]),
-        Model(SMALL, partial(ours, SMALL), STEPS[:8]),
-        asleep(sleeping, FRAMES),
+        by_steps(BOOK, partial(ours, BOOK), FRAMES, units, STEPS[:6], by="the book"),
+        *(by_steps(one, partial(ours, one), FRAMES, units, STEPS[:8]) for one in (IMPULSES, SMALL)),
+        asleep(partial(put_to_sleep, make, fixed), FRAMES),
         by_pymunk(EXAMPLES, partial(in_space, 10, None), FRAMES, units=units),
         *(
             by_pymunk(at_best(count), partial(in_space, count, 0.0), FRAMES, units=units)

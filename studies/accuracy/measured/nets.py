@@ -11,13 +11,13 @@ from typing import Any
 
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.world import ParticleWorld
-from scenes.clock import RATE, deviation
+from scenes.clock import deviation
 from studies.accuracy.in_plane import LONG, ORDERS
 from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, from_two_runs
 from studies.accuracy.measured.hanging import MASSES, cables, hanging
 from studies.accuracy.measured.planes import G, Plane, by_links, by_long_steps, by_net, in_pymunk
-from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene
+from studies.accuracy.scene import STEPS, Model, Outcome, Scene, framed
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
 from studies.models.smooth_net import SmoothNet
@@ -74,10 +74,7 @@ def scene_of(
             smooth += [models[-1]] * bool(taut and corrects)
     models += map(from_two_runs, smooth)
 
-    def truth(time: float) -> Place:
-        return exact()[round(time * RATE) - 1]
-
-    return Scene(name, frames, scale, truth, models, "links solved for", differs)
+    return Scene(name, frames, scale, framed(exact), models, "links solved for", differs)
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:

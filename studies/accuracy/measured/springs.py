@@ -17,18 +17,18 @@ from scenes.integrators import SOLVERS, Solver
 from scenes.setup import Setup, alone
 from scenes.spring_on_a_wall import START, SpringOnAWall
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.in_plane import in_plane, on_all
+from studies.accuracy.in_plane import in_plane, on_all, stepped
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, by_pymunk, from_two_runs, lone
 from studies.accuracy.scene import (
+    Made,
     Model,
-    Outcome,
     Place,
     Scene,
     by_formula,
     by_integrators,
     by_setup,
+    by_steps,
     exact_steps,
-    in_frames,
     solved,
 )
 from studies.models.exact_frames import oscillation_in_frames
@@ -63,14 +63,14 @@ def spring(stiffness: float, damping: float) -> Scene:
         body.velocity = -0.5 * stiffness * duration, 0.0
         return space, [body]
 
-    by_hand, *_ = lone((START, 0.0), (0.0, 0.0), acceleration, FRAMES)
+    by_hand, *_ = lone(wall.setup, acceleration, FRAMES)
     best = by_pymunk(BEST, ahead, FRAMES)
     models = [
         by_formula(lambda time: (wall.state(time)[0], 0.0), FRAMES),
         exact_steps(in_equal_frames),
         *by_integrators(wall.setup, FRAMES),
         *in_plane([START], [0.0], on_all(acceleration), FRAMES, is_damped=True),
-        *(Model(name, partial(by_solver, solver, wall)) for name, solver in SOLVERS.items()),
+        *(by_steps(name, partial(solving, way, wall), FRAMES) for name, way in SOLVERS.items()),
         Model("faked stiff spring", by_setup(faked, semi_implicit_euler, FRAMES), is_formula=True),
         by_pymunk(EXAMPLES, lambda _: twin_of(wall.setup(), iterations=1), FRAMES),
         by_hand,
@@ -83,13 +83,10 @@ def spring(stiffness: float, damping: float) -> Scene:
 
 def elastic_pendulum() -> Scene:
     """Create the scene of an elastic pendulum that swings for 2 s, as SciPy computes it."""
-    place, velocity = complex(*elastic.PLACE), complex(*elastic.VELOCITY)
-    accelerations = on_all(elastic.acceleration)
-    by_hand, *_ = lone(elastic.PLACE, elastic.VELOCITY, elastic.acceleration, FRAMES)
+    by_hand, *_ = lone(elastic.setup, elastic.acceleration, FRAMES)
     best = by_pymunk(BEST, lambda h: twin_of(elastic.setup(), ahead=h, iterations=1), FRAMES)
     models = [
-        *by_integrators(elastic.setup, FRAMES),
-        *in_plane([place], [velocity], accelerations, FRAMES, is_damped=False),
+        *stepped(elastic.setup, elastic.acceleration, FRAMES, is_damped=False),
         by_pymunk(EXAMPLES, lambda _: twin_of(elastic.setup(), iterations=1), FRAMES),
         by_hand,
         best,
@@ -100,15 +97,15 @@ def elastic_pendulum() -> Scene:
     return Scene("elastic pendulum", FRAMES, elastic.LENGTH, truth, models)
 
 
-def by_solver(solver: Solver, wall: SpringOnAWall, steps: int) -> Outcome:
-    """Simulate a body on a spring with a solver. Each step counts as one evaluation."""
+def solving(solver: Solver, wall: SpringOnAWall, _: float) -> Made:
+    """Return what simulates a body on a spring with a solver."""
     x, v = START, 0.0
 
     def step(duration: float) -> None:
         nonlocal x, v
         x, v = solver(x, v, wall.stiffness, wall.damping, wall.mass, duration)
 
-    return Outcome(in_frames(step, lambda: (x, 0.0), FRAMES, steps), FRAMES * steps)
+    return step, lambda: (x, 0.0)
 
 
 # Every spring has a tenth of critical damping, c = 0.2 sqrt(k), except for one with a hundredth.

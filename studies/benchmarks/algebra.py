@@ -1,6 +1,8 @@
-"""Compare the speed of our quaternions and matrices with each other and with other libraries."""
+"""Compare the speed of our vectors, quaternions and matrices with that of other libraries."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
 
 from rich.console import Console
 
@@ -15,6 +17,39 @@ from scenes.timing import (
     versus,
 )
 
+
+def columns(setups: Mapping[str, str], operations: Mapping[str, Sequence[str]]) -> Statements:
+    """Return the statements by library, from a row of them for each operation."""
+    return {
+        library: {"setup": setup} | {name: row[i] for name, row in operations.items() if row[i]}
+        for i, (library, setup) in enumerate(setups.items())
+    }
+
+
+OF_THREE = "a, b, c = V(1.5, 2.5, 3.5), V(0.5, -1.5, 2.0), V(1.0, 1.0, 1.0)"
+ARRAYS = "n.array([1.5, 2.5, 3.5]), n.array([0.5, -1.5, 2.0]), n.array([1.0, 1.0, 1.0])"
+SETUPS_OF_VECTORS = {
+    "ours": f"from ch02_vectors.vector import Vector3 as V\n{OF_THREE}",
+    "pyglet": f"from pyglet.math import Vec3 as V\n{OF_THREE}",
+    "numpy": f"import numpy as n\na, b, c = {ARRAYS}",
+    "pymunk": "from pymunk import Vec2d as V\na, b, c = V(1.5, 2.5), V(0.5, -1.5), V(1.0, 1.0)",
+}
+CREATE, ADD, SCALED = "V(1.5, 2.5, 3.5)", "c = c + b * 0.001", "c += b * 0.001"
+OF_VECTORS = {  # in our engine, in pyglet, in NumPy and in pymunk, as far as they have it
+    "create": (CREATE, CREATE, "n.array([1.5, 2.5, 3.5])", "V(1.5, 2.5)"),
+    "add": ("a + b",) * 4,
+    "scale": ("a * 1.5",) * 4,
+    "dot": ("a.dot(b)",) * 4,
+    "cross": ("a.cross(b)", "a.cross(b)", "n.cross(a, b)", ""),
+    "magnitude": ("a.magnitude()", "a.length()", "n.linalg.norm(a)", "a.length"),
+    "normalize": ("a.normalized()", "a.normalize()", "a / n.linalg.norm(a)", "a.normalized()"),
+    "add_scaled": ("c.add_scaled(b, 0.001)", ADD, SCALED, ADD),
+}
+PEERS_OF_VECTORS = (
+    ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
+    ("numpy", "NumPy array", Target("at least", 4.5)),
+    ("pymunk", "pymunk Vec2d (two components)", None),
+)
 SETUP = """\
 from ch02_vectors.vector import Vector3 as V
 from ch09_rotations.exercises import easy_inverse, read_off
@@ -91,14 +126,16 @@ OPERATIONS = {  # in our engine, in pyglet and in NumPy, as far as they have it
     "transform with translation": ("t @ v", "t @ w", ""),
     "inverse with translation": ("t.inverse()", "~t", ""),
 }
-STATEMENTS: Statements = {
-    library: {"setup": setup} | {name: each[i] for name, each in OPERATIONS.items() if each[i]}
-    for i, (library, setup) in enumerate(SETUPS.items())
-}
+VECTORS, ROTATIONS = columns(SETUPS_OF_VECTORS, OF_VECTORS), columns(SETUPS, OPERATIONS)
 PEERS = (("pyglet", "pyglet Quaternion, Mat3 and Mat4", None), ("numpy", "NumPy 3x3 arrays", None))
 
 
-def lines(console: Console) -> list[Measurement]:
+def lines_of_vectors(console: Console) -> list[Measurement]:
+    """Set up a benchmark per library, and name on ``console`` the ones that are not installed."""
+    return against_peers(console, "Vector3", VECTORS, PEERS_OF_VECTORS)
+
+
+def lines_of_rotations(console: Console) -> list[Measurement]:
     """Set up the benchmarks, but skip those of libraries that are not installed."""
     found = [
         Measurement(what, versus(_timer(first), _timer(second)), ROUNDS, target)
@@ -107,7 +144,7 @@ def lines(console: Console) -> list[Measurement]:
     form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
     what = "number of vectors above which converting the quaternion to a matrix is faster"
     found.append(Measurement(what, versus(form, lambda: rotate() - transform()), ROUNDS))
-    return found + against_peers(console, "Quaternion, Matrix3 and Matrix4", STATEMENTS, PEERS)
+    return found + against_peers(console, "Quaternion, Matrix3 and Matrix4", ROTATIONS, PEERS)
 
 
 def _timer(code: str) -> Timer:

@@ -1,4 +1,4 @@
-"""Print what became of the hostile submissions, by their kind: python table.py OUT.
+"""Print what became of the hostile submissions, by their kind: python hostile_table.py OUT.
 
 tried    submissions, and how many were
 forged   given more than their honest score

@@ -1,6 +1,6 @@
 """Give check files placeholders for the functions and classes of a student.
 
-The student's code runs only in worker processes. A check file can import it as usual, because an
+A check file can import the student's code as usual, although it runs only in workers, because an
 import hook answers with placeholders. Each use of a placeholder becomes a request to the worker.
 """
 
@@ -21,16 +21,15 @@ CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 
 
 class Workers(Protocol):
-    """What knows the session with a check's worker process. Outside a check, there is none."""
+    """What knows the session with a check's worker. Outside a check, there is none."""
 
     session: Session | None
 
 
 class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3.
+    """A placeholder for a name in a student's module, such as Vector3, in all checks of a file.
 
-    The placeholder is created once, when a check file is imported. In each check, it refers to the
-    student's class or function in the worker process of that check.
+    In each check, it refers to the student's class or function in the worker of that check.
     """
 
     __slots__ = ("_module", "_name", "_workers")
@@ -51,11 +50,7 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """An import hook that gives check files placeholders when they import a chapter.
-
-    A check file can then contain ``from ch02_vectors.vector import Vector3``, although the
-    student's code runs only in the worker processes.
-    """
+    """An import hook that gives check files placeholders when they import a chapter."""
 
     def __init__(self, workers: Workers) -> None:
         self.workers = workers
@@ -76,14 +71,13 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do not execute the module, because student code may run only in worker processes."""
+        """Do not execute the module, because student code may run only in workers."""
 
 
 class ChapterModule(ModuleType):
     """The stand-in that a check file gets when it imports a student's module.
 
-    Outside a check, its attributes are placeholders. During a check, their current values are read
-    from the worker process that runs the student's code.
+    Outside a check, its attributes are placeholders. During a check, they are read from the worker.
     """
 
     def __init__(self, workers: Workers, name: str) -> None:

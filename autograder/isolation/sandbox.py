@@ -37,11 +37,7 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """The layers of the sandbox that can confine a student's code on this machine.
-
-    The possible layers are Landlock, seccomp and bubblewrap. Not every machine supports all of
-    them.
-    """
+    """The layers of a sandbox for a student's code. Not every machine supports all of them."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -49,10 +45,7 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """True if these layers are enough to contain even a hostile submission.
-
-        That requires either bubblewrap or both Landlock and seccomp.
-        """
+        """True if these layers are enough to contain even a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -63,9 +56,8 @@ class Level:
                 "it could read and write files and use the network; grade only classes that you "
                 "trust"
             )
-        layers = (
-            " and ".join(names) if len(names) < 3 else f"{', '.join(names[:-1])} and {names[-1]}"
-        )
+        *others, last = names
+        layers = f"{', '.join(others)} and {last}" if others else last
         return f"{layers}: the submission ran in a process that could only compute"
 
 
@@ -79,20 +71,14 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock in this Linux kernel, or 0 if there is none.
-
-    Landlock is the mechanism that restricts which files a student's code can read.
-    """
+    """Return the version of Landlock in this Linux kernel, or 0 if there is none."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that let a worker read only the listed files and folders.
-
-    The student's code in the worker can read nothing else on the disk, and can write nothing at
-    all.
+    """Create Landlock rules that let a worker read only these files and folders, and write none.
 
     Returns:
         A file descriptor for the rules.
@@ -145,11 +131,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Create the seccomp filter that limits which system calls a student's code can make.
-
-    Calls that Python needs to compute, to import modules and to read files are allowed. All others
-    fail with EPERM.
-    """
+    """Create the filter of system calls. Those that are not allowed fail with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -165,10 +147,7 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """The seccomp filter for student code, in the format that the kernel expects.
-
-    All worker processes share one object, so the filter is built only once.
-    """
+    """The seccomp filter in the format that the kernel expects, built once for all workers."""
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -178,11 +157,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return True if our system call filter works on this machine.
-
-    The filter identifies system calls by their numbers on 64-bit Linux for x86-64. Other machines
-    use different numbers.
-    """
+    """Return True if this machine numbers its system calls as 64-bit Linux on x86-64 does."""
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -201,10 +176,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the template process before it forks any workers for student code.
+    """Permanently restrict the launcher, before it forks workers that inherit the restrictions.
 
-    The workers inherit these restrictions. ``rules`` is the file descriptor of the Landlock rules,
-    or None if Landlock is not used.
+    ``rules`` is the file descriptor of the Landlock rules, or None if Landlock is not used.
 
     Raises:
         SandboxError: One of the restrictions cannot be applied.
@@ -226,9 +200,8 @@ def confine(level: Level, rules: int | None) -> None:
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     """Permanently prevent a worker from starting processes and from sending signals.
 
-    This happens before the worker loads any student code. ``confine`` still allows both, because
-    the template process needs them to fork and control the workers. ``seconds`` is the limit on the
-    worker's processor time.
+    This happens before it loads any student code. ``confine`` still allows both, because the
+    launcher needs them. ``seconds`` is the limit on the worker's processor time.
 
     Raises:
         SandboxError: A layer cannot be set up.

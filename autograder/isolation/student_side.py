@@ -1,7 +1,7 @@
 """Use a student's objects on behalf of the checks, which run in another process.
 
-This module runs in the worker process, next to the student's code. It receives requests such as
-"call this method", carries them out, and sends back the results.
+This module runs in the worker, beside the student's code, which can change anything here. The other
+end therefore trusts no answer.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ from autograder.message import Message
 _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
-class Server:
+class StudentSide:
     """Carries out the checks' requests in the process that runs the student's code.
 
-    The checks refer to the student's objects by number, so the server keeps a numbered list of
-    them.
+    The checks refer to the student's objects by number. The numbers are positions in a list, which
+    also keeps the objects alive, because Python could otherwise reuse the id of one for another.
     """
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
@@ -57,10 +57,7 @@ class Server:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Carry out one request from the checks, such as a method call, and send back the result.
-
-        If the student's code raises an exception, the reply describes the exception instead.
-        """
+        """Carry out one request, and send back the result or a description of an exception."""
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -75,10 +72,7 @@ class Server:
         self.wire.send(reply)
 
     def describe(self, error: BaseException) -> dict[str, Any]:
-        """Describe an exception raised by the student's code as plain data.
-
-        The checks' process uses the data to recreate the exception and raise it again.
-        """
+        """Describe an exception as plain data, from which the checks' process recreates it."""
         # We compare classes and not names, since a student's class may be called ValueError.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
@@ -94,23 +88,14 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference that lets a check use an object that belongs to the student's code.
-
-        An example is ``{"object": 3, "type": "Vector3"}``, where 3 is the object's index in a list.
-        The list also keeps the object alive, because Python could otherwise reuse its id for
-        another object.
-        """
+        """Return a reference to one of the student's objects, such as {"object": 3, ...}."""
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
             self.objects.append(value)
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a request from the checks refers to.
-
-        If the request refers to a function that the check provides, return a proxy. Calling the
-        proxy calls the function in the checks' process.
-        """
+        """Return the student's object, or the proxy for a check's function, that is meant."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -118,11 +103,7 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Create a proxy that lets the student's code call a function provided by the check.
-
-        The function itself runs in the checks' process, where ``number`` identifies it. The proxy
-        sends the arguments to that process and waits for the result.
-        """
+        """Create a function that calls a function of the check, which runs in the other process."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
@@ -132,7 +113,9 @@ class Server:
                 if "id" in message:  # the check's function makes a request itself
                     self.answer(message)
                 elif "error" in message:
-                    raise _error(*message["error"])
+                    name, text = message["error"]
+                    kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
+                    raise kind(text)
                 else:
                     return unpack(message["value"], self.find)
 
@@ -140,20 +123,19 @@ class Server:
 
     # The requests. Each method's name is "do_" and the name of its request.
 
-    def do_begin(self, broken: list[str]) -> None:
-        """Replace the student modules that cannot be imported with placeholders.
+    do_get, do_set = staticmethod(getattr), staticmethod(setattr)
+    do_length, do_iterate = staticmethod(len), staticmethod(iter)
 
-        Any check that uses a name from such a module fails. The placeholders contain no
-        explanation, because the student gets one from the process that runs the checks.
+    def do_begin(self, broken: list[str]) -> None:
+        """Put placeholders, without an explanation, in the place of modules that are broken.
+
+        The explanation comes from the process that runs the checks.
         """
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Compile one of the student's files, and return its bytecode as base64 text.
-
-        Return None if the file is not valid Python, or if the text would be too long to send.
-        """
+        """Return a file's bytecode as base64, or None if it is not valid or too long to send."""
         try:
             code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
         except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
@@ -161,7 +143,6 @@ class Server:
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
 
     def do_definitions(self, file: str) -> list[str] | None:
-        """List the names that a student's file defines, or return None if it cannot be read."""
         found = read_definitions(Path(file))
         return None if found is None else sorted(found)
 
@@ -173,14 +154,8 @@ class Server:
         imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
         return getattr(imported, name)
 
-    def do_get(self, value: Any, name: str) -> Any:
-        return getattr(value, name)
-
     def do_get_together(self, value: Any, names: list[str]) -> tuple[Any, ...]:
         return tuple([getattr(value, name) for name in names])
-
-    def do_set(self, value: Any, name: str, new: Any) -> None:
-        setattr(value, name, new)
 
     def do_call(self, function: Any, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         return function(*arguments, **keywords)
@@ -188,17 +163,8 @@ class Server:
     def do_operate(self, name: str, operands: list[Any]) -> Any:
         return getattr(operator, name)(*operands)
 
-    def do_length(self, value: Any) -> int:
-        return len(value)
-
-    def do_iterate(self, value: Any) -> Any:
-        return iter(value)
-
     def do_next(self, iterator: Any) -> list[Any]:
-        """Return the next item of the student's iterator in a list, or an empty list at its end.
-
-        The list makes it possible to tell the end from an item such as None.
-        """
+        """Return the next item in a list, because the end must differ from an item like None."""
         for item in iterator:
             return [item]
         return []
@@ -210,10 +176,7 @@ class Server:
         return str(repr(value))[:1000]
 
     def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Try forbidden operations, such as reading a file, and list those that succeed.
-
-        This tests the sandbox itself, in a worker that has not loaded any student code.
-        """
+        """Try forbidden operations in a worker without student code, and list the successful."""
         through = []
         for name in what:
             with contextlib.suppress(OSError):
@@ -223,10 +186,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a student's module, and discard what it prints while it is imported.
-
-    Students are shown only the text that their code prints during a check.
-    """
+    """Import a student's module, and discard what it prints outside of a check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)
@@ -251,12 +211,3 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
     "starting a process": _start_a_process,
     "sending a signal": lambda _: os.kill(os.getpid(), 0),
 }
-
-
-def _error(name: str, text: str) -> Exception:
-    """Recreate an exception raised by a check's function, so that the student's code can catch it.
-
-    The function ran in the checks' process, which sent only the name and the text of the exception.
-    """
-    kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
-    return kind(text)

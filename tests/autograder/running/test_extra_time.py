@@ -13,9 +13,9 @@ from typing import NoReturn
 
 import pytest
 
-from autograder.isolation.patience import Patience, processor_time
+from autograder.isolation.extra_time import extra_time, processor_time
+from autograder.isolation.launcher import Launcher
 from autograder.isolation.probe import best_level
-from autograder.isolation.template import Template
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has /proc")
 NUMBER = "import os\n\n\ndef number():\n    return os.getpid()\n"
@@ -32,16 +32,16 @@ def test_a_worker_that_did_not_get_the_processor_gets_more_time_once(
     (tmp_path / "ch91_own").mkdir()
     (tmp_path / "ch91_own/own.py").write_text(NUMBER, encoding="utf-8")
     level = replace(best_level(), bubblewrap=False)  # it hides the process ID of a worker
-    template = Template(level, [str(tmp_path)], str(tmp_path), tmp_path, seconds=1.0)
-    session = template.start_worker(hang)
+    launcher = Launcher(level, [str(tmp_path)], str(tmp_path), tmp_path, seconds=1.0)
+    session = launcher.start_worker(hang)
     worker = session.ask("name", "ch91_own.own", "number")()
     os.kill(worker, signal.SIGSTOP)
-    threading.Timer(1.3 * template.seconds, os.kill, (worker, signal.SIGCONT)).start()
+    threading.Timer(1.3 * launcher.seconds, os.kill, (worker, signal.SIGCONT)).start()
     assert session.ask("length", [1, 2, 3]) == 3
     os.kill(worker, signal.SIGSTOP)
     with pytest.raises(TimeoutError):
         session.ask("length", [])
-    template.close()
+    launcher.close()
 
 
 def test_a_worker_that_had_the_processor_gets_no_more_time() -> None:
@@ -50,6 +50,6 @@ def test_a_worker_that_had_the_processor_gets_no_more_time() -> None:
         pass
     used = processor_time(os.getpid())
     assert used == pytest.approx(sum(os.times()[:2]), abs=0.1)
-    assert Patience(os.getpid(), 1.9 * used).more() == 0.0
-    assert Patience(os.getpid(), 3.0 * used).more() == pytest.approx(2.0 * used, abs=0.1)
-    assert Patience(0, 1.0).more() == 0.0
+    assert extra_time(os.getpid(), 1.9 * used) == 0.0
+    assert extra_time(os.getpid(), 3.0 * used) == pytest.approx(2.0 * used, abs=0.1)
+    assert extra_time(0, 1.0) == 0.0

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import importlib.abc
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib.machinery import ModuleSpec
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any
 
 from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation.handles import Handle, Session
@@ -20,10 +20,8 @@ PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 
 
-class Workers(Protocol):
-    """What knows the session with a check's worker. Outside a check, there is none."""
-
-    session: Session | None
+# Returns the session with the worker of the current check, or None outside a check.
+Current = Callable[[], Session | None]
 
 
 class Name(Handle):
@@ -32,17 +30,17 @@ class Name(Handle):
     In each check, it refers to the student's class or function in the worker of that check.
     """
 
-    __slots__ = ("_module", "_name", "_workers")
+    __slots__ = ("_current", "_module", "_name")
 
-    def __init__(self, workers: Workers, module: str, name: str) -> None:
-        object.__setattr__(self, "_workers", workers)
+    def __init__(self, current: Current, module: str, name: str) -> None:
+        object.__setattr__(self, "_current", current)
         object.__setattr__(self, "_module", module)
         object.__setattr__(self, "_name", name)
 
     def _session(self) -> Session:
-        if self._workers.session is None:
+        session: Session | None = self._current()
+        if session is None:
             raise AttributeError(f"{self._module}.{self._name} is used while no check is running")
-        session: Session = self._workers.session
         return session
 
     def _reference(self, session: Session) -> dict[str, Any]:  # noqa: ARG002
@@ -52,8 +50,8 @@ class Name(Handle):
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     """An import hook that gives check files placeholders when they import a chapter."""
 
-    def __init__(self, workers: Workers) -> None:
-        self.workers = workers
+    def __init__(self, current: Current) -> None:
+        self.current = current
 
     def find_spec(
         self,
@@ -67,7 +65,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         if spec.submodule_search_locations is None:
-            return ChapterModule(self.workers, spec.name)
+            return ChapterModule(self.current, spec.name)
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
@@ -80,13 +78,14 @@ class ChapterModule(ModuleType):
     Outside a check, its attributes are placeholders. During a check, they are read from the worker.
     """
 
-    def __init__(self, workers: Workers, name: str) -> None:
+    def __init__(self, current: Current, name: str) -> None:
         super().__init__(name)
-        self._workers = workers
+        self._current = current
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        if self._workers.session is None:
-            return Name(self._workers, self.__name__, name)
-        return self._workers.session.ask("name", self.__name__, name)
+        session = self._current()
+        if session is None:
+            return Name(self._current, self.__name__, name)
+        return session.ask("name", self.__name__, name)

@@ -3,7 +3,8 @@
 A process that runs checks is called a judge. A helper process imports pytest once, which takes a
 while, and then forks a judge for each request. It never runs a check, never sees a submission, and
 ends with the grader. The forkserver of ``multiprocessing`` would do the same, but a thread that
-starts a process there can take away the exit code for which another thread waits.
+starts a process there can take away the exit code for which another thread waits. The grader also
+needs each judge in a process group of its own, before it may have to kill that group.
 """
 
 from __future__ import annotations

@@ -145,8 +145,11 @@ class Session:
             raise
 
     def _refer(self, value: Any) -> dict[str, Any]:
-        if isinstance(value, Handle):
-            return value._reference(self)
+        if isinstance(value, ObjectHandle):
+            if value._session() is not self:
+                why = "an object of another check is used after its process has ended"
+                raise WorkerFailure(Message(why))
+            return value._reference
         if callable(value):
             self._callbacks.append(value)
             return {"callback": len(self._callbacks) - 1}
@@ -156,31 +159,36 @@ class Session:
             f"only plain data, handles and functions can be sent to a worker, not {value!r}"
         )
 
-    def _find(self, data: dict[str, Any]) -> Handle:
+    def _find(self, data: dict[str, Any]) -> ObjectHandle:
         number = data.get("object")
         if type(number) is not int:
             raise BrokenProtocolError("a value of an unknown kind")
-        return ObjectHandle(self, number, text_of_worker(data.get("type"), 100))
+        return ObjectHandle(lambda: self, {"object": number}, text_of_worker(data.get("type"), 100))
 
     def _fail(self, why: Message) -> NoReturn:
         self.dead = why
         raise WorkerFailure(why) from None
 
 
-class Handle:
+class ObjectHandle:
     """Represents one of the student's objects, which is in the worker, in a check.
 
     When a check reads an attribute of the handle or calls it, the worker does the same with the
+    object. ``session`` returns the session with that worker, in which ``reference`` stands for the
     object.
     """
 
-    __slots__ = ()
+    __slots__ = ("_reference", "_session", "_type_name")
+    _reference: dict[str, Any]
+    _session: Callable[[], Session]
+    _type_name: str
 
-    def _session(self) -> Session:
-        raise NotImplementedError
-
-    def _reference(self, session: Session) -> dict[str, Any]:
-        raise NotImplementedError
+    def __init__(
+        self, session: Callable[[], Session], reference: dict[str, Any], type_name: str = ""
+    ) -> None:
+        object.__setattr__(self, "_session", session)
+        object.__setattr__(self, "_reference", reference)
+        object.__setattr__(self, "_type_name", type_name)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -220,7 +228,7 @@ class Handle:
 
 
 def _operation(name: str, *, reflected: bool = False) -> Callable[..., Any]:
-    def operate(self: Handle, *others: Any) -> Any:
+    def operate(self: ObjectHandle, *others: Any) -> Any:
         operands = [*others, self] if reflected else [self, *others]
         return self._session().ask("operate", name, operands)
 
@@ -228,8 +236,8 @@ def _operation(name: str, *, reflected: bool = False) -> Callable[..., Any]:
 
 
 def _refused(name: str) -> Callable[..., Any]:
-    def refuse(self: Handle, *_: Any) -> NoReturn:
-        if isinstance(self, ObjectHandle) and self._type_name == "NotImplementedType":
+    def refuse(self: ObjectHandle, *_: Any) -> NoReturn:
+        if self._type_name == "NotImplementedType":
             raise WorkerFailure(Message(got="NotImplemented", likely=NOT_IMPLEMENTED))
         why = f"the code returned an object where a plain value is expected: {self!r} (checks "
         why += f"compare numbers that they read from an object, and never call its {name})"
@@ -242,33 +250,12 @@ UNARY = "neg pos abs invert getitem setitem delitem"
 BINARY = "add sub mul truediv floordiv mod pow matmul and or xor"
 REFUSED = "eq ne lt le gt ge bool float int complex index contains"
 for _name in UNARY.split():
-    setattr(Handle, f"__{_name}__", _operation(_name))
+    setattr(ObjectHandle, f"__{_name}__", _operation(_name))
 for _name in BINARY.split():
     _function = _name + "_" if _name in ("and", "or") else _name
-    setattr(Handle, f"__{_name}__", _operation(_function))
-    setattr(Handle, f"__r{_name}__", _operation(_function, reflected=True))
-    setattr(Handle, f"__i{_name}__", _operation("i" + _name))
+    setattr(ObjectHandle, f"__{_name}__", _operation(_function))
+    setattr(ObjectHandle, f"__r{_name}__", _operation(_function, reflected=True))
+    setattr(ObjectHandle, f"__i{_name}__", _operation("i" + _name))
 for _name in REFUSED.split():
-    setattr(Handle, f"__{_name}__", _refused(f"__{_name}__"))
-setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
-
-
-class ObjectHandle(Handle):
-    """A handle on an object. It is valid only during one check, because then its process ends."""
-
-    __slots__ = ("_number", "_of", "_type_name")
-
-    def __init__(self, session: Session, number: int, type_name: str) -> None:
-        object.__setattr__(self, "_of", session)
-        object.__setattr__(self, "_number", number)
-        object.__setattr__(self, "_type_name", type_name)
-
-    def _session(self) -> Session:
-        session: Session = self._of
-        return session
-
-    def _reference(self, session: Session) -> dict[str, Any]:
-        if session is not self._of:
-            why = "an object of another check is used after its process has ended"
-            raise WorkerFailure(Message(why))
-        return {"object": self._number}
+    setattr(ObjectHandle, f"__{_name}__", _refused(f"__{_name}__"))
+setattr(ObjectHandle, "__hash__", object.__hash__)  # noqa: B010

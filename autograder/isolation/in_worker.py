@@ -171,11 +171,7 @@ class InWorker:
         return session
 
     def start(self, *, hidden: bool = False) -> Session:
-        """Start a worker that runs the student's code for one check.
-
-        Raises:
-            LauncherError: The worker did not start.
-        """
+        """Start a worker that runs the student's code for one check."""
         self.stop()
         self.launcher = self.launchers[-1 if hidden else 0]
         self.session = session = self.launcher.start_worker(self._on_hang, self.broken)

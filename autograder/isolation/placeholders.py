@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import Any
 
 from autograder.diagnosis.faults import GOING_FURTHER
-from autograder.isolation.handles import Handle, Session
+from autograder.isolation.handles import ObjectHandle, Session
 
 PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
@@ -24,27 +24,19 @@ CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 Current = Callable[[], Session | None]
 
 
-class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3, in all checks of a file.
+def placeholder(current: Current, module: str, name: str) -> ObjectHandle:
+    """Create a placeholder for a name in a student's module, such as Vector3.
 
-    In each check, it refers to the student's class or function in the worker of that check.
+    It serves all checks of a file. In each check, it is a handle on the class or function in the
+    worker of that check.
     """
 
-    __slots__ = ("_current", "_module", "_name")
+    def session() -> Session:
+        if (found := current()) is None:
+            raise AttributeError(f"{module}.{name} is used while no check is running")
+        return found
 
-    def __init__(self, current: Current, module: str, name: str) -> None:
-        object.__setattr__(self, "_current", current)
-        object.__setattr__(self, "_module", module)
-        object.__setattr__(self, "_name", name)
-
-    def _session(self) -> Session:
-        session: Session | None = self._current()
-        if session is None:
-            raise AttributeError(f"{self._module}.{self._name} is used while no check is running")
-        return session
-
-    def _reference(self, session: Session) -> dict[str, Any]:  # noqa: ARG002
-        return {"name": [self._module, self._name]}
+    return ObjectHandle(session, {"name": [module, name]})
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
@@ -87,5 +79,5 @@ class ChapterModule(ModuleType):
             raise AttributeError(name)
         session = self._current()
         if session is None:
-            return Name(self._current, self.__name__, name)
+            return placeholder(self._current, self.__name__, name)
         return session.ask("name", self.__name__, name)

@@ -35,6 +35,13 @@ class SandboxError(Exception):
     """Raised when a layer of the sandbox for student code cannot be set up on this machine."""
 
 
+def _checked(result: int, what: str) -> int:
+    """Return the result of a system call, or raise SandboxError if the call has failed."""
+    if result < 0:
+        raise SandboxError(f"{what}: {os.strerror(ctypes.get_errno())}")
+    return int(result)
+
+
 @dataclass(frozen=True)
 class Level:
     """The layers of a sandbox for a student's code. Not every machine supports all of them."""
@@ -80,20 +87,15 @@ def landlock_version() -> int:
 def landlock_rules(readable: Sequence[str]) -> int:
     """Create Landlock rules that let a worker read only these files and folders, and write none.
 
-    Returns:
-        A file descriptor for the rules.
-
-    Raises:
-        SandboxError: The kernel does not accept the rules.
+    The result is a file descriptor.
     """
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
     # All file access rights. Version 4 adds TCP, and version 6 abstract sockets and signals.
     attributes = struct.pack("QQQ", rights, 0b11, 0b11)
     size = 24 if version >= 6 else 16 if version >= 4 else 8
-    rules = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
-    if rules < 0:
-        raise SandboxError(f"Landlock: {os.strerror(ctypes.get_errno())}")
+    created = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
+    rules = _checked(created, "Landlock")
     for path in readable:
         try:
             descriptor = os.open(path, os.O_PATH | os.O_CLOEXEC)
@@ -101,10 +103,9 @@ def landlock_rules(readable: Sequence[str]) -> int:
             continue  # this path does not exist on this system
         allowed = _READ_FILE | _READ_DIR if Path(path).is_dir() else _READ_FILE
         rule = struct.pack("=Qi", allowed, descriptor)
-        if _libc.syscall(_ADD_RULE, rules, 1, rule, 0) < 0:
-            raise SandboxError(f"Landlock, {path}: {os.strerror(ctypes.get_errno())}")
+        _checked(_libc.syscall(_ADD_RULE, rules, 1, rule, 0), f"Landlock, {path}")
         os.close(descriptor)
-    return int(rules)
+    return rules
 
 
 # --- seccomp (linux/seccomp.h, linux/bpf_common.h) ---
@@ -179,9 +180,6 @@ def confine(level: Level, rules: int | None) -> None:
     """Permanently restrict the launcher, before it forks workers that inherit the restrictions.
 
     ``rules`` is the file descriptor of the Landlock rules, or None if Landlock is not used.
-
-    Raises:
-        SandboxError: One of the restrictions cannot be applied.
     """
     for name, value in _LIMITS.items():
         if hasattr(resource, name):
@@ -202,9 +200,6 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
 
     This happens before it loads any student code. ``confine`` still allows both, because the
     launcher needs them. ``seconds`` is the limit on the worker's processor time.
-
-    Raises:
-        SandboxError: A layer cannot be set up.
     """
     _lower(resource.RLIMIT_CPU, seconds, seconds + 1)
     if sys.platform == "linux":
@@ -222,8 +217,7 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
 
 
 def _apply(rules: int) -> None:
-    if _libc.syscall(_RESTRICT_SELF, rules, 0) < 0:
-        raise SandboxError(f"Landlock: {os.strerror(ctypes.get_errno())}")
+    _checked(_libc.syscall(_RESTRICT_SELF, rules, 0), "Landlock")
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
@@ -256,11 +250,10 @@ def drop_privileges() -> None:
 def _keep_capabilities(kept: int) -> None:
     """Give up all of root's privileges except those in the bit mask ``kept``."""
     header = struct.pack("Ii", 0x20080522, 0)
-    if _libc.capset(header, struct.pack("6I", kept, kept, 0, 0, 0, 0)) < 0:
-        raise SandboxError(f"capset: {os.strerror(ctypes.get_errno())}")
+    _checked(_libc.capset(header, struct.pack("6I", kept, kept, 0, 0, 0, 0)), "capset")
 
 
 def _control(option: int, *arguments: Any) -> None:
     values = [ctypes.c_ulong(a) if isinstance(a, int) else a for a in arguments]
-    if _libc.prctl(option, *values, *[ctypes.c_ulong(0)] * (4 - len(values))) < 0:
-        raise SandboxError(f"prctl {option}: {os.strerror(ctypes.get_errno())}")
+    result = _libc.prctl(option, *values, *[ctypes.c_ulong(0)] * (4 - len(values)))
+    _checked(result, f"prctl {option}")

@@ -66,12 +66,7 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the process at the other end.
-
-        Raises:
-            TimeoutError: The deadline has passed.
-            OSError: The other process is gone.
-        """
+        """Send a message. Raise TimeoutError at the deadline, and OSError without a receiver."""
         data = memoryview(_ENCODER.encode(message).encode() + b"\n")
         while data:
             try:
@@ -123,12 +118,9 @@ class Wire:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to a form that can be sent as JSON.
+    """Convert a value to JSON data. Raise UnsendableError if it is too large or too deep.
 
     ``refer`` returns the reference that is sent in place of an object that is not plain data.
-
-    Raises:
-        UnsendableError: The value is too large or too deeply nested.
     """
     return _pack(value, refer, [MOST_ITEMS], DEEPEST)
 
@@ -160,10 +152,8 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 def unpack(data: Any, find: Find) -> Any:
     """Rebuild a value from the JSON data that ``pack`` created.
 
-    ``find`` returns the object that a reference stands for.
-
-    Raises:
-        BrokenProtocolError: The data does not have the form that ``pack`` produces.
+    ``find`` returns the object that a reference stands for. Data in another form than that of
+    ``pack`` is a BrokenProtocolError.
     """
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 

@@ -159,7 +159,8 @@ class Launcher:
         """
         if self._worker is None:
             return ""
-        self.start().ask("stack")
+        with contextlib.suppress(OSError, EOFError):  # the launcher is gone
+            self.start().ask("stack")
         for _ in range(20):
             time.sleep(0.01)
             if os.pread(self._worker.stack, 1, 0):

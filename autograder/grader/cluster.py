@@ -22,7 +22,7 @@ from rich.console import Console
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.grading import grade_submission, report_of_failure
 from autograder.grader.run_key import grader_digest, run_key
-from autograder.isolation.level import choose_level
+from autograder.isolation.probe import choose_level
 from autograder.isolation.sandbox import Level
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT, load_chapters

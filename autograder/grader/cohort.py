@@ -33,7 +33,7 @@ from autograder.grader.class_run import ClassRun, print_class
 from autograder.grader.cluster import connect, grade_over
 from autograder.grader.people import differences, folder_with_names, people_of
 from autograder.grader.regrade import Regrade
-from autograder.isolation.level import choose_level
+from autograder.isolation.probe import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.marking.marked_answers import MarkedAnswers
 from autograder.platforms.give_back import give_back

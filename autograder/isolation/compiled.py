@@ -1,7 +1,6 @@
 """Import a student's modules from bytecode that was compiled earlier.
 
-The grader starts a new worker process for every check, and each worker imports the same modules.
-Compiling them only once makes every worker start faster.
+Every check has a new worker, which imports the same modules. Compiling them only once saves time.
 """
 
 from __future__ import annotations
@@ -25,14 +24,11 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """An import hook that supplies modules from bytecode in memory, so that workers start faster.
-
-    It supplies the student's modules and our probes. A probe is a helper function of a check that
-    must run in the same process as the student's code.
+    """An import hook that supplies the student's modules and our probes from bytecode in memory.
 
     ``compiled`` maps the name of a module, such as ch02_vectors.vector, to its bytecode in the
-    format of ``marshal``. Loading bytecode does not run it, so even the trusted template process
-    can do that safely.
+    format of ``marshal``. Loading bytecode does not run it, so even the trusted launcher can do
+    that safely.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

@@ -1,7 +1,7 @@
 """Recreate an exception that a student's code raised in a worker, so that a check can catch it.
 
-The worker process is not trusted and could send anything. Data that does not describe an exception
-is therefore rejected with a BrokenProtocolError.
+The worker is not trusted and could send anything. Each text from it is shortened and cleaned, and
+data that does not describe an exception is rejected with a BrokenProtocolError.
 """
 
 from __future__ import annotations
@@ -24,8 +24,7 @@ FILE = re.compile(rf"ch\d\d_\w+/({GOING_FURTHER}/)?\w+\.py")
 def known_name(error: Exception) -> str:
     """Return the name of an exception's class, or of its nearest base class that is built in.
 
-    Exceptions are sent to a worker by name, and the worker knows only built-in ones. An instance of
-    a subclass of ValueError is therefore sent as "ValueError".
+    Exceptions are sent to a worker by name, and it knows only built-in ones.
     """
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
@@ -33,10 +32,8 @@ def known_name(error: Exception) -> str:
 def exception_of(data: Any) -> BaseException:
     """Rebuild an exception of the student's code from the worker's description of it.
 
-    The result is the nearest built-in exception, such as ValueError for any subclass of ValueError.
-    If the original is not a subclass of Exception, as in the case of SystemExit, a StudentLeft
-    exception is returned instead. The attribute ``fault`` of the result describes the original,
-    including the lines of the student's code that raised it.
+    The result is the nearest built-in exception, or StudentLeft if the original is not a subclass
+    of Exception, as in the case of SystemExit. Its attribute ``fault`` describes the original.
 
     Raises:
         BrokenProtocolError: The data does not describe an exception.
@@ -58,8 +55,10 @@ def exception_of(data: Any) -> BaseException:
             syntax,
             text_of_worker(data["missing_module"], 200),
             _unknown(data["unknown"]),
-            _expression(data["none"]),
+            text_of_worker(data["none"], MOST_OF_AN_EXPRESSION),
         )
+        if fault.none:
+            ast.parse(fault.none, mode="eval")  # raises SyntaxError if it is not an expression
         name = data["as"]
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
     except (KeyError, TypeError, ValueError, OverflowError, SyntaxError) as error:
@@ -70,11 +69,7 @@ def exception_of(data: Any) -> BaseException:
 
 
 class WordedKeyError(KeyError):
-    """A KeyError whose message is printed without quotes.
-
-    Python prints the argument of a KeyError as a repr, which would put the student's message in
-    quotes.
-    """
+    """A KeyError whose message is printed as it is, while Python prints the repr of a message."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -84,11 +79,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Extract the undefined name that caused an exception from the data that the worker sent.
-
-    The result contains the undefined name, such as "Vector", and the most similar name that exists,
-    such as "Vector3". If the exception has another cause, the result is None.
-    """
+    """Rebuild the undefined name that caused an exception, or return None if nothing did."""
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -96,18 +87,10 @@ def _unknown(data: Any) -> Unknown | None:
     return Unknown(name, of, near, slots, data["module"] is True)
 
 
-def _expression(data: Any) -> str:
-    """Extract the expression that was None, and reject anything that is not one."""
-    text = text_of_worker(data, MOST_OF_AN_EXPRESSION)
-    if text:
-        ast.parse(text, mode="eval")  # raises SyntaxError
-    return text
-
-
 def text_of_worker(value: Any, longest: int) -> str:
-    """Shorten a string from a worker to ``longest`` characters, and escape unprintable ones.
+    """Shorten a string from a worker, and escape its unprintable characters.
 
-    The string could contain anything, even control characters that clear the instructor's screen.
+    It could contain anything, even control characters that clear the instructor's screen.
 
     Raises:
         BrokenProtocolError: The worker sent something other than a string.

@@ -1,10 +1,9 @@
 """Provide handles, through which a check uses a student's objects in another process.
 
-If ``v`` is a handle, ``v.x`` sends a request to the worker process that runs the student's code,
-and waits for the answer. A check cannot compare a handle, convert it or use it as a truth value,
-because the student's code would then decide the outcome. Instead the check must read plain numbers
-and compare them itself. An object whose ``__eq__`` always returns True therefore cannot fool a
-check.
+If ``v`` is a handle, ``v.x`` sends a request to the worker and waits for the answer. A check cannot
+compare a handle, convert it or use it as a truth value, because the student's code would then
+decide the outcome: an object's ``__eq__`` may always return True. Instead the check must read plain
+numbers and compare them itself.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from autograder.diagnosis.faults import CheckEnded
 from autograder.diagnosis.missing import MissingName
 from autograder.diagnosis.slips import NOT_IMPLEMENTED
 from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
-from autograder.isolation.patience import Patience
+from autograder.isolation.extra_time import extra_time
 from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack
 from autograder.message import Kind, Message
 from autograder.text.clean import clean
@@ -32,34 +31,43 @@ class WorkerFailure(CheckEnded):
 class Session:
     """A session between a check and the worker process that runs the student's code.
 
-    The check sends requests, such as a function call, and the worker answers each one. ``broken``
-    maps each student module that cannot be imported to the reason.
+    The worker has ``seconds`` for all answers of a check. If ``process``, its process ID, is not 0,
+    it may get extra time once. ``broken`` maps each student module that cannot be imported to the
+    reason.
     """
 
     def __init__(
         self,
         wire: Wire,
-        deadline: float,
+        seconds: float,
         on_hang: Callable[[], NoReturn],
         how_it_ended: Callable[[], str],
         broken: Mapping[str, Message] | None = None,
-        patience: Patience | None = None,
+        process: int = 0,
     ) -> None:
         self.wire = wire
-        self.deadline = deadline
+        self.seconds = seconds
         self.on_hang = on_hang
         self.how_it_ended = how_it_ended
         self.broken = broken or {}
-        self.patience = patience
+        self.process = process
         self.dead = Message()  # once the worker is gone, this message says why
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
+        self.restart_clock()
+
+    def restart_clock(self) -> None:
+        self.deadline = time.monotonic() + self.seconds
+
+    def end(self) -> None:
+        """Refuse all further requests, because the worker is gone."""
+        ended = Message("the process of the student's code has ended", kind=Kind.LEFT)
+        self.dead = self.dead or ended
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request about the student's code to the worker process, and return its answer.
+        """Send a request to the worker, and return its answer.
 
-        If the student's code raises an Exception, this method raises the nearest built-in one. The
-        check can then handle it like any other error.
+        If the student's code raises an Exception, this method raises the nearest built-in one.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -76,10 +84,7 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send one request to the worker and wait for its reply.
-
-        While waiting, answer any calls that the student's code makes to functions of the check.
-        """
+        """Send a request, and answer calls to the check's functions until the reply arrives."""
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self._receive()):
@@ -87,25 +92,18 @@ class Session:
         except TimeoutError:
             self.on_hang()
         except (EOFError, OSError):
-            self.dead = Message("the process of the student's code has ended", kind=Kind.LEFT)
+            self.end()
             self._fail(Message(self.how_it_ended(), kind=Kind.LEFT))
         if reply.get("id") != message["id"]:
             raise BrokenProtocolError("an answer to another request")
         return reply
 
     def _receive(self) -> dict[str, Any]:
-        """Return the next message from the worker process that runs the student's code.
-
-        If a busy machine gave the worker too little processor time, the deadline is extended once.
-
-        Raises:
-            TimeoutError: No message arrives in time.
-        """
         try:
             return self.wire.receive(self.deadline)
         except TimeoutError:
-            more = self.patience.more() if self.patience else 0.0
-            if not more:
+            process, self.process = self.process, 0  # no process gets extra time twice
+            if not (more := extra_time(process, self.seconds)):
                 raise
             self.deadline = time.monotonic() + more
             return self.wire.receive(self.deadline)
@@ -114,26 +112,22 @@ class Session:
         if "value" in reply:
             return unpack(reply["value"], self._find)
         if "missing" in reply:
-            raise WorkerFailure(self._explain_missing(reply["missing"]))
+            missing = reply["missing"]
+            if type(missing) is not list or len(missing) != 4:
+                raise BrokenProtocolError("a missing name in an unknown form")
+            module, name, near = (text_of_worker(part, 100) for part in missing[:3])
+            unknown = MissingName(module, name, near, missing[3] is True)
+            raise WorkerFailure(self.broken.get(module) or unknown.explain())
         if "unsendable" in reply:
             what = text_of_worker(reply["unsendable"], 200)
             raise WorkerFailure(Message(f"the returned value cannot be used: {what}"))
         raise exception_of(reply.get("raised"))
 
-    def _explain_missing(self, data: Any) -> Message:
-        """Build the error message for a name that the student's module does not define."""
-        if type(data) is not list or len(data) != 4:
-            raise BrokenProtocolError("a missing name in an unknown form")
-        module, name, near = (text_of_worker(part, 100) for part in data[:3])
-        why = self.broken.get(module)
-        return why or MissingName(module, name, near, data[3] is True).explain()
-
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Call a function of the check on behalf of the student's code.
+        """Call a function that the check has passed to the student's code, such as a force.
 
-        This is needed when a check passes a function, such as a force, to the student's code. If
-        the function raises an Exception, the worker raises it again in the student's code. Anything
-        else, such as KeyboardInterrupt, ends the session.
+        If it raises an Exception, the worker raises it again in the student's code. Anything else,
+        such as a failure of the check, ends the session, so that the code cannot catch it.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -151,8 +145,11 @@ class Session:
             raise
 
     def _refer(self, value: Any) -> dict[str, Any]:
-        if isinstance(value, Handle):
-            return value._reference(self)
+        if isinstance(value, ObjectHandle):
+            if value._session() is not self:
+                why = "an object of another check is used after its process has ended"
+                raise WorkerFailure(Message(why))
+            return value._reference
         if callable(value):
             self._callbacks.append(value)
             return {"callback": len(self._callbacks) - 1}
@@ -162,31 +159,36 @@ class Session:
             f"only plain data, handles and functions can be sent to a worker, not {value!r}"
         )
 
-    def _find(self, data: dict[str, Any]) -> Handle:
+    def _find(self, data: dict[str, Any]) -> ObjectHandle:
         number = data.get("object")
         if type(number) is not int:
             raise BrokenProtocolError("a value of an unknown kind")
-        return ObjectHandle(self, number, text_of_worker(data.get("type"), 100))
+        return ObjectHandle(lambda: self, {"object": number}, text_of_worker(data.get("type"), 100))
 
     def _fail(self, why: Message) -> NoReturn:
         self.dead = why
         raise WorkerFailure(why) from None
 
 
-class Handle:
-    """Represents one of the student's objects in a check.
+class ObjectHandle:
+    """Represents one of the student's objects, which is in the worker, in a check.
 
-    The object itself is in the worker process. When a check reads an attribute of the handle or
-    calls the handle, the worker does the same with the object.
+    When a check reads an attribute of the handle or calls it, the worker does the same with the
+    object. ``session`` returns the session with that worker, in which ``reference`` stands for the
+    object.
     """
 
-    __slots__ = ()
+    __slots__ = ("_reference", "_session", "_type_name")
+    _reference: dict[str, Any]
+    _session: Callable[[], Session]
+    _type_name: str
 
-    def _session(self) -> Session:
-        raise NotImplementedError
-
-    def _reference(self, session: Session) -> dict[str, Any]:
-        raise NotImplementedError
+    def __init__(
+        self, session: Callable[[], Session], reference: dict[str, Any], type_name: str = ""
+    ) -> None:
+        object.__setattr__(self, "_session", session)
+        object.__setattr__(self, "_reference", reference)
+        object.__setattr__(self, "_type_name", type_name)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -194,10 +196,7 @@ class Handle:
         return self._session().ask("get", self, name)
 
     def get_together(self, names: list[str]) -> tuple[Any, ...]:
-        """Read several attributes of a student's object with a single request to the worker.
-
-        One request for the components x, y and z is faster than three.
-        """
+        """Read several attributes with a single request, which is faster than one for each."""
         values = self._session().ask("get_together", self, names)
         if type(values) is not tuple or len(values) != len(names):
             raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))
@@ -228,30 +227,21 @@ class Handle:
         return clean(shown) if type(shown) is str else "an object whose repr is not a string"
 
 
-def _operation(name: str) -> Callable[..., Any]:
-    def operate(self: Handle, *others: Any) -> Any:
-        return self._session().ask("operate", name, [self, *others])
-
-    return operate
-
-
-def _reflected(name: str) -> Callable[..., Any]:
-    def operate(self: Handle, other: Any) -> Any:
-        return self._session().ask("operate", name, [other, self])
+def _operation(name: str, *, reflected: bool = False) -> Callable[..., Any]:
+    def operate(self: ObjectHandle, *others: Any) -> Any:
+        operands = [*others, self] if reflected else [self, *others]
+        return self._session().ask("operate", name, operands)
 
     return operate
 
 
 def _refused(name: str) -> Callable[..., Any]:
-    def refuse(self: Handle, *_: Any) -> NoReturn:
-        if isinstance(self, ObjectHandle) and self._type_name == "NotImplementedType":
+    def refuse(self: ObjectHandle, *_: Any) -> NoReturn:
+        if self._type_name == "NotImplementedType":
             raise WorkerFailure(Message(got="NotImplemented", likely=NOT_IMPLEMENTED))
-        raise WorkerFailure(
-            Message(
-                f"the code returned an object where a plain value is expected: {self!r} (checks "
-                f"compare numbers that they read from an object, and never call its {name})"
-            )
-        )
+        why = f"the code returned an object where a plain value is expected: {self!r} (checks "
+        why += f"compare numbers that they read from an object, and never call its {name})"
+        raise WorkerFailure(Message(why))
 
     return refuse
 
@@ -260,37 +250,12 @@ UNARY = "neg pos abs invert getitem setitem delitem"
 BINARY = "add sub mul truediv floordiv mod pow matmul and or xor"
 REFUSED = "eq ne lt le gt ge bool float int complex index contains"
 for _name in UNARY.split():
-    setattr(Handle, f"__{_name}__", _operation(_name))
+    setattr(ObjectHandle, f"__{_name}__", _operation(_name))
 for _name in BINARY.split():
     _function = _name + "_" if _name in ("and", "or") else _name
-    setattr(Handle, f"__{_name}__", _operation(_function))
-    setattr(Handle, f"__r{_name}__", _reflected(_function))
-    setattr(Handle, f"__i{_name}__", _operation("i" + _name))
+    setattr(ObjectHandle, f"__{_name}__", _operation(_function))
+    setattr(ObjectHandle, f"__r{_name}__", _operation(_function, reflected=True))
+    setattr(ObjectHandle, f"__i{_name}__", _operation("i" + _name))
 for _name in REFUSED.split():
-    setattr(Handle, f"__{_name}__", _refused(f"__{_name}__"))
-setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
-
-
-class ObjectHandle(Handle):
-    """A handle that lets a check use an object from the student's code.
-
-    It is valid only during one check, because the process that contains the object ends after it.
-    """
-
-    __slots__ = ("_number", "_of", "_type_name")
-
-    def __init__(self, session: Session, number: int, type_name: str) -> None:
-        object.__setattr__(self, "_of", session)
-        object.__setattr__(self, "_number", number)
-        object.__setattr__(self, "_type_name", type_name)
-
-    def _session(self) -> Session:
-        session: Session = self._of
-        return session
-
-    def _reference(self, session: Session) -> dict[str, Any]:
-        if session is not self._of:
-            raise WorkerFailure(
-                Message("an object of another check is used after its process has ended")
-            )
-        return {"object": self._number}
+    setattr(ObjectHandle, f"__{_name}__", _refused(f"__{_name}__"))
+setattr(ObjectHandle, "__hash__", object.__hash__)  # noqa: B010

@@ -1,8 +1,8 @@
 """Run the checks in this process, and the student's code in a new worker process for each check.
 
-When a check file imports a chapter, it gets placeholders for the student's functions and classes.
-Whenever a check uses a placeholder, a request is sent to the current worker. Check files therefore
-need to be imported only once, even though every check has its own worker.
+A check file imports placeholders for the student's functions and classes. Each use of one sends a
+request to the current worker. Check files are therefore imported only once, although every check
+has its own worker.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ import hashlib
 import os
 import sys
 import threading
-import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NoReturn
@@ -25,18 +24,20 @@ from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import Fault, StudentLeft
 from autograder.diagnosis.missing import while_imported
 from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.launcher import Launcher
 from autograder.isolation.placeholders import ChapterFinder
 from autograder.isolation.sandbox import Level
-from autograder.isolation.template import Template
 from autograder.message import Message
 
 LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
 
 
 class InWorker:
-    """Runs the student's code in sandboxed worker processes, one for each check.
+    """Runs the student's code in sandboxed workers, one for each check.
 
-    Every worker imports the student's modules afresh, so one check cannot affect the next.
+    Every worker imports the student's modules afresh, so one check cannot affect the next. Probes,
+    which are helper functions of the checks, run there too. The workers of hidden checks come from
+    a second launcher, because only they may read the probes of hidden checks.
     """
 
     session: Session | None = None
@@ -54,30 +55,26 @@ class InWorker:
         self.complete = complete
         self.probes = Path(worker.probes)
         self.compiled = Path(worker.compiled)
-        probes = dict.fromkeys([worker.probes, worker.hidden_probes])
-        self.templates = [
-            Template(
+        self.launchers = [
+            Launcher(
                 Level(**worker.level),
                 [str(folder) for folder in self.engine],
-                folder,
+                probes,
                 self.stack_file.parent,
                 time_limit,
                 fresh=worker.fresh,
             )
-            for folder in probes
+            for probes in dict.fromkeys([worker.probes, worker.hidden_probes])
         ]
-        self.template = self.templates[0]  # the one that forks the current worker
-        self.template.warm_up()  # starts while pytest collects the checks
+        self.launcher = self.launchers[0]  # the one that forks the current worker
+        self.launcher.start()  # in the background, while pytest collects the checks
         self.modules: list[str] = []
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Let the check files import placeholders instead of the student's modules.
-
-        The student's modules themselves are imported later, in the sandboxed workers.
-        """
+        """Let the check files import placeholders instead of the student's modules."""
         threading.Thread(target=_exit_with_parent, daemon=True).start()
-        sys.meta_path.insert(0, ChapterFinder(self))
+        sys.meta_path.insert(0, ChapterFinder(lambda: self.session))
         self.modules = modules
         self.broken = dict(broken)
         self.send = send
@@ -85,27 +82,22 @@ class InWorker:
     def after_collection(self) -> None:
         """Compile the student's modules, and find out which of them cannot be imported.
 
-        As a test, each module is imported once in a worker. If that fails, every check that needs
-        the module fails with a message that says why.
+        Each module is imported once in a worker. If that fails, so do the checks that need it.
         """
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
                 compiled[module] = code
         self.stop()  # from here on the workers run the student's code
-        for template in self.templates:
-            template.hand_over(compiled)
+        for launcher in self.launchers:
+            launcher.hand_over(compiled)
         for module in self.modules:
             if module not in self.broken:
                 self._import(module)
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Find the files that a worker may import: the student's modules and the probes.
-
-        Probes are helper functions of the checks that must run in the same process as the student's
-        code.
-        """
+        """Find the files that a worker may import: the student's modules and the probes."""
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -116,10 +108,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the bytecode of a student's module, or None if the file cannot be compiled.
-
-        Bytecode from an earlier run of checks on the same submission is reused.
-        """
+        """Return the bytecode of a module, perhaps from an earlier run, or None if it has none."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -134,8 +123,7 @@ class InWorker:
     def _compile(self, module: str, file: Path) -> bytes | None:
         """Compile a student's file in a worker that has not yet run any student code.
 
-        All later workers will use this bytecode, so student code must not get a chance to tamper
-        with it.
+        All later workers use this bytecode, so student code must get no chance to tamper with it.
         """
         if module in self.modules:
             self.send(Importing(module))
@@ -164,11 +152,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Ask the worker process for the names that a student's file defines.
-
-        Return None if there is no valid answer, for example because the student's code has damaged
-        the process.
-        """
+        """Ask the worker for the names that a file defines. Return None without a valid answer."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -179,36 +163,26 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session with the current worker process, and start a worker if there is none.
+        """Return the session with a ``new`` or the current worker, with all of its time left."""
+        session = self.session
+        if new or session is None or session.dead:
+            session = self.start()
+        session.restart_clock()
+        return session
 
-        If ``new`` is set, a new worker is started in any case. Each call restarts the time limit.
-        """
-        if new or self.session is None or self.session.dead:
-            self.start()
-        assert self.session is not None
-        self.session.deadline = time.monotonic() + self.template.seconds
-        return self.session
-
-    def start(self, *, hidden: bool = False) -> None:
-        """Start a sandboxed worker process that runs the student's code for one check.
-
-        Only the worker of a ``hidden`` check can read the probes of hidden checks.
-
-        Raises:
-            TemplateError: The worker did not start.
-        """
+    def start(self, *, hidden: bool = False) -> Session:
+        """Start a worker that runs the student's code for one check."""
         self.stop()
-        self.template = self.templates[-1 if hidden else 0]
-        self.session = self.template.start_worker(self._on_hang, self.broken)
+        self.launcher = self.launchers[-1 if hidden else 0]
+        self.session = session = self.launcher.start_worker(self._on_hang, self.broken)
         if self.broken:
-            self.session.ask("begin", list(self.broken))
+            session.ask("begin", list(self.broken))
+        return session
 
     def stop(self) -> str:
-        """End the worker process after a check, and return what the student's code printed."""
-        printed = self.template.printed() if self.session else ""
+        """End the worker after a check, and return what the student's code printed."""
         self.session = None
-        self.template.stop_worker()
-        return printed
+        return self.launcher.stop_worker()
 
     def _on_hang(self) -> NoReturn:
         """Save a stack trace of student code that has taken too long, and exit this process.
@@ -216,17 +190,13 @@ class InWorker:
         The runner then shows the student where the code was stuck, and starts another process for
         the remaining checks.
         """
-        self.stack_file.write_text(
-            self.template.stack() or "the worker wrote no stack", encoding="utf-8"
-        )
-        os._exit(1)  # then the template ends, and its worker too
+        stack = self.launcher.stack() or "the worker wrote no stack"
+        self.stack_file.write_text(stack, encoding="utf-8")
+        os._exit(1)  # then the launcher ends, and its worker too
 
 
 def _exit_with_parent() -> None:
-    """Exit as soon as standard input closes, which means that the grader's process has ended.
-
-    Otherwise this process would keep running after the grader was killed.
-    """
+    """Exit as soon as standard input closes, which means that the grader has been killed."""
     while os.read(0, 1024):
         pass
     os._exit(1)

@@ -1,6 +1,6 @@
 """Give check files placeholders for the functions and classes of a student.
 
-The student's code runs only in worker processes. A check file can import it as usual, because an
+A check file can import the student's code as usual, although it runs only in workers, because an
 import hook answers with placeholders. Each use of a placeholder becomes a request to the worker.
 """
 
@@ -8,57 +8,42 @@ from __future__ import annotations
 
 import importlib.abc
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib.machinery import ModuleSpec
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any
 
 from autograder.diagnosis.faults import GOING_FURTHER
-from autograder.isolation.handles import Handle, Session
+from autograder.isolation.handles import ObjectHandle, Session
 
 PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 
 
-class Workers(Protocol):
-    """What knows the session with a check's worker process. Outside a check, there is none."""
-
-    session: Session | None
+# Returns the session with the worker of the current check, or None outside a check.
+Current = Callable[[], Session | None]
 
 
-class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3.
+def placeholder(current: Current, module: str, name: str) -> ObjectHandle:
+    """Create a placeholder for a name in a student's module, such as Vector3.
 
-    The placeholder is created once, when a check file is imported. In each check, it refers to the
-    student's class or function in the worker process of that check.
+    It serves all checks of a file. In each check, it is a handle on the class or function in the
+    worker of that check.
     """
 
-    __slots__ = ("_module", "_name", "_workers")
+    def session() -> Session:
+        if (found := current()) is None:
+            raise AttributeError(f"{module}.{name} is used while no check is running")
+        return found
 
-    def __init__(self, workers: Workers, module: str, name: str) -> None:
-        object.__setattr__(self, "_workers", workers)
-        object.__setattr__(self, "_module", module)
-        object.__setattr__(self, "_name", name)
-
-    def _session(self) -> Session:
-        if self._workers.session is None:
-            raise AttributeError(f"{self._module}.{self._name} is used while no check is running")
-        session: Session = self._workers.session
-        return session
-
-    def _reference(self, session: Session) -> dict[str, Any]:  # noqa: ARG002
-        return {"name": [self._module, self._name]}
+    return ObjectHandle(session, {"name": [module, name]})
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """An import hook that gives check files placeholders when they import a chapter.
+    """An import hook that gives check files placeholders when they import a chapter."""
 
-    A check file can then contain ``from ch02_vectors.vector import Vector3``, although the
-    student's code runs only in the worker processes.
-    """
-
-    def __init__(self, workers: Workers) -> None:
-        self.workers = workers
+    def __init__(self, current: Current) -> None:
+        self.current = current
 
     def find_spec(
         self,
@@ -72,27 +57,27 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         if spec.submodule_search_locations is None:
-            return ChapterModule(self.workers, spec.name)
+            return ChapterModule(self.current, spec.name)
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do not execute the module, because student code may run only in worker processes."""
+        """Do not execute the module, because student code may run only in workers."""
 
 
 class ChapterModule(ModuleType):
     """The stand-in that a check file gets when it imports a student's module.
 
-    Outside a check, its attributes are placeholders. During a check, their current values are read
-    from the worker process that runs the student's code.
+    Outside a check, its attributes are placeholders. During a check, they are read from the worker.
     """
 
-    def __init__(self, workers: Workers, name: str) -> None:
+    def __init__(self, current: Current, name: str) -> None:
         super().__init__(name)
-        self._workers = workers
+        self._current = current
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        if self._workers.session is None:
-            return Name(self._workers, self.__name__, name)
-        return self._workers.session.ask("name", self.__name__, name)
+        session = self._current()
+        if session is None:
+            return placeholder(self._current, self.__name__, name)
+        return session.ask("name", self.__name__, name)

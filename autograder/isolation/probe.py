@@ -1,35 +1,62 @@
-"""Test which layers of the sandbox for student code work on this machine.
+"""Find the strongest sandbox for student code that works on this machine.
 
-To find out, a process inside the sandbox tries forbidden operations, such as reading a file.
+To test a sandbox, a process inside it tries forbidden operations, such as reading a file.
 """
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 from pathlib import Path
 from typing import NoReturn
 
 from autograder.isolation.handles import WorkerFailure
+from autograder.isolation.launcher import Launcher, LauncherError
 from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
-from autograder.isolation.template import Template, TemplateError
+from autograder.manifest import ROOT
 
+SAMPLE_CLASS = ROOT / "sample_class"
 # The operations that each layer must prevent.
 HELD_BY_LANDLOCK = ("reading a file", "writing a file")
 HELD_BY_SECCOMP = ("reaching the network", "starting a process", "sending a signal")
 HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network")
 
 
-def best_level() -> Level:
-    """Find the strongest sandbox for student code that passes a test on this machine.
+def choose_level(folder: Path, *, unsafe: bool) -> Level:
+    """Choose the sandbox for the submissions in a folder, or refuse to grade them without one.
 
-    The test tries the operations that a sandbox should prevent, such as reading a file.
+    Without a sandbox, only the sample class may be graded, unless ``unsafe`` is set. Even then,
+    student code never runs as root.
+
+    Raises:
+        ValueError: No sandbox works, and grading without one is not permitted.
     """
+    level = best_level()
+    if level.is_sandbox or folder.resolve() == SAMPLE_CLASS:
+        return level
+    if unsafe and os.geteuid() != 0:
+        return level
+    why = (
+        "this machine has no sandbox for submissions (it needs Linux with Landlock on x86-64, or "
+        "bubblewrap)"
+    )
+    if unsafe:
+        why += ", and without one, student code never runs as root"
+    else:
+        why += "; to grade a class that you trust, add --unsafe-no-sandbox"
+    if reasons := "; ".join(filter(None, map(what_fails, candidates()))):
+        why += f". A test of this machine found: {reasons}"
+    raise ValueError(why)
+
+
+def best_level() -> Level:
+    """Return the strongest sandbox that passes a test on this machine."""
     return next((level for level in candidates() if not what_fails(level)), Level())
 
 
 def candidates() -> list[Level]:
-    """List the sandboxes for student code that this machine might support, strongest first."""
+    """List the sandboxes that this machine might support, strongest first."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -37,13 +64,9 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Test a sandbox by trying forbidden operations in it, and report those that succeed.
+    """Say which forbidden operations succeed in a sandbox, or why it does not start.
 
-    The operations include reading a file and reaching the network.
-
-    Returns:
-        A text such as "it does not prevent writing a file", or the reason why the sandbox cannot be
-        started. If the sandbox passes the test, the text is empty.
+    The text is empty if the sandbox passes the test.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),
@@ -54,16 +77,16 @@ def what_fails(level: Level) -> str:
         forbidden, own = Path(folder) / "forbidden", Path(folder) / "own"
         forbidden.touch()
         own.mkdir()
-        template = Template(level, [], str(own), own, 5.0)
+        launcher = Launcher(level, [], str(own), own, 5.0)
         try:
-            session = template.start_worker(_no_answer)
+            session = launcher.start_worker(_no_answer)
             through: list[str] = session.ask("test_walls", attempts, str(forbidden))
             return f"it does not prevent {', '.join(through)}" if through else ""
-        except (TemplateError, WorkerFailure) as error:
+        except (LauncherError, WorkerFailure) as error:
             return str(error) or type(error).__name__
         finally:
-            template.close()
+            launcher.close()
 
 
 def _no_answer() -> NoReturn:
-    raise TemplateError("the test of the sandbox does not answer")
+    raise LauncherError("the test of the sandbox does not answer")

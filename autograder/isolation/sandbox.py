@@ -35,13 +35,16 @@ class SandboxError(Exception):
     """Raised when a layer of the sandbox for student code cannot be set up on this machine."""
 
 
+def _checked(result: int, what: str) -> int:
+    """Return the result of a system call, or raise SandboxError if the call has failed."""
+    if result < 0:
+        raise SandboxError(f"{what}: {os.strerror(ctypes.get_errno())}")
+    return int(result)
+
+
 @dataclass(frozen=True)
 class Level:
-    """The layers of the sandbox that can confine a student's code on this machine.
-
-    The possible layers are Landlock, seccomp and bubblewrap. Not every machine supports all of
-    them.
-    """
+    """The layers of a sandbox for a student's code. Not every machine supports all of them."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -49,10 +52,7 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """True if these layers are enough to contain even a hostile submission.
-
-        That requires either bubblewrap or both Landlock and seccomp.
-        """
+        """True if these layers are enough to contain even a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -63,9 +63,8 @@ class Level:
                 "it could read and write files and use the network; grade only classes that you "
                 "trust"
             )
-        layers = (
-            " and ".join(names) if len(names) < 3 else f"{', '.join(names[:-1])} and {names[-1]}"
-        )
+        *others, last = names
+        layers = f"{', '.join(others)} and {last}" if others else last
         return f"{layers}: the submission ran in a process that could only compute"
 
 
@@ -79,35 +78,24 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock in this Linux kernel, or 0 if there is none.
-
-    Landlock is the mechanism that restricts which files a student's code can read.
-    """
+    """Return the version of Landlock in this Linux kernel, or 0 if there is none."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that let a worker read only the listed files and folders.
+    """Create Landlock rules that let a worker read only these files and folders, and write none.
 
-    The student's code in the worker can read nothing else on the disk, and can write nothing at
-    all.
-
-    Returns:
-        A file descriptor for the rules.
-
-    Raises:
-        SandboxError: The kernel does not accept the rules.
+    The result is a file descriptor.
     """
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
     # All file access rights. Version 4 adds TCP, and version 6 abstract sockets and signals.
     attributes = struct.pack("QQQ", rights, 0b11, 0b11)
     size = 24 if version >= 6 else 16 if version >= 4 else 8
-    rules = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
-    if rules < 0:
-        raise SandboxError(f"Landlock: {os.strerror(ctypes.get_errno())}")
+    created = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
+    rules = _checked(created, "Landlock")
     for path in readable:
         try:
             descriptor = os.open(path, os.O_PATH | os.O_CLOEXEC)
@@ -115,10 +103,9 @@ def landlock_rules(readable: Sequence[str]) -> int:
             continue  # this path does not exist on this system
         allowed = _READ_FILE | _READ_DIR if Path(path).is_dir() else _READ_FILE
         rule = struct.pack("=Qi", allowed, descriptor)
-        if _libc.syscall(_ADD_RULE, rules, 1, rule, 0) < 0:
-            raise SandboxError(f"Landlock, {path}: {os.strerror(ctypes.get_errno())}")
+        _checked(_libc.syscall(_ADD_RULE, rules, 1, rule, 0), f"Landlock, {path}")
         os.close(descriptor)
-    return int(rules)
+    return rules
 
 
 # --- seccomp (linux/seccomp.h, linux/bpf_common.h) ---
@@ -145,11 +132,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Create the seccomp filter that limits which system calls a student's code can make.
-
-    Calls that Python needs to compute, to import modules and to read files are allowed. All others
-    fail with EPERM.
-    """
+    """Create the filter of system calls. Those that are not allowed fail with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -165,10 +148,7 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """The seccomp filter for student code, in the format that the kernel expects.
-
-    All worker processes share one object, so the filter is built only once.
-    """
+    """The seccomp filter in the format that the kernel expects, built once for all workers."""
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -178,11 +158,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return True if our system call filter works on this machine.
-
-    The filter identifies system calls by their numbers on 64-bit Linux for x86-64. Other machines
-    use different numbers.
-    """
+    """Return True if this machine numbers its system calls as 64-bit Linux on x86-64 does."""
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -201,13 +177,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the template process before it forks any workers for student code.
+    """Permanently restrict the launcher, before it forks workers that inherit the restrictions.
 
-    The workers inherit these restrictions. ``rules`` is the file descriptor of the Landlock rules,
-    or None if Landlock is not used.
-
-    Raises:
-        SandboxError: One of the restrictions cannot be applied.
+    ``rules`` is the file descriptor of the Landlock rules, or None if Landlock is not used.
     """
     for name, value in _LIMITS.items():
         if hasattr(resource, name):
@@ -226,12 +198,8 @@ def confine(level: Level, rules: int | None) -> None:
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     """Permanently prevent a worker from starting processes and from sending signals.
 
-    This happens before the worker loads any student code. ``confine`` still allows both, because
-    the template process needs them to fork and control the workers. ``seconds`` is the limit on the
-    worker's processor time.
-
-    Raises:
-        SandboxError: A layer cannot be set up.
+    This happens before it loads any student code. ``confine`` still allows both, because the
+    launcher needs them. ``seconds`` is the limit on the worker's processor time.
     """
     _lower(resource.RLIMIT_CPU, seconds, seconds + 1)
     if sys.platform == "linux":
@@ -249,8 +217,7 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
 
 
 def _apply(rules: int) -> None:
-    if _libc.syscall(_RESTRICT_SELF, rules, 0) < 0:
-        raise SandboxError(f"Landlock: {os.strerror(ctypes.get_errno())}")
+    _checked(_libc.syscall(_RESTRICT_SELF, rules, 0), "Landlock")
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
@@ -283,11 +250,10 @@ def drop_privileges() -> None:
 def _keep_capabilities(kept: int) -> None:
     """Give up all of root's privileges except those in the bit mask ``kept``."""
     header = struct.pack("Ii", 0x20080522, 0)
-    if _libc.capset(header, struct.pack("6I", kept, kept, 0, 0, 0, 0)) < 0:
-        raise SandboxError(f"capset: {os.strerror(ctypes.get_errno())}")
+    _checked(_libc.capset(header, struct.pack("6I", kept, kept, 0, 0, 0, 0)), "capset")
 
 
 def _control(option: int, *arguments: Any) -> None:
     values = [ctypes.c_ulong(a) if isinstance(a, int) else a for a in arguments]
-    if _libc.prctl(option, *values, *[ctypes.c_ulong(0)] * (4 - len(values))) < 0:
-        raise SandboxError(f"prctl {option}: {os.strerror(ctypes.get_errno())}")
+    result = _libc.prctl(option, *values, *[ctypes.c_ulong(0)] * (4 - len(values)))
+    _checked(result, f"prctl {option}")

@@ -1,9 +1,9 @@
 """Send plain data between the trusted checks and the process that runs a student's code.
 
-Each message is one line of JSON. A value is sent as is if its type is exactly None, bool, int,
-float, str, list, tuple or dict. Any other object stays in its process, and only a reference such as
-``{"object": 3}`` is sent. If the other process sends the reference back, the reference is replaced
-by the object.
+Each message is one line of JSON. A value is sent as it is if its type is exactly None, bool, int,
+float, str, list, tuple or dict. Any other object stays in its process, because it could lie about
+itself. Only a reference such as ``{"object": 3}`` is sent, which stands for the object when it is
+sent back. All sizes are limited, so that no message can fill the memory of the checks' process.
 """
 
 from __future__ import annotations
@@ -36,14 +36,11 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when a message between the checks and the worker process is not valid.
-
-    A student's code may send such a message on purpose, because it runs in the worker process.
-    """
+    """Raised when a message is not valid. The student's code may send such a one on purpose."""
 
 
 class UnsendableError(Exception):
-    """Raised when a value is too large or too deeply nested to be sent to the other process."""
+    """Raised when a value is too large or too deeply nested to be sent."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
@@ -55,8 +52,8 @@ _DECODER = json.JSONDecoder()
 class Wire:
     """One end of the socket between the checks and the worker that runs a student's code.
 
-    The worker's end is ``patient``: it waits for the next request as long as necessary. The checks'
-    end has deadlines, because the student's code may never answer.
+    The worker's end is ``patient``: it waits for a request as long as necessary. The checks' end
+    has deadlines, as ``time.monotonic()`` times, because the student's code may never answer.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -69,14 +66,7 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the process at the other end, which is either a worker or the checks.
-
-        ``deadline`` is a ``time.monotonic()`` time, or None to wait as long as necessary.
-
-        Raises:
-            TimeoutError: The deadline has passed.
-            OSError: The other process is gone.
-        """
+        """Send a message. Raise TimeoutError at the deadline, and OSError without a receiver."""
         data = memoryview(_ENCODER.encode(message).encode() + b"\n")
         while data:
             try:
@@ -85,9 +75,7 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Wait for the next message from the process at the other end, and return it.
-
-        ``deadline`` is a ``time.monotonic()`` time, or None to wait as long as necessary.
+        """Wait for the next message from the process at the other end.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -111,7 +99,16 @@ class Wire:
                 raise EOFError
             self._buffer += data
         line, _, self._buffer = self._buffer.partition(b"\n")
-        return _message(line)
+        try:
+            text = line.decode()
+            message, end = _DECODER.raw_decode(text)
+            if end != len(text):
+                raise ValueError("there is more after the object")
+        except (ValueError, RecursionError) as error:
+            raise BrokenProtocolError("a line is not JSON") from error
+        if not isinstance(message, dict):
+            raise BrokenProtocolError("a line is not a JSON object")
+        return message
 
     def _wait(self, poll: select.poll, deadline: float | None) -> None:
         left = None if deadline is None else deadline - time.monotonic()
@@ -120,32 +117,10 @@ class Wire:
         poll.poll(None if left is None else left * 1000.0)
 
 
-def _message(line: bytes) -> dict[str, Any]:
-    """Decode a line of JSON that arrived from the other process.
-
-    Raises:
-        BrokenProtocolError: The line is not a JSON object.
-    """
-    try:
-        text = line.decode()
-        message, end = _DECODER.raw_decode(text)
-        if end != len(text):
-            raise ValueError("there is more after the object")
-    except (ValueError, RecursionError) as error:
-        raise BrokenProtocolError("a line is not JSON") from error
-    if not isinstance(message, dict):
-        raise BrokenProtocolError("a line is not a JSON object")
-    return message
-
-
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to a form that can be sent as JSON between the checks and the student's code.
+    """Convert a value to JSON data. Raise UnsendableError if it is too large or too deep.
 
-    ``refer`` is called for every object that is not plain data. It returns a reference such as
-    ``{"object": 3}``, which is sent in place of the object.
-
-    Raises:
-        UnsendableError: The value is too large or too deeply nested.
+    ``refer`` returns the reference that is sent in place of an object that is not plain data.
     """
     return _pack(value, refer, [MOST_ITEMS], DEEPEST)
 
@@ -177,11 +152,8 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 def unpack(data: Any, find: Find) -> Any:
     """Rebuild a value from the JSON data that ``pack`` created.
 
-    ``find`` is called for every reference in the data, and returns the object that the reference
-    stands for.
-
-    Raises:
-        BrokenProtocolError: The data does not have the form that ``pack`` produces.
+    ``find`` returns the object that a reference stands for. Data in another form than that of
+    ``pack`` is a BrokenProtocolError.
     """
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 

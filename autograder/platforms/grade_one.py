@@ -18,8 +18,7 @@ from autograder.course.dates import deadline_from_json
 from autograder.course.of_class import late_on_gradescope
 from autograder.grader.assignment import Assignment
 from autograder.grader.grading import grade_submission
-from autograder.isolation.level import choose_level
-from autograder.isolation.probe import best_level
+from autograder.isolation.probe import best_level, choose_level
 from autograder.isolation.sandbox import Level, drop_privileges
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.platforms.gradescope import HIDDEN

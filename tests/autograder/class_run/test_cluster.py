@@ -25,7 +25,7 @@ import pytest
 
 from autograder.grader import cluster as over_cluster
 from autograder.grader.assignment import Assignment
-from autograder.isolation import level
+from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.class_list import read_class
@@ -274,8 +274,8 @@ def _worker_in(folder: Path, cluster: Any) -> Iterator[str]:
 def test_other_walls_are_refused(
     cluster: Any, submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    here = level.best_level()
-    monkeypatch.setattr(level, "best_level", lambda: replace(WALL, bubblewrap=not here.bubblewrap))
+    here = probe.best_level()
+    monkeypatch.setattr(probe, "best_level", lambda: replace(WALL, bubblewrap=not here.bubblewrap))
     with pytest.raises(ValueError, match=r"cannot grade for this machine: .*(another|no) sandbox"):
         grade(submissions, tmp_path / "out", root, cluster=cluster.scheduler_address)
 
@@ -284,7 +284,7 @@ def test_other_walls_are_refused(
 def work(root: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[over_cluster.Work]:
     """What a worker is told by a machine with a wall; and it has one itself."""
     over_cluster._level.cache_clear()
-    monkeypatch.setattr(level, "best_level", lambda: WALL)
+    monkeypatch.setattr(probe, "best_level", lambda: WALL)
     yield over_cluster.Work.of(Assignment(load_chapters(root), "1", WALL, root=root))
     over_cluster._level.cache_clear()
 
@@ -292,7 +292,7 @@ def work(root: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[over_cluster.W
 def test_a_worker_without_a_wall_never_runs_code_as_root(
     work: over_cluster.Work, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(level, "best_level", Level)
+    monkeypatch.setattr(probe, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     trusting = replace(work, assignment=replace(work.assignment, level=Level()))
     with pytest.raises(ValueError, match="never runs as root"):

@@ -23,7 +23,7 @@ import pytest
 from autograder.grader import cohort, grading
 from autograder.grader.class_folder import only_run
 from autograder.grader.cohort import ClassOptions
-from autograder.isolation import level
+from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapter
 from copies import copy_tree
@@ -295,18 +295,18 @@ def _row_of(out: Path, student: str) -> str:
 def test_without_a_wall_only_the_sample_class_is_graded(
     submissions: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(level, "best_level", Level)
+    monkeypatch.setattr(probe, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     with pytest.raises(ValueError, match=r"no sandbox for submissions .* add --unsafe-no-sandbox"):
-        level.choose_level(submissions, unsafe=False)
-    assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_sandbox
-    assert not level.choose_level(submissions, unsafe=True).is_sandbox
+        probe.choose_level(submissions, unsafe=False)
+    assert not probe.choose_level(ROOT / "sample_class", unsafe=False).is_sandbox
+    assert not probe.choose_level(submissions, unsafe=True).is_sandbox
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     with pytest.raises(ValueError, match="without one, student code never runs as root"):
-        level.choose_level(submissions, unsafe=True)
+        probe.choose_level(submissions, unsafe=True)
     wall = Level(landlock=True, seccomp=True)
-    monkeypatch.setattr(level, "best_level", lambda: wall)
-    assert level.choose_level(submissions, unsafe=False) == wall
+    monkeypatch.setattr(probe, "best_level", lambda: wall)
+    assert probe.choose_level(submissions, unsafe=False) == wall
 
 
 def test_the_command_takes_every_option(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from autograder.grader import cohort
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.cohort import ClassOptions
 from autograder.grader.grading import grade_submission
-from autograder.isolation import level
+from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.records import to_json
@@ -63,7 +63,7 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         if student == "eli":  # whose folder is empty
             continue
         assert report["seed"] == "1"
-        assert report["isolation"] == str(level.best_level())
+        assert report["isolation"] == str(probe.best_level())
         assert report["points"] == POSSIBLE
         assert [e["id"] for e in report["exercises"]] == [e.id for e in EXERCISES]
         earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
@@ -142,7 +142,7 @@ def test_the_screen_shows_the_class_and_how_it_was_isolated(graded: tuple[Path, 
     assert re.search("graded +B2.5: Your method creates a new vector", screen), "physics first"
     assert "cleo" in screen
     assert "You follow the book's listing" in screen
-    assert f"Seed 1. Isolation: {level.best_level()}" in screen
+    assert f"Seed 1. Isolation: {probe.best_level()}" in screen
     assert "gradebook.csv" in screen
 
 

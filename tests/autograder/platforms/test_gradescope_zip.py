@@ -17,7 +17,7 @@ import jsonschema
 import pytest
 
 from autograder.course.model import Work
-from autograder.isolation import level
+from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.platforms.grade_one import main, students
@@ -223,7 +223,7 @@ def test_without_a_wall_nothing_is_graded_and_the_results_say_why(
     settings = tree / "source/assignment.json"
     text = settings.read_text(encoding="utf-8").replace("true", "false")
     settings.write_text(text, encoding="utf-8")
-    monkeypatch.setattr(level, "best_level", Level)
+    monkeypatch.setattr(probe, "best_level", Level)
     main(tree, tree / "source")
     results = json.loads(capsys.readouterr().out)
     jsonschema.Draft202012Validator(SCHEMA).validate(results)

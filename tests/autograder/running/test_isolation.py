@@ -18,9 +18,9 @@ import pytest
 
 from autograder.diagnosis.faults import CheckEnded, StudentLeft
 from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.launcher import Launcher, LauncherError
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level
-from autograder.isolation.template import Template, TemplateError
 
 MODULE = """
 import os
@@ -152,9 +152,9 @@ def start(level: Level, engine: Path, tmp_path: Path) -> Iterator[Callable[[], S
     (tmp_path / "own").mkdir()
     (tmp_path / "probes").mkdir()
     folders = [str(engine)], str(tmp_path / "probes"), tmp_path / "own"
-    template = Template(level, *folders, seconds=2.0)
-    yield partial(template.start_worker, hang)
-    template.close()
+    launcher = Launcher(level, *folders, seconds=2.0)
+    yield partial(launcher.start_worker, hang)
+    launcher.close()
 
 
 def hang() -> NoReturn:
@@ -319,31 +319,31 @@ def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(
     engine: Path, tmp_path: Path, level: Level
 ) -> None:
     inside = replace(level, bubblewrap=False)  # it hides the process ID of a worker
-    template = Template(inside, [str(engine)], str(engine), tmp_path, 5.0)
-    with contextlib.closing(template):
-        session = template.start_worker(hang)
+    launcher = Launcher(inside, [str(engine)], str(engine), tmp_path, 5.0)
+    with contextlib.closing(launcher):
+        session = launcher.start_worker(hang)
         os.kill(name(session, "number")(), signal.SIGKILL)
-        with pytest.raises(TemplateError, match="killed from outside") as caught:
+        with pytest.raises(LauncherError, match="killed from outside") as caught:
             session.ask("show", 1)
         assert not isinstance(caught.value, Exception), "no check can expect it"
         with pytest.raises(WorkerFailure, match="has ended"):
             session.ask("show", 1)
-        assert template.start_worker(hang).ask("show", 1) == "1"
+        assert launcher.start_worker(hang).ask("show", 1) == "1"
 
 
-def test_a_fresh_template_serves_each_check_as_a_forked_one_does(
+def test_a_fresh_launcher_serves_each_check_as_a_forked_one_does(
     engine: Path, tmp_path: Path, level: Level
 ) -> None:
     inside = replace(level, bubblewrap=False)
-    template = Template(inside, [str(engine)], str(engine), tmp_path, 5.0, fresh=True)
+    launcher = Launcher(inside, [str(engine)], str(engine), tmp_path, 5.0, fresh=True)
     parents = set()
-    with contextlib.closing(template):
+    with contextlib.closing(launcher):
         for n in (1, 2):
-            session = template.start_worker(hang)
+            session = launcher.start_worker(hang)
             assert name(session, "Box")(n).n == n
             status = Path(f"/proc/{name(session, 'number')()}/stat").read_text(encoding="utf-8")
             parents.add(status.rpartition(")")[2].split()[1])
-    assert len(parents) == 2, "each has a template of its own"
+    assert len(parents) == 2, "each has a launcher of its own"
 
 
 def test_a_worker_that_does_not_answer_is_a_hang(session: Session) -> None:
@@ -375,10 +375,10 @@ def test_a_worker_is_no_root(session: Session, level: Level) -> None:
 def test_compiled_code_runs_anew_in_each_worker(
     start: Callable[[], Session], tmp_path: Path
 ) -> None:
-    template: Template = start.func.__self__  # type: ignore[attr-defined]
+    launcher: Launcher = start.func.__self__  # type: ignore[attr-defined]
     file = tmp_path / "engine/ch91_box/box.py"
     code = start().ask("compile", str(file))
-    template.hand_over({"ch91_box.box": base64.b64decode(code)})
+    launcher.hand_over({"ch91_box.box": base64.b64decode(code)})
     file.write_text("raise ImportError('this text was read again')", encoding="utf-8")
     for _ in range(2):
         box = name(start(), "Box")

@@ -37,6 +37,20 @@ def test_a_judge_that_is_killed_at_once_is_waited_for(tmp_path: Path) -> None:
         judge.stdin.close()
 
 
+def test_after_the_helper_has_ended_the_next_judge_gets_another(tmp_path: Path) -> None:
+    (tmp_path / "config.json").write_text(BROKEN, encoding="utf-8")
+    with (tmp_path / "stderr.txt").open("w+b") as stderr:
+        first = ForkedJudge(Path("config.json"), tmp_path, environment(), stderr)
+        status = Path(f"/proc/{first.pid}/stat").read_text(encoding="utf-8")
+        os.kill(int(status.rpartition(")")[2].split()[1]), signal.SIGKILL)
+        with pytest.raises(OSError, match="has ended"):
+            first.wait()
+        second = ForkedJudge(Path("config.json"), tmp_path, environment(), stderr)
+        assert second.wait() == 1
+        for judge in (first, second):
+            judge.stdin.close()
+
+
 # A grader that prints the process ID of its child, which starts the judges, and then leaves.
 GRADER = """
 import contextlib, os, sys

@@ -21,8 +21,8 @@ from typed import typed
 from walls import behind_walls
 
 # What lies here besides the packages, and what a student may keep beside the code.
-OURS = "autograder autograder.student.screen autograder.isolation.server studies plots.draw tests"
-OURS += " chapters solutions expect draw lever conftest sitecustomize nowhere"
+OURS = "autograder autograder.student.screen autograder.isolation.student_side studies plots.draw"
+OURS += " tests chapters solutions expect draw lever conftest sitecustomize nowhere"
 NOT_GRADED = ("ch90_small.helper", "ch90_small.test_small")
 NO_MODULE = "ModuleNotFoundError: No module named "
 

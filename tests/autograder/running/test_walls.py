@@ -11,6 +11,7 @@ from typing import NoReturn
 
 import pytest
 
+from autograder.isolation.launcher import Launcher, LauncherError
 from autograder.isolation.probe import HELD_BY_LANDLOCK, HELD_BY_SECCOMP, best_level, what_fails
 from autograder.isolation.sandbox import (
     Level,
@@ -18,7 +19,6 @@ from autograder.isolation.sandbox import (
     seccomp_filter,
     seccomp_works_here,
 )
-from autograder.isolation.template import Template, TemplateError
 
 
 def hang() -> NoReturn:
@@ -40,9 +40,9 @@ def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Le
     for number, walls in enumerate([Level(), Level(landlock=True), Level(seccomp=True), level]):
         own = tmp_path / str(number)
         own.mkdir()
-        template = Template(walls, [], str(own), own, 5.0)
-        with contextlib.closing(template):
-            session = template.start_worker(hang)
+        launcher = Launcher(walls, [], str(own), own, 5.0)
+        with contextlib.closing(launcher):
+            session = launcher.start_worker(hang)
             path = str(tmp_path / "forbidden")
             through.append(set(session.ask("test_walls", attempts, path)))
     nothing, landlock, seccomp, all_of_them = through
@@ -85,28 +85,28 @@ def test_a_worker_without_the_filter_keeps_no_privilege_of_root(tmp_path: Path) 
         engine.chmod(0o755)  # without the privilege, the worker is an ordinary user
         (engine / "ch90_small").mkdir()
         (engine / "ch90_small/small.py").write_text(CAPABILITIES, encoding="utf-8")
-        template = Template(Level(landlock=True), [str(engine)], str(engine), tmp_path, 5.0)
-        stack.enter_context(contextlib.closing(template))
-        session = template.start_worker(hang)
+        launcher = Launcher(Level(landlock=True), [str(engine)], str(engine), tmp_path, 5.0)
+        stack.enter_context(contextlib.closing(launcher))
+        session = launcher.start_worker(hang)
         assert session.ask("name", "ch90_small.small", "of_this_process")() == 0
 
 
 def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("autograder.isolation.template.python_folders", lambda: ["/"])
+    monkeypatch.setattr("autograder.isolation.launcher.python_folders", lambda: ["/"])
     level = Level(landlock=True, seccomp=seccomp_works_here())
     assert what_fails(level), "everything can be read"
 
 
-def test_a_template_that_cannot_start_says_so(
+def test_a_launcher_that_cannot_start_says_so(
     tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("autograder.isolation.starting.ROOT", tmp_path)  # it has no autograder
-    template = Template(level, [], str(tmp_path), tmp_path, 1.0)
+    launcher = Launcher(level, [], str(tmp_path), tmp_path, 1.0)
     with (
-        contextlib.closing(template),
-        pytest.raises(TemplateError, match=r"(?s)did not start: .*No module named"),
+        contextlib.closing(launcher),
+        pytest.raises(LauncherError, match=r"(?s)did not start: .*No module named"),
     ):
-        template.start_worker(hang)
+        launcher.start_worker(hang)
 
 
 def test_the_filter_refuses_what_it_does_not_name() -> None:

@@ -2,7 +2,7 @@
 
 All of hostile/ is graded in one run, by a process of its own, and then looked at: each submission,
 and what the run as a whole has left behind. HOSTILE_KEEP=folder keeps everything there, for
-hostile/table.py and for a closer look.
+hostile/hostile_table.py and for a closer look.
 """
 
 from __future__ import annotations

@@ -1,18 +1,23 @@
 """The hostile submissions: what each one tries, what it honestly earns, and how it is handed in.
 
-Most are a file NAME.py in the folder of its kind or below it, handed in as sums.py. Its docstring
-says what it tries, then
+Most are a table in a TOML file in the folder of their kind. The table has the name of the attack:
 
-    earns: the exercises that its code solves, of add, counter and total; or all, or nothing
-    says: words that must stand in the messages of the checks it loses (may be left out)
+    tries = what the attack tries
+    earns = the exercises that its code solves: some of "add counter total", or "all"; if this line
+            is left out, the code solves nothing
+    says = words that must appear in the messages of the checks that it loses (may be left out)
+    source = the text that is handed in as sums.py (may be left out)
 
-add, Counter and total_of may be left out where nothing about them is special: they are added at the
-end, solved where the exercise is earned and idle where it is not. Idle code returns what the file
-calls RIGHT, or the result of its attack(), or None if it has neither.
+A file NAME.py in the same folder is an attack too. Its docstring says what it tries, followed by a
+blank line and by lines such as "earns: add counter" or "says: not written yet".
 
-A word such as @ROOT@ stands for a place that an attacker may well know. Many attacks end in a right
-answer only where they succeed: the score then tells. What is no source comes from odd_files.py
-and odd_zips.py.
+A source may leave out add, Counter and total_of. They are then added at the end, solved if the
+exercise is earned and idle if it is not. Idle code returns the value that the source calls RIGHT,
+or the result of its attack(), or None if it has neither.
+
+A word such as @ROOT@ stands for a path that an attacker may well know. Many attacks end in a right
+answer only if they succeed: the score then shows that. Submissions that are not a single source are
+in odd_files.py and odd_zips.py.
 """
 
 from __future__ import annotations
@@ -21,6 +26,7 @@ import ast
 import json
 import shutil
 import sysconfig
+import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -150,25 +156,42 @@ def all_submissions() -> list[Submission]:
     import odd_zips  # noqa: F401 - adds its own
     from odd_files import ODD
 
-    kinds = ("controls", *KINDS)
-    files = (path for kind in kinds for path in sorted((HOSTILE / kind).rglob("*.py")))
-    return [*map(_from_source, files), *ODD]
+    attacks: list[Submission] = []
+    for kind in ("controls", *KINDS):
+        for path in sorted((HOSTILE / kind).rglob("*.*")):
+            if path.suffix in READERS:
+                attacks += READERS[path.suffix](path)
+    return [*attacks, *ODD]
 
 
-def _from_source(path: Path) -> Submission:
-    tries, _, rest = (
-        ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
-    ).partition("\n\n")
+def _from_toml(path: Path) -> list[Submission]:
+    return [_attack(path, name, **words) for name, words in tomllib.loads(_text(path)).items()]
+
+
+def _from_python(path: Path) -> list[Submission]:
+    text = _text(path)
+    tries, _, rest = (ast.get_docstring(ast.parse(text)) or "").partition("\n\n")
     words = dict(line.split(": ", 1) for line in rest.splitlines())
-    earns = earned(words["earns"])
+    return [_attack(path, path.stem, tries, **words, source=text)]
+
+
+READERS = {".toml": _from_toml, ".py": _from_python}
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8")
+
+
+def _attack(
+    path: Path, name: str, tries: str, earns: str = "nothing", says: str = "", source: str = ""
+) -> Submission:
+    kind, solved = path.relative_to(HOSTILE).parts[0], earned(earns)
 
     def build(at: Path, world: World) -> None:
-        source = completed(path.read_text(encoding="utf-8"), earns)
-        write(at / "ch90_sums/sums.py", with_places(source, world))
+        text = with_places(completed(f"\n{source}", solved), world)
+        write(at / "ch90_sums/sums.py", text)
 
-    kind, name = path.relative_to(HOSTILE).parts[0], path.stem
-    says, student = words.get("says", ""), f"{kind}-{name}"
-    return Submission(kind, name, tries, earns, says, student, build)
+    return Submission(kind, name, tries, solved, says, f"{kind}-{name}", build)
 
 
 def completed(source: str, earns: frozenset[str]) -> str:

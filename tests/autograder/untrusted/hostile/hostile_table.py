@@ -1,4 +1,4 @@
-"""Print what became of the hostile submissions, by their kind: python table.py OUT.
+"""Print what became of the hostile submissions, by their kind: python hostile_table.py OUT.
 
 tried    submissions, and how many were
 forged   given more than their honest score
@@ -30,6 +30,8 @@ def table(out: Path, submissions: list[Submission]) -> str:
         result = result_of(submission, results)
         if result is None:
             row["hung"] += 1
+        elif result["status"] == "nothing to grade" and not submission.score:
+            continue
         elif result["status"] != "graded" or result["score"] < submission.score:
             row["damaged"] += 1
         elif result["score"] > submission.score:

@@ -17,7 +17,7 @@ from corpus import TOKENS, World
 
 # Where attacks leave files that begin with "hostile-", if nothing stops them.
 OPEN_FOLDERS = ("/tmp", "/var/tmp", "/dev/shm", "/run/lock")
-SEGMENT = "0x00048ac5"  # the key of the shared memory that taking/system_v_memory.py makes
+SEGMENT = "0x00048ac5"  # the key of the shared memory that the attack system_v_memory makes
 
 
 class Services:

@@ -1,0 +1,263 @@
+"""Start and control the launcher, the process that forks a worker for each check.
+
+The workers run the student's code, and the launcher never does. This module is on the trusted side
+of both. It sends one request at a time to the launcher, which has at most one worker, and waits for
+the answer:
+
+- "code" passes the bytecode of some modules, which the launcher loads but never runs.
+- "start" forks a worker. The answer is its process ID.
+- "stack" makes the worker write a stack trace.
+- "wait" waits for a worker that has closed its connection. The answer is its exit code or "alive".
+- "stop" ends the worker.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import marshal
+import os
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NoReturn
+
+from autograder.checks.apart import how_it_ended
+from autograder.diagnosis.faults import GraderFault
+from autograder.isolation.handles import Session
+from autograder.isolation.sandbox import Level
+from autograder.isolation.starting import SYSTEM_LIBRARIES, python_folders, start_process
+from autograder.isolation.wire import Wire
+from autograder.manifest import ROOT
+from autograder.message import Message
+
+START_LIMIT = 20.0  # seconds for our own process to start on a busy machine
+END_LIMIT = 1.0  # seconds for it to end
+
+
+class LauncherError(GraderFault):
+    """Raised when a worker process does not start and the student's code is not the cause."""
+
+
+class Launcher:
+    """A process that forks a worker for each check, but never runs any student code itself.
+
+    A worker looks for modules in the standard library, then in ``engine``, and then in ``probes``.
+    ``engine`` lists the folders that contain the student's chapters. The folder ``probes`` contains
+    the helper functions of checks that must run in a worker. ``folder`` is for temporary files, and
+    ``seconds`` is how long a worker may take to answer.
+
+    If ``fresh`` is set, each worker gets a launcher of its own. That is slower, but without seccomp
+    it is the only way to keep one worker from affecting the next.
+    """
+
+    def __init__(
+        self,
+        level: Level,
+        engine: Sequence[str],
+        probes: str,
+        folder: Path,
+        seconds: float,
+        *,
+        fresh: bool = False,
+    ) -> None:
+        self.level = level
+        self.engine = engine
+        self.folders = [*engine, probes]
+        self.seconds = seconds
+        self.fresh = fresh or (not level.seccomp and level.is_sandbox)
+        self._own = folder
+        self._compiled: dict[str, bytes] = {}
+        self._log = self._new_file()  # output of the launcher itself
+        self._process: _Process | None = None
+        self._worker: _Worker | None = None
+        self._session: Session | None = None
+
+    def start(self) -> _Process:
+        """Start the process if it is not running, without waiting until it is ready."""
+        if self._process is None:
+            config = {
+                "root": str(ROOT),
+                "engine": self.engine,
+                "folders": self.folders,
+                "level": vars(self.level),
+                "readable": [*SYSTEM_LIBRARIES, *python_folders(), *self.folders],
+                "seconds": int(self.seconds) + 2,
+            }
+            control, theirs = socket.socketpair()
+            with theirs:
+                self._process = _Process(
+                    start_process(config, self.level, theirs, self._log), control
+                )
+            if self._compiled:
+                self._send_code(self._process)
+        return self._process
+
+    def hand_over(self, compiled: Mapping[str, bytes]) -> None:
+        """Pass the bytecode of the student's modules to all workers that start from now on.
+
+        The workers can then import these modules without compiling them again.
+        """
+        self._compiled = dict(compiled)
+        if self._process is not None:
+            self._send_code(self._process)
+
+    def _send_code(self, process: _Process) -> None:
+        with os.fdopen(self._new_file(), "w+b") as file:
+            marshal.dump(self._compiled, file)
+            file.seek(0)
+            process.ask("code", file.fileno())
+
+    def start_worker(
+        self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
+    ) -> Session:
+        """Start a session with a worker process that has not run any student code yet.
+
+        ``broken`` maps each student module that cannot be imported to the reason.
+
+        Raises:
+            LauncherError: The worker did not start.
+        """
+        self.stop_worker()
+        own, theirs = socket.socketpair()
+        worker = self._worker = _Worker(own, self._new_file(), self._new_file())
+        try:
+            with theirs:
+                number = self.start().ask("start", theirs.fileno(), worker.log, worker.stack)
+            wire = Wire(own.fileno())
+            if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
+                raise EOFError
+        except (OSError, EOFError) as error:
+            raise LauncherError(f"a worker did not start: {self._why(error)}") from error
+        # Inside bubblewrap, processes have other numbers than outside.
+        process = 0 if self.level.bubblewrap else int(number)
+        session = Session(wire, self.seconds, on_hang, self.how_it_ended, broken, process)
+        self._session = session
+        return session
+
+    def _new_file(self) -> int:
+        """Create an unnamed temporary file, in memory if possible, and return its descriptor."""
+        if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
+            return os.memfd_create("output")
+        descriptor, path = tempfile.mkstemp(dir=self._own)
+        Path(path).unlink()
+        return descriptor
+
+    def _why(self, error: Exception) -> str:
+        """Return what a process printed before it failed, or else the error that we noticed."""
+        logs = [self._log] if self._worker is None else [self._worker.log, self._log]
+        return next(filter(None, map(_text, logs)), repr(error))
+
+    def stack(self) -> str:
+        """Return a stack trace of the student's code, to show where it is stuck.
+
+        Python's faulthandler writes the trace in the worker process.
+        """
+        if self._worker is None:
+            return ""
+        with contextlib.suppress(OSError, EOFError):  # the launcher is gone
+            self.start().ask("stack")
+        for _ in range(20):
+            time.sleep(0.01)
+            if os.pread(self._worker.stack, 1, 0):
+                break
+        time.sleep(0.01)  # wait until the rest is written
+        return _text(self._worker.stack)
+
+    def how_it_ended(self) -> str:
+        """Explain to the student in one sentence why the worker ended.
+
+        Raises:
+            LauncherError: The worker was killed from outside, perhaps because the machine ran out
+                of memory. Code inside the sandbox cannot cause this.
+        """
+        try:
+            answer = self.start().ask("wait")
+        except (OSError, EOFError) as error:
+            raise LauncherError(f"the launcher is gone: {self._why(error)}") from error
+        if answer == "alive":
+            return "the process stopped answering: the code closed its connection to the checks"
+        code = int(answer)
+        if code == -signal.SIGKILL:
+            raise LauncherError("a worker was killed from outside. Is the machine out of memory?")
+        if code == -signal.SIGXCPU:
+            return "the process ended early: it had used up its processor time"
+        return how_it_ended(code)
+
+    def stop_worker(self) -> str:
+        """End the current worker, if there is one, and return what the student's code printed."""
+        if self._worker is None:
+            return ""
+        if self._session is not None:
+            self._session.end()  # the next worker may get the same descriptors
+        worker, self._worker = self._worker, None
+        printed = _text(worker.log)
+        worker.close()
+        if self._process is not None:
+            with contextlib.suppress(OSError, EOFError):  # the launcher and its worker are gone
+                self._process.ask("stop")
+        if self.fresh:
+            self._end()
+        return printed
+
+    def close(self) -> None:
+        """End the process and its current worker."""
+        self.stop_worker()
+        self._end()
+        os.close(self._log)
+
+    def _end(self) -> None:
+        if self._process is not None:
+            self._process.close()
+            self._process = None
+
+
+class _Process:
+    """A launcher that is running, and the connection to it."""
+
+    def __init__(self, process: subprocess.Popen[bytes], control: socket.socket) -> None:
+        self._process = process
+        self._control = control
+        control.settimeout(START_LIMIT)
+
+    def ask(self, request: str, *descriptors: int) -> str:
+        """Send a request and some open files to the launcher, and return its answer."""
+        socket.send_fds(self._control, [request.encode()], descriptors)
+        answer = self._control.recv(100)
+        if not answer:
+            raise EOFError
+        return answer.decode()
+
+    def close(self) -> None:
+        """Close the connection. The launcher then ends its worker and itself."""
+        with contextlib.suppress(OSError):
+            self._control.shutdown(socket.SHUT_RDWR)
+        self._control.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(END_LIMIT)
+        self._process.kill()
+        self._process.wait()
+
+
+@dataclass(frozen=True)
+class _Worker:
+    """Our end of the connection to a worker, and two files to which it writes."""
+
+    socket: socket.socket
+    log: int  # a descriptor
+    stack: int  # a descriptor
+
+    def close(self) -> None:
+        self.socket.close()
+        os.close(self.log)
+        os.close(self.stack)
+
+
+def _text(descriptor: int) -> str:
+    """Return the beginning of what a process has written to a file."""
+    written = os.pread(descriptor, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
+    return written.decode("utf-8", errors="replace").strip()

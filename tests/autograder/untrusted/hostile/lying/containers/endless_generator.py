@@ -1,8 +1,0 @@
-"""Returns a generator that never ends.
-
-earns: nothing
-"""
-
-import itertools
-
-RIGHT = itertools.count()

@@ -1,7 +1,0 @@
-"""Returns a list that holds itself.
-
-earns: nothing
-"""
-
-RIGHT = []
-RIGHT.append(RIGHT)

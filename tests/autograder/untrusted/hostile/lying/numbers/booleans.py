@@ -1,6 +1,0 @@
-"""Returns True, which is a number to Python.
-
-earns: nothing
-"""
-
-RIGHT = True

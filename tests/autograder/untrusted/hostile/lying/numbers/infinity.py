@@ -1,6 +1,0 @@
-"""Returns infinity.
-
-earns: nothing
-"""
-
-RIGHT = float("inf")

@@ -1,6 +1,0 @@
-"""Returns NaN, which is neither larger nor smaller than a tolerance.
-
-earns: nothing
-"""
-
-RIGHT = float("nan")

@@ -1,6 +1,0 @@
-"""One long call into C while it is imported.
-
-earns: nothing
-"""
-
-DIGITS = 7 ** (10**8)

@@ -157,7 +157,7 @@ def _all_results(
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
         limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
-        missing = {m: why for m, why in staged.missing.items() if not _is_there(m, engine)}
+        missing = {m: why for m, why in staged.rejected.items() if not _is_there(m, engine)}
         return assignment.run(chapter, engine, missing=missing, run_limit=limit, compiled=compiled)
 
     def causes(chapter: Chapter, own: list[Result], verdicts: list[Verdict]) -> list[Cause]:
@@ -195,7 +195,7 @@ def _is_empty(chapter: Chapter, staged: Staged) -> bool:
 
     Every such student gets the same results, so the checks do not need to run again.
     """
-    refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
+    refused = any(module.startswith(f"{chapter.name}.") for module in staged.rejected)
     return not refused and not any(name.startswith(f"{chapter.name}/") for name in staged.taken)
 
 

@@ -89,7 +89,7 @@ def collect(
                 if (path := Path(folder) / chapter.name / name).exists()
             }
         work, notes = work_of(submission.student, files, ground)
-        yield work, [*staged.missing.values(), *notes]
+        yield work, [*staged.rejected.values(), *notes]
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:

@@ -83,7 +83,7 @@ def test_no_other_file_of_a_handout_is_taken_for_a_students_work(
     files = [path for path in (tmp_path / "handout").rglob("*.py") if path.is_file()]
     made = hand_in({str(path.relative_to(tmp_path)): b"" for path in files})
     staged = stage(made, load_chapters(), tmp_path / "box")
-    assert (staged.taken, staged.missing) == ([], {})
+    assert (staged.taken, staged.rejected) == ([], {})
 
 
 @pytest.mark.parametrize("place", ["work/ch2", ""])

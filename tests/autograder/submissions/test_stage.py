@@ -86,7 +86,7 @@ def test_complete_modules_come_from_the_root_that_is_given(tmp_path: Path) -> No
 def test_only_the_chapters_that_are_asked_for_are_staged(hand_in: HandIn) -> None:
     submission = hand_in({VECTOR: CODE, "ch03_laws_of_motion/particle.py": b"\0"})
     box = submission.parent / "box"
-    assert stage(submission, CHAPTERS[:1], box).missing == {}
+    assert stage(submission, CHAPTERS[:1], box).rejected == {}
     assert [path.name for path in box.iterdir()] == ["ch02_vectors"]
 
 

@@ -71,7 +71,7 @@ def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
-            ("Nothing handed in", people.missing),
+            ("Nothing handed in", people.absent),
             ("Not on the roster", people.unmatched),
             ("Answers that have changed since they were marked", changed),
         )

@@ -16,8 +16,8 @@ from autograder.scores import possible, shown
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.exports import OF_MOODLE
 from autograder.submissions.moodle_worksheet import Worksheet
+from autograder.submissions.names import some
 
-SOME = 5  # the most names in a line
 CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment ends with its id
 
 
@@ -79,7 +79,7 @@ class _Grades:
             points = math.floor(100 * self.limit * self.most / best) / 100
             lines.append(
                 f"{self.file}: grades above {shown(self.limit)} were cut, because Moodle accepts "
-                f"no larger ones: {len(over)} ({_some(over)}). With POINTS={shown(points)}, no "
+                f"no larger ones: {len(over)} ({some(over)}). With POINTS={shown(points)}, no "
                 "grade is cut."
             )
         return lines
@@ -132,7 +132,7 @@ def write_uploads(
             lines += grades.lines
         if left_out:
             lines.append(
-                f"Not in {worksheet.path.name} from Moodle: {_some(left_out)}. Make sure that it "
+                f"Not in {worksheet.path.name} from Moodle: {some(left_out)}. Make sure that it "
                 "is the worksheet of this assignment, downloaded after the last submission."
             )
         if worksheet.unread:
@@ -151,9 +151,3 @@ def write_uploads(
             "earn no points in the grades for the platforms."
         )
     return paths, lines
-
-
-def _some(names: Sequence[str]) -> str:
-    """List up to five names, and count the others."""
-    more = f"; and {len(names) - SOME} more" if len(names) > SOME else ""
-    return "; ".join(names[:SOME]) + more

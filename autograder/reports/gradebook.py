@@ -66,7 +66,7 @@ def write_gradebook(
         for name in people.students_of(report.student) or [report.student]:
             status = _status(report, is_unmatched=name in people.unmatched)
             rows.append([*map(as_cell, (name, status)), *map(number, cells)])
-    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in people.missing]
+    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in people.absent]
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     path = out / "gradebook.csv"

@@ -59,7 +59,7 @@ class ClassList:
         return [replace(found[report], student=report) for report in sorted(found)]
 
     @property
-    def missing(self) -> list[str]:
+    def absent(self) -> list[str]:
         """The names of the students on the class's roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
@@ -124,7 +124,7 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         except ValueError as error:
             problems.append(str(error))
             continue
-        if entry.is_by_student or owners.are_listed(who):
+        if entry.is_by_student or any(isinstance(one, Student) for one in who):
             found.setdefault(who, []).append(entry)
         else:
             notes.append(f"{printable(entry.path.name)} was left out: {entry.problem}")
@@ -155,37 +155,30 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         ValueError: There are several submissions, and they are not uploads of one student, of which
             the last one counts.
     """
+
+    def order(entry: Entry) -> tuple[int, int]:
+        return entry.export.order if entry.export else (0, 0)
+
     usable = [entry for entry in entries if not entry.problem]
     uploaders = {entry.export and entry.export.student for entry in usable}
     rivals = usable  # nobody says which of these is the last one
     if len(uploaders) == 1 and None not in uploaders:
-        rivals = [entry for entry in usable if _order(entry) == max(map(_order, usable))]
-    if len(rivals) > 1 and (None in uploaders or not _are_copies(rivals)):
+        rivals = [entry for entry in usable if order(entry) == max(map(order, usable))]
+    # Moodle has the same files for each student of a team.
+    if rivals[1:] and (None in uploaders or len({contents(one.path) for one in rivals}) > 1):
         names = " and ".join(repr(entry.path.name) for entry in rivals)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
-    last = rivals[0] if rivals else max(entries, key=_order)
+    last = rivals[0] if rivals else max(entries, key=order)
+    shown = {entry: printable(entry.path.name) for entry in entries}
     notes = []
-    for entry in entries:
-        if entry is not last and usable:
-            name = printable(entry.path.name)
+    for entry in entries if usable else []:
+        if entry is not last:
             why = entry.problem or "it was uploaded earlier. Put all files into one zip"
             why = "it has the same files" if entry in rivals else why
-            notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
-    nothing = "; ".join(
-        f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"
-        for entry in ([] if usable else entries)
-    )
-    return Submission("", last.path, export=last.export, notes=tuple(notes), nothing=nothing)
-
-
-def _are_copies(entries: Sequence[Entry]) -> bool:
-    """Return True if all have the same files, as Moodle has those of a team for each student."""
-    first, *others = [contents(entry.path) for entry in entries]
-    return all(other == first for other in others)
-
-
-def _order(entry: Entry) -> tuple[int, int]:
-    return entry.export.order if entry.export else (0, 0)
+            notes.append(f"'{shown[last]}' was graded, and '{shown[entry]}' was not: {why}")
+    nothing = [f"'{shown[entry]}' cannot be graded: {entry.problem}" for entry in entries]
+    why_nothing = "" if usable else "; ".join(nothing)
+    return Submission("", last.path, export=last.export, notes=tuple(notes), nothing=why_nothing)
 
 
 def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Member]:
@@ -202,7 +195,10 @@ def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Memb
     for who in {**dict.fromkeys(owners.absent(submissions)), **submissions}:
         submission = submissions.get(who)
         names = [shown(one) for one in who]
-        report = owners.group_of(who, names)
+        report = ", ".join(names)
+        groups = {one.group for one in who if isinstance(one, Student)} - {""}
+        if len(who) > 1 and len(groups) == 1:
+            report = printable(f"{groups.pop()} ({report})")
         if (other := reports.setdefault(report, who)) != who:
             raise ValueError(
                 f"the reports on {owners.label(other)} and on {owners.label(who)} would both be "

@@ -65,7 +65,7 @@ def test_submitters_of_different_groups_are_an_error(tmp_path: Path) -> None:
 
 def test_a_vowel_sign_makes_another_name(tmp_path: Path) -> None:
     people = class_of(tmp_path, "कमल", ("1", "कमला", "", "", ""))
-    assert (people.missing, people.unmatched) == (["कमला"], ["कमल"])
+    assert (people.absent, people.unmatched) == (["कमला"], ["कमल"])
 
 
 @pytest.mark.parametrize("name", ["山田\u3000太郎", "Ann\u00a0Lee"])
@@ -109,7 +109,7 @@ def test_whoever_uploaded_anything_to_moodle_has_handed_in(tmp_path: Path) -> No
     people = read_class(
         class_folder(tmp_path / "lab1.zip"), roster_of(tmp_path / "roster.csv", *rows)
     )
-    assert (people.missing, people.unmatched) == ([], [])
+    assert (people.absent, people.unmatched) == ([], [])
     assert len(people.submissions) == 5
 
 

@@ -103,7 +103,7 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
     found = people(tmp_path, f"{name}|oneillbo_9_1_w.zip|zoe", [ANN, bo])
     shown = {one.student: one.path.name for one in found.submissions}
     assert shown == {"Ann Lee": name, "O'Neill, Bo": "oneillbo_9_1_w.zip", "zoe": "zoe"}
-    assert (found.missing, found.unmatched) == ([], ["zoe"])
+    assert (found.absent, found.unmatched) == ([], ["zoe"])
     assert [one.late for one in found.submissions] == ["LATE" in name, False, False]
     for known in ("Ann Lee", "1042", "ann@x.org", "AL7", name):
         assert found.report_of(known) == "Ann Lee"
@@ -121,7 +121,7 @@ def test_a_name_that_is_only_similar_is_another_student(tmp_path: Path, name: st
     if name == "annlee_555_7_w":
         assert people(tmp_path, name, [ANN]).unmatched == []
         return
-    assert people(tmp_path, name, [ANN]).missing == ["Ann Lee"]
+    assert people(tmp_path, name, [ANN]).absent == ["Ann Lee"]
 
 
 def test_two_people_whose_names_are_swapped_stay_two(tmp_path: Path) -> None:
@@ -137,7 +137,7 @@ def test_two_people_whose_names_are_swapped_stay_two(tmp_path: Path) -> None:
 def test_a_participants_number_in_moodle_is_no_id(tmp_path: Path) -> None:
     found = people(tmp_path, "Bo_1042_assignsubmission_file", [ANN, Student("7", "Bo", "", "", 3)])
     assert [one.student for one in found.submissions] == ["Bo"]
-    assert found.missing == ["Ann Lee"]
+    assert found.absent == ["Ann Lee"]
 
 
 @pytest.mark.parametrize(
@@ -161,7 +161,7 @@ def test_what_could_be_anothers_is_refused_with_the_lines(
     tmp_path: Path, names: str, other: Student, words: str
 ) -> None:
     if not words:
-        assert people(tmp_path, names, [ANN, other]).missing == ["ann lee (7)"]
+        assert people(tmp_path, names, [ANN, other]).absent == ["ann lee (7)"]
         return
     with pytest.raises(ValueError, match=words):
         people(tmp_path, names, [ANN, other])
@@ -231,7 +231,7 @@ def test_a_group_hands_in_once(tmp_path: Path) -> None:
     assert found.students_of(first) == ["Ann", "Bo"]
     assert found.report_of("Ann") == found.report_of("2") == first
     assert found.report_of("team 2") == "team 2 (Cy, Di)"
-    assert found.missing == []
+    assert found.absent == []
     (tmp_path / "class/Ann").mkdir()
     with pytest.raises(ValueError, match="Ann and Bo must hand in only once, got 'Ann' and 'Bo'"):
         read_class(tmp_path / "class", tmp_path / "r.csv")
@@ -274,7 +274,7 @@ def test_gradescope_says_who_handed_in(tmp_path: Path) -> None:
         "Stranger": "submission_3",
     }
     assert found.students_of("Bo, Cy") == ["Bo", "Cy"]
-    assert (found.missing, found.unmatched) == ([], ["Stranger"])
+    assert (found.absent, found.unmatched) == ([], ["Stranger"])
 
 
 def test_github_says_who_a_repository_belongs_to(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters
 from autograder.similarity.code import LONGEST, read_functions
 from autograder.similarity.collect import Ground, collect, ground_of, work_of
-from autograder.similarity.compare import FEWEST, Part, Passage, Work, compare
+from autograder.similarity.compare import FEWEST, Comparison, Part, Passage, Work
 from autograder.similarity.winnow import fingerprints
 from autograder.submissions.class_list import read_class
 from staging import LINK, VECTOR
@@ -186,7 +186,7 @@ def lonely_class(size: int) -> list[Work]:
 def test_what_many_have_written_counts_less() -> None:
     same = [made(f"s{i}", a={1, 2, 3}, b={100 + i, 200 + i}) for i in range(20)]
     pair = [made("x", a={1, 2, 3}, b={7, 8, 9}), made("y", a={1, 2, 3}, b={7, 8, 9})]
-    comparison = compare([*same, *pair])
+    comparison = Comparison([*same, *pair])
     first, *others = comparison.pairs
     assert (first.one.student, first.other.student) == ("x", "y")
     assert max(other.similarity for other in others) < 0.1 < first.similarity
@@ -197,7 +197,7 @@ def test_a_pair_that_shares_everything_stands_out_and_one_exercise_alone_does_no
     students = lonely_class(30)
     students[3] = Work("s3", students[5].parts)
     students[8] = Work("s8", {**students[8].parts, "e4": students[9].parts["e4"]})
-    comparison = compare(students)
+    comparison = Comparison(students)
     assert comparison.outstanding == 1
     assert {comparison.pairs[0].one.student, comparison.pairs[0].other.student} == {"s3", "s5"}
 
@@ -211,7 +211,7 @@ def test_identical_code_stands_out_before_code_that_is_more_surprising() -> None
         passage = Passage(VECTOR, "length", function.tokens, text)
         part = Part([passage], students[8].parts["e4"].fingerprints)
         students[30 + i] = Work(f"t{i}", {**students[30 + i].parts, "e4": part})
-    for comparison in (compare(students), compare(students[-FEWEST + 1 :])):
+    for comparison in (Comparison(students), Comparison(students[-FEWEST + 1 :])):
         first, *others = comparison.pairs
         assert (first.one.student, first.other.student) == ("t0", "t1")
         assert comparison.identical == [first]
@@ -219,23 +219,23 @@ def test_identical_code_stands_out_before_code_that_is_more_surprising() -> None
         surprises = [pair.surprise for pair in others]
         measured = surprises if comparison.line else [pair.similarity for pair in others]
         assert measured == sorted(measured, key=lambda value: value or 0.0, reverse=True)
-    first, second, *_ = compare(students).pairs
+    first, second, *_ = Comparison(students).pairs
     assert {second.one.student, second.other.student} == {"s3", "s5"}
     assert first.surprise < second.surprise  # type: ignore[operator]
 
 
 def test_a_small_class_has_no_surprise() -> None:
     for size in (0, 1, 2, FEWEST - 1):
-        comparison = compare(lonely_class(size))
+        comparison = Comparison(lonely_class(size))
         assert comparison.line is None
         assert comparison.outstanding == 0
         assert all(pair.surprise is None for pair in comparison.pairs)
         similarities = [pair.similarity for pair in comparison.pairs]
         assert similarities == sorted(similarities, reverse=True)
-    assert compare(lonely_class(FEWEST)).line is not None
+    assert Comparison(lonely_class(FEWEST)).line is not None
 
 
 def test_a_class_that_shares_nothing_at_all_has_no_surprise() -> None:
-    comparison = compare([made(f"s{i}", a={i}) for i in range(FEWEST)])
+    comparison = Comparison([made(f"s{i}", a={i}) for i in range(FEWEST)])
     assert comparison.line is None
     assert {pair.similarity for pair in comparison.pairs} == {0.0}

@@ -21,21 +21,15 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 class Ground:
     """The rules for comparing students' code: which functions to compare, and what to ignore.
 
-    Attributes:
-        parts: Maps each function to its exercise, or to an empty string if it is not compared. A
-            key is a file and a function name, such as ("ch02_vectors/vector.py", "Vector3.dot").
-        known: The names of the engine, of Python's builtins and of the math module, which
-            comparisons do not replace.
-        given: The hashes of the code in our stubs, complete modules and solutions, which
-            comparisons ignore.
-        small: The ids of the exercises that are too short to compare.
+    ``parts`` maps each function, such as ("ch02_vectors/vector.py", "Vector3.dot"), to its
+    exercise, or to "" if it is not compared.
     """
 
     chapters: list[Chapter]
     parts: dict[tuple[str, str], str]
-    known: frozenset[str]
-    given: set[int]
-    small: list[str]
+    known: frozenset[str]  # the names of the engine and of Python, which are not replaced
+    given: set[int]  # the hashes of code in our stubs, complete modules and solutions
+    small: list[str]  # the ids of the exercises that are too short to compare
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:

@@ -68,19 +68,13 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students and the similarity of their code, on a scale from 0 to 1.
-
-    Attributes:
-        identical: True if the compared code of both is the same, character for character.
-        surprise: How unusual the similarity is in the class. It is None if the class is too small
-            for such a measure.
-    """
+    """Two students and the similarity of their code, on a scale from 0 to 1."""
 
     one: Work
     other: Work
     similarity: float
-    identical: bool = False
-    surprise: float | None = None
+    identical: bool = False  # the compared code is the same, character for character
+    surprise: float | None = None  # how unusual this is in a class that is large enough
 
 
 @dataclass(frozen=True)
@@ -96,13 +90,9 @@ class Shared:
 class Comparison:
     """The comparison of the code of every pair of students in a class.
 
-    Attributes:
-        students: The number of students.
-        holders: The number of students who have a fingerprint in a part.
-        pairs: All pairs. Identical pairs come first. Otherwise, the pairs are sorted by decreasing
-            surprise or, if there are no surprises, by decreasing similarity.
-        line: The surprise from which a pair stands out. In a class of fewer than twelve students
-            there are too few pairs for surprises, and it is None.
+    In ``pairs``, identical pairs come first. The others are sorted by decreasing surprise or, if
+    there are no surprises, by decreasing similarity. ``line`` is the surprise from which a pair
+    stands out, or None. ``holders`` counts the students who have a fingerprint in a part.
     """
 
     def __init__(self, works: list[Work]) -> None:
@@ -133,13 +123,10 @@ class Comparison:
     def stands_out(self, pair: Pair) -> bool:
         """Return True if two students' code is so similar that an instructor should read both.
 
-        That is the case if the similarity is far above what is usual in this class, or if the code
-        is identical. Identical code may have a low surprise if both students did only a part of the
-        exercises.
+        Identical code may have a low surprise if both students did only a part of the exercises.
         """
-        if self.line is None or pair.surprise is None:
-            return pair.identical
-        return pair.identical or pair.surprise >= self.line
+        is_high = self.line is not None and pair.surprise is not None and pair.surprise >= self.line
+        return pair.identical or is_high
 
     @property
     def identical(self) -> list[Pair]:

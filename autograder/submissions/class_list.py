@@ -22,35 +22,23 @@ from autograder.submissions.roster import Student, read_roster
 
 @dataclass(frozen=True)
 class Member:
-    """A member of the class: a student on the roster, the author of a submission, or both.
+    """A member of the class: a student on the roster, the author of a submission, or both."""
 
-    Attributes:
-        shown: The student's name in all lists of students.
-        report: The name of the report on this student. Students of a group share one.
-        student: The entry on the roster, or None if there is none.
-        submission: The submission, or None if the student has not handed anything in.
-        known_as: All other names of the student.
-    """
-
-    shown: str
-    report: str
+    shown: str  # the name in all lists of students
+    report: str  # the name of the report, which students of a group share
     student: Student | None
     submission: Submission | None
-    known_as: tuple[str, ...] = ()
+    known_as: tuple[str, ...] = ()  # all other names
 
 
 @dataclass(frozen=True)
 class ClassList:
-    """All students of a class, from the roster and from the submissions.
-
-    Without a roster, the class consists of the students who have handed something in. ``notes``
-    tells the instructor what was not used, and ``gone`` has the names of earlier reports.
-    """
+    """All students of a class. Without a roster, they are those who have handed something in."""
 
     members: list[Member]
     has_roster: bool = False
-    notes: list[str] = field(default_factory=list)
-    gone: frozenset[str] = frozenset()
+    notes: list[str] = field(default_factory=list)  # on what was not used
+    gone: frozenset[str] = frozenset()  # the names of earlier reports
 
     @property
     def submissions(self) -> list[Submission]:

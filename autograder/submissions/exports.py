@@ -25,23 +25,14 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")  # such as work-2, for a repeated upload
 
 @dataclass(frozen=True)
 class Exported:
-    """The parts of the name that Canvas or Moodle gives to a downloaded submission.
-
-    Attributes:
-        platform: The platform, "canvas" or "moodle".
-        name: The full name on Moodle. On Canvas, the last and first name without a space.
-        number: The user id on Canvas. On Moodle, a number that is valid for this assignment only.
-        late: True if Canvas marked the submission as late.
-        order: A sort key for several uploads by one student. A later upload has a larger key.
-        is_file: False for text that was typed into the platform.
-    """
+    """The parts of the name that Canvas or Moodle gives to a downloaded submission."""
 
     platform: Literal["canvas", "moodle"]
-    name: str
-    number: str
-    late: bool
-    order: tuple[int, int]
-    is_file: bool = True
+    name: str  # the full name; on Canvas, the last and first name without a space
+    number: str  # of the user on Canvas; on Moodle, it is valid for this assignment only
+    late: bool  # Canvas marked the submission as late
+    order: tuple[int, int]  # a later upload by the same student has a larger one
+    is_file: bool = True  # False for text that was typed into the platform
 
     @property
     def student(self) -> str:

@@ -34,18 +34,12 @@ BY_STUDENTS = re.compile(
 
 @dataclass(frozen=True)
 class Entry:
-    """A folder or file in the folder of a class.
-
-    Attributes:
-        name: The name without the suffix of a file, such as ann for ann.zip.
-        problem: Why it cannot be graded, such as "it is a symbolic link", or "".
-        export: The parsed name, if Canvas or Moodle gave it.
-    """
+    """A folder or file in the folder of a class."""
 
     path: Path
-    name: str
-    problem: str = ""
-    export: Exported | None = None
+    name: str  # without the suffix of a file, such as ann for ann.zip
+    problem: str = ""  # why it cannot be graded, such as "it is a symbolic link"
+    export: Exported | None = None  # the parsed name, if Canvas or Moodle gave it
 
     @property
     def is_by_student(self) -> bool:
@@ -55,26 +49,15 @@ class Entry:
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student, or a group of students, has handed in.
+    """What a student, or a group of students, has handed in: a folder or a zip."""
 
-    Attributes:
-        student: The name of the student or of the group in the reports.
-        path: The path of the folder or zip file.
-        owner: What the student or group is called in records, whatever the name of the report is.
-        export: The parsed name, if Canvas or Moodle gave it.
-        upload: What a platform's file says about it, or None.
-        notes: What the student and the instructor should know, such as other files that were not
-            used.
-        nothing: Why nothing of it can be graded, or "".
-    """
-
-    student: str
+    student: str  # the name of the student or of the group in the reports
     path: Path
-    owner: str = ""
-    export: Exported | None = None
-    upload: Upload | None = None
-    notes: tuple[str, ...] = ()
-    nothing: str = ""
+    owner: str = ""  # their name in records, whatever the name of the report is
+    export: Exported | None = None  # the parsed name, if Canvas or Moodle gave it
+    upload: Upload | None = None  # what a platform's file says about it
+    notes: tuple[str, ...] = ()  # for the student too, such as on files that were not used
+    nothing: str = ""  # why nothing of it can be graded
 
     @property
     def late(self) -> bool:
@@ -85,9 +68,8 @@ class Submission:
 def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Entry]:
     """List what was handed in, without the instructor's own files, hidden files and caches.
 
-    Links are never followed. A name of Moodle's is recognized by itself. One of Canvas's counts as
-    such if all folders and zips look like one download, or if ``is_known`` says that the student is
-    on the roster.
+    A name of Moodle's is recognized by itself. One of Canvas's counts as such if all folders and
+    zips look like one download, or if ``is_known`` says that the student is on the roster.
 
     Raises:
         ValueError: The path is not a folder, or has the work of one student.

@@ -41,14 +41,11 @@ EXPECTED = (
 class Participant:
     """A row of a Moodle worksheet. What it does not show is "".
 
-    Attributes:
-        number: The participant's number, which is valid for this assignment only. The names of
-            downloaded submissions contain it too.
-        submitted: When the participant handed in, in the time zone of the instructor's Moodle. It
-            is None if nothing was handed in or if the time cannot be read.
+    The time of the submission is in the time zone of the instructor's Moodle. It is None if nothing
+    was handed in, or if it cannot be read.
     """
 
-    number: str
+    number: str  # for this assignment only; it is in the names of downloaded submissions
     name: str
     email: str
     id_number: str
@@ -57,24 +54,14 @@ class Participant:
 
 @dataclass(frozen=True)
 class Worksheet:
-    """A grading worksheet from Moodle.
-
-    Attributes:
-        path: The path of the file.
-        rows: The participants, in the order of the file.
-        most: The maximum grade of the assignment.
-        unread: The submission times that cannot be read, as Moodle wrote them.
-        lines: The cells of every line, starting with the header.
-        grade: The position of the column for the grades. The maximum grade is in the next column.
-        separator: The character between the cells.
-    """
+    """A grading worksheet from Moodle."""
 
     path: Path
     rows: list[Participant]
-    most: float
-    unread: list[str]
-    lines: list[list[str]]
-    grade: int
+    most: float  # the maximum grade of the assignment
+    unread: list[str]  # the submission times that cannot be read
+    lines: list[list[str]]  # the cells of every line, starting with the header
+    grade: int  # the column for the grades, which is before that of the maximum grade
     separator: str
 
     def filled(self, grades: Mapping[str, float]) -> bytes:

@@ -25,18 +25,11 @@ IDENTIFIER = "roster_identifier"
 
 @dataclass(frozen=True)
 class Upload:
-    """What a platform's file says about one submission.
+    """What a platform's file says about one submission."""
 
-    Attributes:
-        source: The platform.
-        people: The students who handed in together. Each has all names that the platform knows,
-            the surest first.
-        at: The time of the submission, or None if it is unknown. Moodle names no time zone.
-    """
-
-    source: str
-    people: tuple[tuple[str, ...], ...] = ()
-    at: datetime | None = None
+    source: str  # the platform
+    people: tuple[tuple[str, ...], ...] = ()  # all names of each student, the surest first
+    at: datetime | None = None  # when it was handed in; Moodle names no time zone
 
     @property
     def together(self) -> str:

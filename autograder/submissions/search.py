@@ -24,28 +24,22 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 LARGEST_ZIP = 5_000_000
 MOST_ZIPS = 5  # we open no more than this many zips in one folder
 Wanted = Mapping[str, Sequence[str]]  # the names of a chapter's files, by the name of its folder
-Read = Callable[[int], bytes]
+Read = Callable[[int], bytes]  # reads so many bytes at most, or raises NotTakenError
 
 
 @dataclass(frozen=True)
 class Found:
     """A file in a student's submission.
 
-    Attributes:
-        place: The path of the file's folder as a tuple, such as ("work", "ch02_vectors").
-        file: The name of the file.
-        read: Returns the contents, of at most as many bytes as its argument says, or raises
-            NotTakenError if the file is rejected.
-        doubtful: True if the file is rejected because of its folder, such as a symbolic link. It is
-            ignored if the submission has another folder for the chapter.
-        other: True if no file of this name is wanted in this folder.
+    A doubtful one is rejected because of its folder, such as a symbolic link, and ignored if the
+    submission has another folder for the chapter.
     """
 
-    place: tuple[str, ...]
+    place: tuple[str, ...]  # the path of its folder, such as ("work", "ch02_vectors")
     file: str
     read: Read
     doubtful: bool = False
-    other: bool = False
+    other: bool = False  # no file of this name is wanted in this folder
 
 
 def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:

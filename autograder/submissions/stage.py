@@ -26,28 +26,15 @@ from autograder.submissions.search import Found, refuse, refuse_all, search
 
 @dataclass(frozen=True)
 class Staged:
-    """The result of copying the files to be graded from a student's submission.
+    """The result of copying the files to be graded from a student's submission."""
 
-    Attributes:
-        rejected: The rejected modules, such as ch02_vectors.vector, each with the reason.
-        misplaced: Those of them whose files were found in the wrong folder.
-        taken: The files that were copied, such as ch02_vectors/vector.py.
-        others: The names of some files and folders at the top of the submission from which nothing
-            was taken, such as report.pdf.
-        notes: Notes for the instructor. They may quote the names of files and folders, but nothing
-            else that the student wrote.
-        refused: Why nothing of the submission could be read, such as a damaged zip, or "".
-        digest: A hash of everything that was accepted or rejected. Submissions with the same digest
-            get the same grade.
-    """
-
-    rejected: dict[str, str]
-    misplaced: list[str]
-    taken: list[str]
-    others: list[str]
-    notes: list[str]
-    digest: str
-    refused: str = ""
+    rejected: dict[str, str]  # modules such as ch02_vectors.vector, each with the reason
+    misplaced: list[str]  # those of them whose files were found in the wrong folder
+    taken: list[str]  # files such as ch02_vectors/vector.py
+    others: list[str]  # names at the top of the submission from which nothing was taken
+    notes: list[str]  # for the instructor; they may quote names of files, but nothing else
+    digest: str  # of everything accepted or rejected; with the same one, the grade is the same
+    refused: str = ""  # why nothing of the submission could be read, such as a damaged zip
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:

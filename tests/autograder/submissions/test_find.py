@@ -90,14 +90,6 @@ def test_the_folder_of_one_student_is_no_class(tmp_path: Path) -> None:
         read_class(tmp_path / "ann")
 
 
-@pytest.mark.parametrize("other", ["ann.zip", "ann.ZIP"])
-def test_a_student_who_is_there_twice_is_refused(tmp_path: Path, other: str) -> None:
-    (tmp_path / "ann").mkdir()
-    (tmp_path / other).touch()
-    with pytest.raises(ValueError, match=f"ann must hand in only once, got 'ann' and '{other}'"):
-        read_class(tmp_path)
-
-
 @pytest.mark.skipif(os.name != "posix", reason="other systems have no such names")
 def test_strange_names_are_told_apart_and_can_be_printed(tmp_path: Path) -> None:
     names = ["a\n", "a\\n", "a\\\\n", "a\r", "a\udcff", "a\\udcff", "a\x1b[31m", "a\x7f", "a\u202e"]

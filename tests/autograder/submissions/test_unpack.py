@@ -14,6 +14,7 @@ from autograder.manifest import load_chapters
 from autograder.submissions import unpack
 from autograder.submissions.class_list import read_class
 from autograder.submissions.unpack import class_folder
+from listed import class_in
 from staging import CODE, EXERCISES, OF_CH03, TAKEN, VECTOR, boxed, make_zip, zip_of
 
 WORK = zip_of({f"work/{VECTOR}": CODE})
@@ -74,6 +75,20 @@ def test_a_download_from_moodle_is_read(tmp_path: Path) -> None:
     assert notes == []
     (film,) = tmp_path.rglob("film.mp4")
     assert film.stat().st_size == 0, "what cannot count is not unpacked, but known"
+
+
+def test_whoever_uploaded_anything_to_moodle_has_handed_in(tmp_path: Path) -> None:
+    uploads = [
+        *("Ann Lee_12_{}/README.md", "Bo_13_{}/.gitignore", "Cy_14_{}/a\x01.zip"),
+        *(". Suharto_15_{}/work.zip", "می\u200cسر_16_{}/work\u202f1.zip"),
+        *(".DS_Store", "__MACOSX/Ann Lee_12_{}/._README.md"),
+    ]
+    names = [name.format("assignsubmission_file") for name in uploads]
+    class_folder(class_zip(tmp_path, dict.fromkeys(names, b"x"))).rename(tmp_path / "class")
+    names = ["Ann Lee", "Bo", "Cy", ". Suharto", "می\u200cسر"]
+    roster = "".join(f"{number},{name},,\n" for number, name in enumerate(names))
+    people = class_in(tmp_path, names[0] + "_12_assignsubmission_file", roster)
+    assert (len(people.submissions), people.absent, people.unmatched) == (5, [], [])
 
 
 def test_every_file_that_students_hand_in_is_unpacked(tmp_path: Path) -> None:

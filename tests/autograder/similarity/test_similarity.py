@@ -55,14 +55,11 @@ def test_what_a_copy_is_hidden_by_makes_no_difference(other: str) -> None:
     assert prints_of(other) == prints_of(LENGTH) != set()
 
 
-def test_reordered_statements_share_most() -> None:
+def test_reordered_statements_share_most_and_another_formula_little() -> None:
     one = [f"self.{c} = self.{c} + v.{c} * (scale - 1)" for c in "xyz"]
     sources = ["def f(self, v):\n    " + "\n    ".join(lines) for lines in (one, one[::-1])]
     first, second = map(prints_of, sources)
     assert len(first & second) > 0.6 * len(first)
-
-
-def test_another_formula_shares_little() -> None:
     other = "def length(v, scale):\n    return 0.5 * scale * math.sqrt(sum(c * c for c in v))\n"
     assert prints_of(other).isdisjoint(prints_of(LENGTH))
 
@@ -72,20 +69,17 @@ def test_functions_have_the_names_of_the_manifest() -> None:
         "import math\n\nclass A(object):\n    n = 1\n\n    @property\n    def mass(self):\n"
         "        return self.m\n\n    @mass.setter\n    def mass(self, m):\n        self.m = m\n\n"
         "    def one(self): return 1\n\n\nasync def two():\n    def inner():\n        pass\n\n\n"
-        "def three(a, b={1: 2}): return a[b:]\n"
+        "def three(a, b={1: 2}): return a[b:]\n\n\n"
+        "def text(a):\n    raise ValueError(f'a {a!r:>{9}} b' 'c', a)\n"
     )
     functions, _ = read_functions(source)
     names = {function.name: " ".join(function.words) for function in functions}
-    assert list(names) == ["", "A.mass", "A.mass.setter", "A.one", "two", "three"]
+    assert list(names) == ["", "A.mass", "A.mass.setter", "A.one", "two", "three", "text"]
     assert names["A.mass.setter"] == "self . ~m = ~m ;"
     assert names["A.one"] == "return 1.0 ;"
     assert names["two"] == "def ~inner ( ) : ; pass ;"
     assert names["three"] == "return ~a [ ~b : ] ;"
-
-
-def test_a_text_with_values_in_it_is_one_word_on_every_python() -> None:
-    (function,), _ = read_functions("def f(a):\n    raise ValueError(f'a {a!r:>{9}} b' 'c', a)\n")
-    assert " ".join(function.words) == "raise ~ValueError ( ' ' , ~a ) ;"
+    assert names["text"] == "raise ~ValueError ( ' ' , ~a ) ;", "on every Python"
 
 
 @pytest.mark.parametrize(
@@ -136,7 +130,7 @@ def test_stubs_given_code_and_the_reference_do_not_count(folder: str, ground: Gr
     assert work_of("ann", files, ground) == (Work("ann", {}), [])
 
 
-def test_exercises_that_are_too_small_are_left_out(ground: Ground) -> None:
+def test_exercises_that_are_too_small_are_left_out_and_helpers_are_not(ground: Ground) -> None:
     body = "    return sum(p * q for p, q in zip(v, v, strict=True)) + sum(v) - sum(v)\n"
     for small in (True, False):
         exercise = next(
@@ -148,12 +142,8 @@ def test_exercises_that_are_too_small_are_left_out(ground: Ground) -> None:
         source = f"def {exercise.edit[0].removeprefix('exercises.')}(v):\n{body}"
         work, _ = work_of("ann", {"ch02_vectors/exercises.py": source}, ground)
         assert [*work.parts] == ([] if small else [f"{exercise.id} {exercise.title}"])
-
-
-def test_helpers_that_a_student_has_added_are_compared_too(ground: Ground) -> None:
-    source = "def _mine(v):\n    return [p * q for p, q in zip(v, v, strict=True)] + [*v] * 3\n"
-    work, _ = work_of("ann", {"ch02_vectors/vector.py": source}, ground)
-    assert [*work.parts] == ["Other code in ch02_vectors/vector.py"]
+    work, _ = work_of("ann", {VECTOR: f"def _added(v):\n{body}"}, ground)
+    assert [*work.parts] == [f"Other code in {VECTOR}"]
 
 
 def test_submissions_are_staged_and_never_run(tmp_path: Path, ground: Ground) -> None:
@@ -224,18 +214,14 @@ def test_identical_code_stands_out_before_code_that_is_more_surprising() -> None
     assert first.surprise < second.surprise  # type: ignore[operator]
 
 
-def test_a_small_class_has_no_surprise() -> None:
-    for size in (0, 1, 2, FEWEST - 1):
-        comparison = Comparison(lonely_class(size))
+def test_a_small_class_or_one_that_shares_nothing_has_no_surprise() -> None:
+    sharing_nothing = [made(f"s{i}", a={i}) for i in range(FEWEST)]
+    for works in (*map(lonely_class, (0, 1, 2, FEWEST - 1)), sharing_nothing):
+        comparison = Comparison(works)
         assert comparison.line is None
         assert comparison.outstanding == 0
         assert all(pair.surprise is None for pair in comparison.pairs)
         similarities = [pair.similarity for pair in comparison.pairs]
         assert similarities == sorted(similarities, reverse=True)
+    assert {*similarities} == {0.0}
     assert Comparison(lonely_class(FEWEST)).line is not None
-
-
-def test_a_class_that_shares_nothing_at_all_has_no_surprise() -> None:
-    comparison = Comparison([made(f"s{i}", a={i}) for i in range(FEWEST)])
-    assert comparison.line is None
-    assert {pair.similarity for pair in comparison.pairs} == {0.0}

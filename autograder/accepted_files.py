@@ -31,27 +31,22 @@ def rejected_modules(chapters: Iterable[Chapter], engine: Sequence[Path]) -> dic
     """Return the modules in a student's folders that would be rejected, each with the reason."""
     reasons = {}
     for chapter in chapters:
+        folders = [folder / chapter.name for folder in engine]
+        names = {f: {path.name for path in f.iterdir()} if f.is_dir() else set() for f in folders}
         for name in chapter.handed_in:
+            # Python imports a module from the first folder that has it.
+            folder = next((folder for folder in folders if name in names[folder]), None)
+            error = None if folder else renamed(chapter, name, set().union(*names.values()))
             try:
-                _check(chapter, name, engine)
-            except NotTakenError as error:
+                if folder and folder.is_symlink():
+                    raise NotTakenError(LINKED_FOLDER)
+                if folder:
+                    check_text(read_file(folder / name, LARGEST_FILE))
+            except NotTakenError as rejected:
+                error = rejected
+            if error:
                 reasons[module_of(chapter.name, name)] = rejection(chapter.name, name, error)
     return reasons
-
-
-def _check(chapter: Chapter, name: str, engine: Sequence[Path]) -> None:
-    """Check the file that Python would import. A missing file is rejected only if renamed."""
-    there: set[str] = set()
-    for folder in (folder / chapter.name for folder in engine):
-        names = {path.name for path in folder.iterdir()} if folder.is_dir() else set()
-        if name in names:
-            if folder.is_symlink():
-                raise NotTakenError(LINKED_FOLDER)
-            check_text(read_file(folder / name, LARGEST_FILE))
-            return
-        there |= names
-    if error := renamed(chapter, name, there):
-        raise error
 
 
 def module_of(chapter: str, name: str) -> str:

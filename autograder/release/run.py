@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from rich.progress import track
@@ -119,7 +119,7 @@ def _compare(
     submission: Submission,
     report: StudentReport | None,
     released: Sequence[Chapter],
-    reference: dict[str, Texts],
+    reference: Mapping[str, Texts],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
     """Compare a student's solved exercises with the reference solution, function by function.

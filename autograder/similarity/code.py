@@ -11,6 +11,7 @@ import keyword
 import math
 import tokenize
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 
 LONGEST = 100_000  # characters; the longest module of a chapter has about ten thousand
@@ -133,20 +134,14 @@ def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
         elif token.type == tokenize.STRING:
             word = "'"
         elif token.type == tokenize.NUMBER:
-            word = _number(word)
+            with suppress(ValueError):  # 0x10, 1j
+                word = repr(float(word))
         elif token.type == tokenize.NAME and word not in ALWAYS_KNOWN:
             of_an_object = before is not None and before.string == "."
             called = after is not None and after.string == "("
             if not (word in known and (of_an_object or called)):
                 word = LOCAL + word
         yield Token(word, token.start, token.end)
-
-
-def _number(text: str) -> str:
-    try:
-        return repr(float(text))
-    except ValueError:
-        return text  # 0x10, 1j
 
 
 def _after_colon(line: _Line) -> _Line:

@@ -15,10 +15,7 @@ Who = tuple[Student | str, ...]  # the students of a submission, or a name if th
 
 
 class Owners:
-    """Finds the students on the roster whom a submission belongs to.
-
-    Without a roster, or if a submission matches nobody, its owner is the name of the submission.
-    """
+    """Finds the students on the roster whom a submission belongs to."""
 
     def __init__(self, roster: list[Student] | None, path: Path | None, uploads: Uploads) -> None:
         self.has_roster = roster is not None

@@ -50,9 +50,11 @@ def similarity(
     comparison = Comparison(works)
     replace_file(out / RECORD, f"{folder.resolve()}\n")
     index = write_pages(out, comparison, chapters, ground.small, notes)
-    last = f"Read the code of each pair yourself: {index}"
-    for line in [*notes, *_outstanding(comparison), last]:
+    *identical, summary = _outstanding(comparison)
+    for line in [*notes, *identical]:
         console.print(line, markup=False, soft_wrap=True)
+    console.print(summary)
+    console.print(f"Read the code of each pair yourself: {index}", markup=False, soft_wrap=True)
     return 0
 
 

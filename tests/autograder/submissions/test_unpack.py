@@ -14,7 +14,6 @@ from autograder.manifest import load_chapters
 from autograder.submissions import unpack
 from autograder.submissions.class_list import read_class
 from autograder.submissions.unpack import class_folder
-from listed import class_in
 from staging import CODE, EXERCISES, OF_CH03, TAKEN, VECTOR, boxed, make_zip, zip_of
 
 WORK = zip_of({f"work/{VECTOR}": CODE})
@@ -24,12 +23,6 @@ def class_zip(folder: Path, files: Mapping[Any, bytes]) -> Path:
     path = folder / "lab1.zip"
     path.write_bytes(zip_of(files))
     return path
-
-
-def found_in(path: Path) -> tuple[dict[str, Path], list[str]]:
-    """Return the submissions in the zip of a class, by student, and the notes on the others."""
-    people = read_class(class_folder(path))
-    return {one.student: one.path for one in people.submissions}, people.notes
 
 
 def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Path) -> None:
@@ -54,41 +47,30 @@ def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Pat
         assert boxed(one.path) == TAKEN
 
 
-def test_a_download_from_moodle_is_read(tmp_path: Path) -> None:
-    zipped = class_zip(
-        tmp_path,
-        {
-            "Ann Lee_12_assignsubmission_file/work.zip": WORK,
-            f"Bo Ek_13_assignsubmission_file_/{VECTOR}": CODE,
-            "Bo Ek_13_assignsubmission_file_/film.mp4": b"x",
-            "Cy_14_assignsubmission_file_work.zip": WORK,
-            "Di_15_assignsubmission_onlinetext/onlinetext.html": b"hello",
-        },
-    )
-    found, notes = found_in(zipped)
-    assert list(found) == ["Ann Lee_12", "Bo Ek_13", "Cy_14", "Di_15"]
-    for student in ("Ann Lee_12", "Bo Ek_13", "Cy_14"):
-        assert boxed(found[student]) == TAKEN
-    (typed,) = [one for one in read_class(class_folder(zipped)).submissions if one.nothing]
-    assert typed.student == "Di_15"
-    assert typed.nothing.endswith("cannot be graded: it is text that was typed into the platform")
-    assert notes == []
+def test_whoever_uploaded_anything_to_moodle_has_handed_in(tmp_path: Path) -> None:
+    files = {
+        "Ann Lee_12_{}_file/work.zip": WORK,
+        f"Bo Ek_13_{{}}_file_/{VECTOR}": CODE,
+        "Bo Ek_13_{}_file_/film.mp4": b"x",
+        "Cy_14_{}_file_work.zip": WORK,
+        "Di_15_{}_onlinetext/onlinetext.html": b"hello",
+        **dict.fromkeys(("Ed_16_{}_file/README.md", "Flo_17_{}_file/.gitignore"), b"x"),
+        **dict.fromkeys(("Gus_18_{}_file/a\x01.zip", ". Suharto_19_{}_file/work.zip"), b"x"),
+        "می\u200cسر_20_{}_file/work\u202f1.zip": b"x",
+        **dict.fromkeys((".DS_Store", "__MACOSX/Ann Lee_12_{}_file/._README.md"), b"x"),
+    }
+    zipped = class_zip(tmp_path, {n.format("assignsubmission"): files[n] for n in files})
+    people = read_class(class_folder(zipped))
+    found = {one.student: one for one in people.submissions}
+    names = ["Ann Lee_12", "Bo Ek_13", "Cy_14", "Di_15", "Ed_16", "Flo_17", "Gus_18"]
+    assert [*found] == [". Suharto_19", *names, "می\\u200cسر_20"]
+    for student in names[:3]:
+        assert boxed(found[student].path) == TAKEN
+    typed = "cannot be graded: it is text that was typed into the platform"
+    assert [one.student for one in found.values() if one.nothing.endswith(typed)] == ["Di_15"]
+    assert people.notes == []
     (film,) = tmp_path.rglob("film.mp4")
     assert film.stat().st_size == 0, "what cannot count is not unpacked, but known"
-
-
-def test_whoever_uploaded_anything_to_moodle_has_handed_in(tmp_path: Path) -> None:
-    uploads = [
-        *("Ann Lee_12_{}/README.md", "Bo_13_{}/.gitignore", "Cy_14_{}/a\x01.zip"),
-        *(". Suharto_15_{}/work.zip", "می\u200cسر_16_{}/work\u202f1.zip"),
-        *(".DS_Store", "__MACOSX/Ann Lee_12_{}/._README.md"),
-    ]
-    names = [name.format("assignsubmission_file") for name in uploads]
-    class_folder(class_zip(tmp_path, dict.fromkeys(names, b"x"))).rename(tmp_path / "class")
-    names = ["Ann Lee", "Bo", "Cy", ". Suharto", "می\u200cسر"]
-    roster = "".join(f"{number},{name},,\n" for number, name in enumerate(names))
-    people = class_in(tmp_path, names[0] + "_12_assignsubmission_file", roster)
-    assert (len(people.submissions), people.absent, people.unmatched) == (5, [], [])
 
 
 def test_every_file_that_students_hand_in_is_unpacked(tmp_path: Path) -> None:

@@ -1,8 +1,4 @@
-"""Find out which exercises an instructor's command applies to.
-
-On the command line, the instructor selects either an assignment from the course file or some
-chapters.
-"""
+"""Find out which exercises an instructor's command is about: an assignment, or whole chapters."""
 
 from __future__ import annotations
 
@@ -27,18 +23,21 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the exercises that an instructor has selected on the command line.
+    """Return the assignment or the chapters that an instructor has named on the command line.
 
-    The instructor selects either an assignment from the course file or some chapters. If
-    ``handed_out`` is True, as in `make handout`, the given chapters are added to the selection.
-    Otherwise they are removed from it, and an empty selection means all chapters.
+    No chapters means all of them without the given ones. If the work is ``handed_out``, as by `make
+    handout`, the instructor must name chapters, and given ones may be among them.
 
     Raises:
-        ValueError: The options contradict each other, or the course file contains mistakes that
-            matter for the assignment. Its other mistakes are printed.
+        ValueError: The options contradict each other, or the course file has a mistake.
     """
     if arguments.assignment is not None:
-        return _assigned(arguments)
+        for option in NOT_WITH_ASSIGNMENT:
+            if value := getattr(arguments, option, None):
+                raise ValueError(
+                    f"with an assignment, {arguments.course} names the {option}: leave out {value}"
+                )
+        return read_assignment(arguments.course, arguments.assignment)
     if arguments.course != DEFAULT:
         raise ValueError("--course needs an assignment too, such as --assignment lab1")
     given = getattr(arguments, "given", "")
@@ -51,15 +50,3 @@ def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
     if not arguments.chapters:
         raise ValueError("name the chapters, such as 2-3, or an assignment with --assignment")
     return Work("", select_chapters(arguments.chapters), select_chapters(given) if given else [])
-
-
-def _assigned(arguments: argparse.Namespace) -> Work:
-    for option in NOT_WITH_ASSIGNMENT:
-        if value := getattr(arguments, option, None):
-            raise ValueError(
-                f"with an assignment, {arguments.course} names the {option}: leave out {value}"
-            )
-    work, note = read_assignment(arguments.course, arguments.assignment)
-    if note:
-        print(note, file=sys.stderr)
-    return work

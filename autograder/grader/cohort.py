@@ -17,8 +17,9 @@ from pathlib import Path
 from autograder.analysis.class_page import write_class_page
 from autograder.checks.arrange import Behind
 from autograder.checks.runner import GraderError, Limits, run_checks
+from autograder.course.lateness import lateness
 from autograder.course.model import Deadline
-from autograder.course.of_class import lateness, scaled_marks
+from autograder.course.points import scaled_marks
 from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import (
     only_run,

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.dates import deadline_from_json
-from autograder.course.of_class import late_on_gradescope
+from autograder.course.lateness import late_on_gradescope
 from autograder.grader.assignment import Assignment
 from autograder.grader.grading import grade_submission
 from autograder.isolation.level import choose_level

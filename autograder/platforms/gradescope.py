@@ -13,8 +13,8 @@ from pathlib import Path
 
 from autograder.checks.arrange import shared_by_checks
 from autograder.course.dates import deadline_to_json
+from autograder.course.lateness import for_gradescope
 from autograder.course.model import Work
-from autograder.course.of_class import for_gradescope
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.platforms.zipped import zipped

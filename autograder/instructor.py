@@ -45,7 +45,6 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "--note", default="", help="with --student: the reason to write to regrades.csv"
     )
     command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
-    command.add_argument("--anonymous", action="store_true", help="show codes instead of names")
     command.add_argument("--title", default="", help="title in Canvas, such as 'Lab 1 (12345)'")
     command.add_argument("--points", type=float, help="what full points are worth on the platform")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
@@ -112,9 +111,8 @@ def run_grade(arguments: argparse.Namespace) -> int:
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
 
-    from autograder.grader.class_folder import SAMPLE
+    from autograder.grader.class_folder import SAMPLE, earlier_choice
     from autograder.grader.cohort import ClassOptions, grade
-    from autograder.grader.regrade import earlier_choice
     from autograder.platforms.uploads import Column
     from autograder.submissions.unpack import class_folder
 
@@ -137,7 +135,6 @@ def run_grade(arguments: argparse.Namespace) -> int:
         jobs=arguments.jobs,
         cluster=arguments.cluster,
         roster=arguments.roster or work.roster,
-        anonymous=arguments.anonymous,
         column=Column(arguments.title or work.title, arguments.points),
         assignment=work.name,
     )

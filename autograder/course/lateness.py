@@ -63,7 +63,8 @@ def _extensions(
     """
     granted: dict[str, list[datetime]] = {}
     of_member: dict[Member, tuple[str, datetime]] = {}
-    problems, notes = [], []
+    problems: list[str] = []
+    notes: list[str] = []
     for name, due in deadline.extensions.items():
         about = f"Extension of {name!r} in the course file:"
         members: list[Member] = []

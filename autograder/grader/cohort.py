@@ -7,32 +7,34 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from autograder.analysis.class_page import write_class_page
-from autograder.checks.arrange import Behind
-from autograder.checks.runner import GraderError, Limits, run_checks
+from autograder.checks.runner import Limits
 from autograder.course.lateness import lateness
 from autograder.course.model import Deadline
 from autograder.course.points import scaled_marks
-from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import (
     only_run,
     put_others_aside,
+    recorded,
     refuse_dropped,
-    refuse_other_class,
+    refuse_other_grades,
     refuse_place,
-    seed_of,
     temporary_files_in,
 )
-from autograder.grader.class_run import ClassRun, print_class
+from autograder.grader.class_run import ClassRun, grade_here, print_class
 from autograder.grader.cluster import connect, grade_over
-from autograder.grader.people import differences, folder_with_names, people_of
+from autograder.grader.conditions import Conditions, run_key
+from autograder.grader.hidden import check_hidden
+from autograder.grader.people import differences, people_of
 from autograder.grader.regrade import Regrade
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
@@ -43,7 +45,8 @@ from autograder.reports.marks import Marks, read_marks
 from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
-from autograder.submissions.codes import key_path
+from autograder.submissions.class_list import ClassList
+from autograder.submissions.find import RECORD
 from autograder.submissions.moodle_worksheet import worksheet_in
 from autograder.text.wrapping import plain_console
 
@@ -57,15 +60,13 @@ class ClassOptions:
             them.
         earlier: The exercises of earlier assignments that the graded ones build on, with the names
             of these assignments.
-        seed: The seed for the random numbers in the checks. If it is None, a new run draws a seed,
-            and an interrupted run keeps its own.
+        seed: The seed for the random numbers in the checks. By default, a folder of reports keeps
+            its seed, and a new one draws a seed.
         hidden: A folder of hidden checks, with paths such as chNN_name/test_*.py.
         unsafe: True to allow grading without a sandbox on a machine that has none.
         jobs: The number of submissions to grade at a time, by default one per core.
         cluster: The address of a Dask scheduler. Its workers then grade instead of this machine.
-        deadline: When the work was due. The reports then say who was late.
         roster: A CSV file that lists the students of the class.
-        anonymous: True if the reports must show codes instead of names.
         column: The gradebook column of Canvas or Moodle that the grades are for.
         assignment: The name of the assignment, or "" if whole chapters are graded.
         student: The only student to regrade, if the class has been graded before.
@@ -83,7 +84,6 @@ class ClassOptions:
     cluster: str | None = None
     deadline: Deadline | None = None
     roster: Path | None = None
-    anonymous: bool = False
     column: Column = field(default_factory=Column)
     assignment: str = ""
     student: str | None = None
@@ -101,8 +101,8 @@ class ClassOptions:
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
-    A complete report from an earlier run is kept if it is still valid. That means that the
-    submission, the checks, the grader and the seed have not changed.
+    A report from an earlier run is kept if the submission, the checks, the grader and the seed have
+    not changed.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -111,121 +111,119 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    named = folder_with_names(out, folder, anonymous=options.anonymous)
-    people = people_of(folder, out, options.roster, anonymous=options.anonymous)
+    people = people_of(folder, out, options.roster)
+    refuse_place(out, folder, people.submissions)
     worksheet = worksheet_in(folder)
-    submissions = people.submissions
-    refuse_place(out, folder, submissions)
-    work = {
-        "assignment": options.assignment,
-        "chapters": [chapter.number for chapter in chapters],
-        "given": [chapter.number for chapter in options.given],
-        "anonymous": options.anonymous,
-    }
-    refuse_other_class(out, people, folder, work)
-    everyone = [submission.student for submission in submissions]
-    manifests = load_chapters(options.root)
-    marks, unused = read_marks(folder / "marks.csv", manifests, people)
-    notes = [*people.notes, *unused, *_marks_elsewhere(marks, chapters)]
-    marks = scaled_marks(marks, chapters, manifests)
-    marked = MarkedAnswers(folder)
+    marks, notes = _marks(folder, chapters, people, options.root)
     late: dict[str, Late] = {}
     if options.deadline:
         late, more_notes = lateness(options.deadline, chapters, folder, people)
         notes += more_notes
-    level = choose_level(folder, unsafe=options.unsafe)
-    with only_run(out) as state:
-        has_roster = options.roster is not None
-        has_checks = options.hidden is not None
-        refuse_dropped(
-            state,
-            has_roster=has_roster,
-            has_checks=has_checks,
-            is_regrade=options.student is not None,
-        )
-        again = Regrade(out, options.student, people) if options.student else None
-        seed = again.seed(options.seed) if again else seed_of(state, options.seed)
-        hidden = options.hidden and options.hidden.resolve()
-        assignment = Assignment(
-            chapters,
-            seed,
-            level,
-            options.given,
-            hidden,
-            options.root,
-            options.time_limit,
-            options.earlier,
-        )
-        check_hidden(assignment)
-        console = plain_console()
-        class_run = ClassRun(
-            assignment, out, marks, console, late, marked=marked, anonymous=options.anonymous
-        )
-        if again:
-            submissions = again.prepare(class_run)
-        record = {"seed": seed, "finished": False, "roster": has_roster, "checks": has_checks}
-        record |= {"folder": str(folder.resolve()), **work}
-        replace_file(state, json.dumps(record) + "\n")
-        for note in notes:
+    console = plain_console()
+    with only_run(out):
+        conditions, regrade = _begin(folder, out, chapters, options, people)
+        for note in [*([regrade.note] if regrade and regrade.note else []), *notes]:
             console.print(note, markup=False)
-        with temporary_files_in(out), ExitStack() as stack:
-            if options.cluster:
-                client = stack.enter_context(connect(options.cluster, assignment, console))
-                over = partial(grade_over, client, assignment)
-                arriving = class_run.elsewhere(submissions, over)
-            else:
-                arriving = class_run.here(submissions, options.jobs or _cores())
-            graded = class_run.collect(submissions, arriving)
-        marked.save()
-        reports = again.finish(graded, options.why, console) if again else graded
+        key, marked = run_key(conditions), MarkedAnswers(folder)
+        run = ClassRun(conditions, key, out, console, marks, marked, late, regrade)
+        graded = _graded(run, people, options)
+        reports = [*graded, *(run.regrade.others if run.regrade else ())]
+        reports.sort(key=lambda report: report.student)
         moved = put_others_aside(out, [report.student for report in reports])
         places = write_class(out, chapters, reports, people)
         places.append(write_class_page(out, chapters, reports))
-        uploads, lines = write_uploads(named, chapters, people, reports, options.column, worksheet)
-        uploads += give_back(named, out, people, reports)
-        finished = all(report.status != "error, retry" for report in reports)
-        finished = finished and {*everyone} == {report.student for report in reports}
-        replace_file(state, json.dumps({**record, "finished": finished}) + "\n")
+        uploads, lines = write_uploads(out, chapters, people, reports, options.column, worksheet)
+        places += [*uploads, *give_back(out, out, people, reports)]
     print_class(console, graded)
-    if any(report.penalty or report.by_hand or report.waiting for report in graded):
-        console.print(
-            "The points in this table are from checks alone. The totals, which include answers "
-            f"marked by hand and late penalties, are in {out / 'gradebook.csv'}.",
-            markup=False,
-        )
-    for report in graded:
-        for note in [] if report.nothing else report.notes:
-            console.print(f"{report.student}: {note}", markup=False)
-    if moved:
-        console.print(
-            f"Reports of students outside this class: {moved}, moved to {out / 'earlier'}"
-        )
-    if class_run.reused:
-        console.print(
-            f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
-        )
+    lines = [*_about(run, graded, moved), *differences(people, reports), *lines]
     lines += _marks_for_nothing(marks, graded)
-    for line in [*differences(people, reports), *lines]:
+    lines.append(f"Seed {run.key.seed}. Isolation: {run.conditions.level}.")
+    for line in lines:
         console.print(line, markup=False)
-    console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
-    if options.anonymous:
-        uploads.append(key_path(options.roster, out))
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
-    for place in uploads:
-        only_you = ": keep this private, because it contains names" if options.anonymous else ""
-        console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status == "error, retry" for report in graded))
 
 
-def _marks_elsewhere(marks: Marks, chapters: list[Chapter]) -> list[str]:
-    """Say which marks are for exercises that are not graded here."""
+def _begin(
+    folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions, people: ClassList
+) -> tuple[Conditions, Regrade | None]:
+    """Choose the conditions of a run, unless it would mix up grades, and record the run."""
+    before = recorded(out)
+    record: dict[str, Any] = {
+        "seed": options.seed or before.get("seed") or secrets.token_hex(4),
+        "roster": options.roster is not None,
+        "checks": options.hidden is not None,
+        "folder": str(folder.resolve()),
+        "assignment": options.assignment,
+        "chapters": [chapter.number for chapter in chapters],
+        "given": [chapter.number for chapter in options.given],
+    }
+    refuse_other_grades(out, record, people)
+    refuse_dropped(before, record, is_regrade=options.student is not None)
+    conditions = Conditions(
+        chapters,
+        record["seed"],
+        choose_level(folder, unsafe=options.unsafe),
+        options.given,
+        options.hidden and options.hidden.resolve(),
+        options.root,
+        options.time_limit,
+        options.earlier,
+    )
+    regrade = None
+    if options.student:
+        regrade = Regrade(out, options.student, people, options.why, run_key(conditions))
+    check_hidden(conditions)
+    replace_file(out / RECORD, json.dumps(record) + "\n")
+    return conditions, regrade
+
+
+def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[StudentReport]:
+    """Grade the submissions on this machine or on a cluster."""
+    wanted = run.regrade.student if run.regrade else None
+    submissions = [one for one in people.submissions if wanted in (None, one.student)]
+    with temporary_files_in(run.out), ExitStack() as stack:
+        if options.cluster:
+            client = stack.enter_context(connect(options.cluster, run.conditions, run.console))
+            reports = run.collect(submissions, partial(grade_over, client, run.conditions))
+        else:
+            jobs = options.jobs or _cores()
+            reports = run.collect(submissions, partial(grade_here, run.conditions, jobs))
+    run.marked.save()
+    return reports
+
+
+def _marks(
+    folder: Path, chapters: list[Chapter], people: ClassList, root: Path
+) -> tuple[Marks, list[str]]:
+    """Read marks.csv, and say which marks are for nobody or for exercises not graded here."""
+    manifests = load_chapters(root)
+    marks, unused = read_marks(folder / "marks.csv", manifests, people)
+    notes = [*people.notes, *unused]
     graded = {exercise.id for chapter in chapters for exercise in chapter.exercises}
-    others = sorted({name for _, name in marks if name not in graded})
-    if not others:
-        return []
-    count = sum(name in others for _, name in marks)
-    return [f"Marks for exercises that are not graded here: {count} ({', '.join(others)})."]
+    if others := [name for _, name in marks if name not in graded]:
+        names = ", ".join(sorted({*others}))
+        notes.append(f"Marks for exercises that are not graded here: {len(others)} ({names}).")
+    return scaled_marks(marks, chapters, manifests), notes
+
+
+def _about(run: ClassRun, graded: Sequence[StudentReport], moved: int) -> list[str]:
+    """Say what the instructor should know about the reports of a run."""
+    lines = []
+    if any(report.penalty or report.by_hand or report.waiting for report in graded):
+        lines.append(
+            "The points in this table are from checks alone. The totals, which include answers "
+            f"marked by hand and late penalties, are in {run.out / 'gradebook.csv'}."
+        )
+    for report in graded:
+        lines += [f"{report.student}: {note}" for note in ([] if report.nothing else report.notes)]
+    if moved:
+        there = run.out / "earlier"
+        lines.append(f"Reports of students outside this class: {moved}, moved to {there}")
+    if run.reused:
+        lines.append(f"{len(run.reused)} of {len(graded)} reports were kept from an earlier run.")
+    return lines
 
 
 def _marks_for_nothing(marks: Marks, reports: Sequence[StudentReport]) -> list[str]:
@@ -234,56 +232,6 @@ def _marks_for_nothing(marks: Marks, reports: Sequence[StudentReport]) -> list[s
     if not names:
         return []
     return [f"Marks that do not count, since there is nothing to grade: {'; '.join(names)}."]
-
-
-def check_hidden(assignment: Assignment) -> None:
-    """Test the instructor's hidden checks on the reference solution before any student is graded.
-
-    A hidden check that fails on the reference solution contains a mistake and would cost students
-    points.
-
-    Raises:
-        ValueError: The folder has no hidden checks for a graded chapter, they cannot be run, or the
-            reference solution fails one of them.
-    """
-    hidden, root = assignment.hidden, assignment.root
-    if hidden is None:
-        return
-    graded = [chapter for chapter in assignment.chapters if (hidden / chapter.name).is_dir()]
-    if not graded:
-        names = ", ".join(chapter.name for chapter in assignment.chapters)
-        raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden)
-    engine = [root / "solutions", root / "chapters"]
-    for chapter in graded:
-        for probes in (root / "tests" / chapter.name).glob("*probes.py"):
-            if (hidden / chapter.name / probes.name).exists():
-                raise ValueError(
-                    f"{hidden / chapter.name / probes.name} has the name of a public file. "
-                    "Rename it to hidden_probes.py"
-                )
-        try:
-            verdicts = run_checks(
-                assignment.whole(chapter),
-                engine,
-                seed=assignment.seed,
-                root=root,
-                behind=behind,
-                exercises=[exercise.id for exercise in chapter.exercises],
-            )
-        except GraderError as error:
-            raise ValueError(
-                f"the checks in {hidden / chapter.name} cannot be run: {error}"
-            ) from error
-        if not any(verdict.hidden for verdict in verdicts):
-            raise ValueError(
-                f"there is no check in {hidden / chapter.name} of a graded exercise: "
-                "add a test_*.py"
-            )
-        for check in verdicts:
-            if check.status != "passed":
-                told = check.secret or check
-                raise ValueError(f"{told.name} fails on the reference itself: {told.message}")
 
 
 def _cores() -> int:

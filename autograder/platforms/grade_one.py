@@ -16,7 +16,7 @@ from typing import Any
 
 from autograder.course.dates import deadline_from_json
 from autograder.course.lateness import late_on_gradescope
-from autograder.grader.assignment import Assignment
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.isolation.level import choose_level
 from autograder.isolation.probe import best_level
@@ -64,7 +64,7 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     graded = [_assigned(chapter, settings["points"], settings["extra"]) for chapter in graded]
     hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
     seed, earlier = secrets.token_hex(4), settings["earlier"]
-    assignment = Assignment(graded, seed, level, given, hidden, root, earlier=earlier)
+    assignment = Conditions(graded, seed, level, given, hidden, root, earlier=earlier)
     student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))

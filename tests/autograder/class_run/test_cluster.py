@@ -24,7 +24,7 @@ from typing import Any
 import pytest
 
 from autograder.grader import cluster as over_cluster
-from autograder.grader.assignment import Assignment
+from autograder.grader.conditions import Conditions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -240,7 +240,7 @@ def test_a_worker_of_another_version_is_refused(
 def test_a_worker_without_the_repository_is_refused_whenever_it_comes(
     without_workers: Any, submissions: Path, root: Path, tmp_path: Path
 ) -> None:
-    assignment = Assignment(load_chapters(root), "1", WALL, root=root)
+    assignment = Conditions(load_chapters(root), "1", WALL, root=root)
     with (
         _worker_in(tmp_path, without_workers) as address,
         distributed.Client(address, set_as_default=False) as client,
@@ -281,16 +281,16 @@ def test_other_walls_are_refused(
 
 
 @pytest.fixture
-def work(root: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[over_cluster.Work]:
+def work(root: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[over_cluster.Job]:
     """What a worker is told by a machine with a wall; and it has one itself."""
     over_cluster._level.cache_clear()
     monkeypatch.setattr(level, "best_level", lambda: WALL)
-    yield over_cluster.Work.of(Assignment(load_chapters(root), "1", WALL, root=root))
+    yield over_cluster.Job.of(Conditions(load_chapters(root), "1", WALL, root=root))
     over_cluster._level.cache_clear()
 
 
 def test_a_worker_without_a_wall_never_runs_code_as_root(
-    work: over_cluster.Work, monkeypatch: pytest.MonkeyPatch
+    work: over_cluster.Job, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(level, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 0)
@@ -300,7 +300,7 @@ def test_a_worker_without_a_wall_never_runs_code_as_root(
 
 
 def test_a_worker_tells_what_differs(
-    work: over_cluster.Work, root: Path, monkeypatch: pytest.MonkeyPatch
+    work: over_cluster.Job, root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     checks = root / "tests/ch90_small/test_small.py"
     checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
@@ -334,7 +334,7 @@ def test_an_address_that_nobody_answers_at_is_told(
 
 
 def test_a_scheduler_that_goes_away_is_told(submissions: Path, root: Path) -> None:
-    assignment = Assignment(load_chapters(root), "1", WALL, root=root)
+    assignment = Conditions(load_chapters(root), "1", WALL, root=root)
     with (
         start_cluster(0) as going,
         distributed.Client(going.scheduler_address, set_as_default=False) as client,

@@ -15,7 +15,7 @@ import pytest
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.grader import cohort
-from autograder.grader.assignment import Assignment, OnceForAll
+from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.cohort import ClassOptions
 from autograder.grader.grading import grade_submission
 from autograder.isolation import level
@@ -176,7 +176,7 @@ def grade_one(
     path: Path, chapters: list[Chapter], given: Sequence[Chapter] = (), root: Path = ROOT
 ) -> dict[str, Any]:
     """Return the report of one submission, graded without a wall."""
-    wanted = Assignment(chapters, "1", Level(), given, root=root)
+    wanted = Conditions(chapters, "1", Level(), given, root=root)
     report: dict[str, Any] = to_json(grade_submission(wanted, Submission(path.name, path)))
     return report
 
@@ -191,7 +191,7 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
     def fails(*_: object, **__: object) -> None:
         raise GraderError("the disk is full")
 
-    monkeypatch.setattr("autograder.grader.assignment.run_checks", fails)
+    monkeypatch.setattr("autograder.grader.conditions.run_checks", fails)
     for student in ("ann", "bob"):
         copy_tree(ROOT / "chapters/ch02_vectors", tmp_path / "class" / student / "ch02_vectors")
     assert grade(tmp_path / "class", tmp_path / "out") == 1
@@ -212,8 +212,8 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         runs.append(chapter.number)
         return run_checks(chapter, *arguments, **more)
 
-    monkeypatch.setattr("autograder.grader.assignment.run_checks", counted)
-    assignment, once = Assignment(CHAPTERS, "1", Level()), OnceForAll()
+    monkeypatch.setattr("autograder.grader.conditions.run_checks", counted)
+    assignment, once = Conditions(CHAPTERS, "1", Level()), OnceForAll()
 
     def graded(student: str) -> dict[str, Any]:
         submission = Submission(student, tmp_path / student)

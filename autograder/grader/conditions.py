@@ -1,4 +1,4 @@
-"""Define the assignment to grade, and cache the check results that are the same for all students.
+"""Define how a class is graded, and cache the results of checks that are the same for everybody.
 
 For example, all students who handed in nothing for a chapter get the same results on it.
 """
@@ -6,26 +6,29 @@ For example, all students who handed in nothing for a chapter get the same resul
 from __future__ import annotations
 
 import contextlib
+import hashlib
+import platform
 import tempfile
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from autograder.checks.arrange import Behind
+from autograder.checks.arrange import Behind, shared_by_checks
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import has_reference, with_given
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter, load_chapters
 from autograder.message import Kind, Message
+from autograder.reports.report import RunKey
 from autograder.scores import Result, results_of
 from autograder.submissions.stage import stage
 
 
 @dataclass(frozen=True)
-class Assignment:
-    """An assignment to grade, with the same exercises, checks and settings for the whole class.
+class Conditions:
+    """The conditions of grading, which are the same for the whole class.
 
     Attributes:
         chapters: The graded chapters, with only the graded exercises.
@@ -57,12 +60,10 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises on one student's code.
+        """Run the checks of a chapter's graded exercises, and of their prerequisites.
 
-        The checks of prerequisite exercises run too, because a failure in a prerequisite may
-        explain a failure in a graded exercise. ``missing`` maps each rejected module of the
-        submission to the reason for its rejection. The compiled code is kept in the folder
-        ``compiled`` for later runs.
+        ``missing`` has the reason for each rejected module of the submission. The compiled code is
+        kept in the folder ``compiled`` for later runs.
 
         Raises:
             GraderError: The checks could not be run.
@@ -71,9 +72,7 @@ class Assignment:
             exercises = [e.id for e in chapter.exercises if e.kind != "written"]
         if not exercises:
             return []
-        why = {
-            module: Message(reason, kind=Kind.BROKEN) for module, reason in (missing or {}).items()
-        }
+        why = {name: Message(words, kind=Kind.BROKEN) for name, words in (missing or {}).items()}
         return run_checks(
             self.whole(chapter),
             engine,
@@ -85,47 +84,77 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with all of its exercises, including those that are not graded.
-
-        These exercises are included because a graded exercise may build on them.
-        """
+        """Return the chapter with all exercises, because a graded one may build on any of them."""
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
-class OnceForAll:
-    """A cache of check results that are the same for every student in a class.
+def run_key(conditions: Conditions) -> RunKey:
+    """Describe everything that a report depends on, apart from the submission itself."""
+    root = conditions.root
+    checks = shared_by_checks(root)
+    for chapter in load_chapters(root):
+        for folder in ("tests", "solutions"):
+            checks += (root / folder / chapter.name).glob("*.py")
+        checks += (root / "chapters" / chapter.name).glob("*.toml")
+        checks += (root / "chapters" / chapter.name).rglob("*.py")  # given modules, too
+    if conditions.hidden:
+        checks += conditions.hidden.rglob("*.py")
+    exercises = [exercise for chapter in conditions.chapters for exercise in chapter.exercises]
+    return RunKey(
+        seed=conditions.seed,
+        chapters=[chapter.number for chapter in conditions.chapters],
+        points={exercise.id: exercise.points for exercise in exercises},
+        extra=[exercise.id for exercise in exercises if exercise.extra],
+        given=[chapter.number for chapter in conditions.given],
+        earlier=dict(conditions.earlier),
+        checks=_digest(checks),
+        grader=grader_digest(),
+        python=platform.python_version(),
+        level=vars(conditions.level),
+        time_limit=conditions.time_limit,
+    )
 
-    All the threads that grade a class share this cache. The first thread that needs a result runs
-    the checks, and the others wait for it.
-    """
+
+def grader_digest() -> str:
+    """Compute a digest of the autograder, whose every version grades a class anew."""
+    return _digest((ROOT / "autograder").rglob("*.py"))
+
+
+def _digest(files: Iterable[Path]) -> str:
+    digest = hashlib.sha256()
+    for file in sorted(files):
+        content = file.read_bytes()
+        digest.update(f"{file.parent.name}/{file.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()
+
+
+class OnceForAll:
+    """A cache of check results that are the same for every student, shared by all threads."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._of_nothing: dict[str, list[Verdict]] = {}
         self._of_reference: dict[str, list[Result]] = {}
 
-    def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
+    def of_nothing(self, conditions: Conditions, chapter: Chapter) -> list[Verdict]:
         """Return the results for students who have handed in no file for a chapter.
 
-        All such students get the same results. If the chapter builds on earlier ones, the code of
-        the earlier chapters comes from the reference solution.
+        The chapters that it builds on come from the reference solution.
 
         Raises:
             GraderError: The checks could not be run.
         """
         with self._lock:
             if chapter.name not in self._of_nothing:
-                self._of_nothing[chapter.name] = _run_on_nothing(assignment, chapter)
+                self._of_nothing[chapter.name] = _run_on_nothing(conditions, chapter)
             return self._of_nothing[chapter.name]
 
-    def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
+    def of_reference(self, conditions: Conditions, chapter: Chapter) -> list[Result]:
         """Return the results of the reference solution on the exercises that have a chart.
 
-        The chart compares the cost and the error of a student's solution with those of the
-        reference solution. If the reference solution cannot be checked, the chart shows only the
-        student's solution.
+        If the reference solution cannot be checked, the chart shows only the student's solution.
         """
-        root = assignment.root
+        root = conditions.root
         with self._lock:
             if chapter.name not in self._of_reference:
                 wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
@@ -133,18 +162,18 @@ class OnceForAll:
                 if has_reference(chapter, root):
                     engine = [root / "solutions", root / "chapters"]
                     with contextlib.suppress(GraderError, OSError):  # grade without them
-                        found = assignment.run(chapter, engine, exercises=wanted)
+                        found = conditions.run(chapter, engine, exercises=wanted)
                 self._of_reference[chapter.name] = results_of(chapter, found)
             return self._of_reference[chapter.name]
 
 
-def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-    below = chapters_below(chapter, assignment.root)
-    available = [other for other in below if has_reference(other, assignment.root)]
+def _run_on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
+    root = conditions.root
+    available = [other for other in chapters_below(chapter, root) if has_reference(other, root)]
     with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
         box, empty = Path(folder) / "box", Path(folder) / "empty"
         box.mkdir()
         empty.mkdir()
-        stage(empty, load_chapters(assignment.root), box, assignment.root)
-        with with_given(available, [box], assignment.root) as engine:
-            return assignment.run(chapter, engine)
+        stage(empty, load_chapters(root), box, root)
+        with with_given(available, [box], root) as engine:
+            return conditions.run(chapter, engine)

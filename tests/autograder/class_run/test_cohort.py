@@ -1,12 +1,7 @@
-"""A run over a class: side by side, and taken up again after it was interrupted.
-
-Run against a chapter of four checks.
-"""
+"""A run over a class of the small chapter, and the next run into the same folder."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import os
 import shutil
@@ -28,7 +23,7 @@ from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapter
 from copies import copy_tree
 from small import MANIFEST, RIGHT, WRITTEN, hand_in
-from small_class import HALF, everything_in, grade, results, scores
+from small_class import HALF, everything_in, grade, results, scores, table
 from typed import typed
 
 
@@ -36,34 +31,37 @@ from typed import typed
 def test_folders_and_zips_are_graded_alike(
     submissions: Path, root: Path, tmp_path: Path, jobs: int
 ) -> None:
-    assert grade(submissions, tmp_path / "out", root, jobs=jobs) == 0
-    assert scores(tmp_path / "out") == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
-    with (tmp_path / "out/gradebook.csv").open(encoding="utf-8", newline="") as file:
-        rows = {row["student"]: row for row in csv.DictReader(file)}
-    assert {name: row["score"] for name, row in rows.items()} == {
-        "points possible": "6",
-        "ann": "6",
-        "bob": "5",
-        "cem": "6",
-    }
+    out = tmp_path / "out"
+    assert grade(submissions, out, root, jobs=jobs) == 0
+    assert scores(out) == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
+    rows = {row["student"]: row["score"] for row in table(out / "gradebook.csv")}
+    assert rows == {"points possible": "6", "ann": "6", "bob": "5", "cem": "6"}
     for name in ("feedback/ann.html", "index.html", "gradescope/cem/results.json"):
-        assert (tmp_path / "out" / name).stat().st_size > 0
+        assert (out / name).stat().st_size > 0
 
 
-def test_what_is_complete_is_not_graded_again(
+def test_the_next_run_keeps_the_seed_and_grades_only_what_is_new(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "out"
-    grade(submissions, out, root)
+    grade(submissions, out, root, None)
     first = results(out)
+    seed = first["ann"]["seed"]
+    assert json.loads((out / "run.json").read_text(encoding="utf-8")) == {
+        **{"seed": seed, "roster": False, "checks": False, "folder": str(submissions)},
+        **{"assignment": "", "chapters": [90], "given": []},
+    }
     (submissions / "bob/ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
     hand_in(submissions, "dee", HALF)
     capsys.readouterr()
-    grade(submissions, out, root)
+    grade(submissions, out, root, None)
     assert "2 of 4 reports were kept from an earlier run." in capsys.readouterr().out
     second = results(out)
     assert first["ann"] == second["ann"], "down to the seconds that it took"
     assert scores(out) == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
+    assert {report["seed"] for report in second.values()} == {seed}
+    grade(submissions, tmp_path / "other", root, None)
+    assert results(tmp_path / "other")["ann"]["seed"] != seed, "a new folder draws a seed"
 
 
 @pytest.mark.parametrize("change", ["seed", "checks", "complete module", "error", "cut off"])
@@ -90,32 +88,6 @@ def test_what_no_longer_holds_is_graded_again(
     grade(submissions, out, root, seed)
     assert results(out)["bob"]["seconds"] > 0
     assert results(out)["bob"]["seed"] == seed
-
-
-def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
-    seeds = []
-    for _ in range(2):
-        grade(submissions, out, root, None)
-        seeds.append(results(out)["ann"]["seed"])
-    assert seeds[0] != seeds[1], "the first run was finished"
-    state = json.loads((out / "run.json").read_text(encoding="utf-8"))
-    assert state == {
-        **{"seed": seeds[1], "finished": True, "roster": False, "assignment": ""},
-        **{
-            "folder": str(submissions),
-            "chapters": [90],
-            "given": [],
-            "anonymous": False,
-            "checks": False,
-        },
-    }
-    (out / "run.json").write_text(json.dumps(state | {"finished": False}), encoding="utf-8")
-    before = results(out)
-    grade(submissions, out, root, None)
-    assert results(out) == before
 
 
 def test_a_run_that_is_interrupted_stops_at_once_and_leaves_what_is_complete(
@@ -174,32 +146,18 @@ def test_reports_of_others_are_moved_aside_and_not_lost(
     shutil.rmtree(submissions / "bob")
     grade(submissions, out, root)
     assert sorted(scores(out)) == ["ann", "cem"]
-    assert "bob" not in everything_in(out / "feedback") + (out / "index.html").read_text(
-        encoding="utf-8"
-    )
+    assert "bob" not in everything_in(out / "feedback")
+    assert "bob" not in (out / "index.html").read_text(encoding="utf-8")
     for name in ("results/bob.json", "feedback/bob.html", "gradescope/bob/results.json"):
         assert not (out / name).exists()
         assert (out / "earlier" / name).exists()
     assert "Reports of students outside this class: 1, moved to " in capsys.readouterr().out
 
 
-def test_a_submission_without_a_chapter_is_nothing_to_grade(
+def test_what_has_nothing_to_grade_is_explained_to_everybody_and_no_zero(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (submissions / "dee/chapter 90").mkdir(parents=True)
-    grade(submissions, tmp_path / "out", root)
-    screen = " ".join(capsys.readouterr().out.split())
-    report = results(tmp_path / "out")["dee"]
-    why = "no folder of a chapter was found, at most three levels down"
-    assert (report["status"], report["nothing"]) == ("nothing to grade", why)
-    how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
-    assert report["notes"] == [how]
-    assert f"Handed in, nothing to grade: 1. dee: {why}" in screen
-
-
-def test_a_zip_of_files_without_their_folder_is_explained_to_everybody(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+    (submissions / "eve/chapter 90").mkdir(parents=True)
     with zipfile.ZipFile(submissions / "dee.zip", "w") as zipped:
         zipped.writestr("small.py", RIGHT)
     (root / "chapters/ch91_other").mkdir()  # it has a file of this name too, but is not graded
@@ -208,27 +166,21 @@ def test_a_zip_of_files_without_their_folder_is_explained_to_everybody(
     out = tmp_path / "out"
     graded = [load_chapter(root / "chapters/ch90_small")]
     cohort.grade(submissions, out, graded, ClassOptions(seed="1", root=root, unsafe=True))
-    why = "small.py was found at the top of what was handed in, and not in a folder ch90_small. "
-    why += "Put it into a folder ch90_small and hand in again"
-    assert results(out)["dee"]["nothing"] == f"'dee.zip': {why}"
-    assert scores(out)["dee"] is None, "which is no zero"
-    for name in ("feedback/dee.html", "gradescope/dee/results.json"):
-        assert why in (out / name).read_text(encoding="utf-8")
-    assert f"dee: 'dee.zip': {why}" in " ".join(capsys.readouterr().out.split())
-
-
-@pytest.mark.parametrize(
-    ("place", "complaint"),
-    [
-        (".", "must not be the folder of the class"),
-        ("ann/grades", "must not be inside the submission"),
-    ],
-)
-def test_reports_do_not_go_where_submissions_are(
-    submissions: Path, root: Path, place: str, complaint: str
-) -> None:
-    with pytest.raises(ValueError, match=complaint):
-        grade(submissions, submissions / place, root)
+    of_dee = (
+        "'dee.zip': small.py was found at the top of what was handed in, and not in a folder "
+        "ch90_small. Put it into a folder ch90_small and hand in again"
+    )
+    of_eve = "no folder of a chapter was found, at most three levels down"
+    screen = " ".join(capsys.readouterr().out.split())
+    for student, why in (("dee", of_dee), ("eve", of_eve)):
+        report = results(out)[student]
+        assert (report["status"], report["nothing"]) == ("nothing to grade", why)
+        assert scores(out)[student] is None, "which is no zero"
+        for name in (f"feedback/{student}.html", f"gradescope/{student}/results.json"):
+            assert why.partition(": ")[2] in (out / name).read_text(encoding="utf-8")
+        assert f"{student}: {why}" in screen
+    how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
+    assert results(out)["eve"]["notes"] == [how]
 
 
 def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
@@ -236,12 +188,6 @@ def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path:
     with only_run(out), pytest.raises(ValueError, match="another run is grading into"):
         grade(submissions, out, root)
     assert grade(submissions, out, root) == 0
-
-
-def test_the_reports_may_lie_in_the_folder_of_the_class(submissions: Path, root: Path) -> None:
-    for _ in range(2):
-        assert grade(submissions, submissions / "grades", root) == 0
-    assert sorted(scores(submissions / "grades")) == ["ann", "bob", "cem"]
 
 
 def test_after_an_error_the_same_command_grades_that_student_alone(
@@ -280,16 +226,10 @@ def test_marks_of_a_person_are_merged_on_every_run(
     bob = results(out)["bob"]
     assert (bob["by_hand"], bob["waiting"], bob["seconds"]) == (2.5, 0, seconds)
     assert "well argued" in (out / "feedback/bob.html").read_text(encoding="utf-8")
-    row = next(csv.DictReader(io.StringIO(_row_of(out, "bob"))))
-    assert row["90.2"] == "2.5"
+    assert {row["student"]: row["90.2"] for row in table(out / "gradebook.csv")}["bob"] == "2.5"
     (submissions / "marks.csv").write_text(marks.replace("2.5", "4"), encoding="utf-8")
     with pytest.raises(ValueError, match=r"marks\.csv"):
         grade(submissions, out, root)
-
-
-def _row_of(out: Path, student: str) -> str:
-    lines = (out / "gradebook.csv").read_text(encoding="utf-8").splitlines()
-    return "\n".join([lines[0], *(line for line in lines if line.startswith(student))])
 
 
 def test_without_a_wall_only_the_sample_class_is_graded(

@@ -15,8 +15,8 @@ import pytest
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.grader import cohort
-from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.cohort import ClassOptions
+from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.grading import grade_submission
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level

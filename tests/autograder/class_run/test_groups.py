@@ -9,7 +9,7 @@ import pytest
 
 from autograder.course.model import Deadline, LatePolicy
 from autograder.platforms.uploads import Column
-from small import RIGHT, hand_in, make_root
+from small import RIGHT, hand_in
 from small_class import HALF, grade, results, table
 
 ROSTER = """id,name,email,login,group
@@ -21,11 +21,6 @@ ROSTER = """id,name,email,login,group
 6,Fay Ng,fay@x.org,fn,team 3
 """
 DUE = datetime(2026, 10, 23, tzinfo=UTC)
-
-
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    return make_root(tmp_path / "root")
 
 
 @pytest.fixture
@@ -82,15 +77,3 @@ def test_each_member_has_the_grade_of_the_group(
     assert grade(submissions, out, root, student="Ann Lee", why="asked", seed=None, **options) == 0
     assert "1/1 team 1 (Ann Lee, Bo Ek)" in capsys.readouterr().out
     assert len(table(out / "gradebook.csv")) == 7
-
-
-def test_a_group_has_one_code_and_its_members_have_their_own(
-    root: Path, roster: Path, submissions: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
-    assert grade(submissions, out, root, roster=roster, anonymous=True) == 0
-    key = {row["name"]: row["code"] for row in table(tmp_path / "roster-key.csv")}
-    assert key["team 1 (Ann Lee, Bo Ek)"] in results(out)
-    book = {row["student"]: row["score"] for row in table(out / "gradebook.csv")}
-    assert book[key["Ann Lee"]] == book[key["Bo Ek"]] == "6"
-    assert len({*key.values()}) == len(key)

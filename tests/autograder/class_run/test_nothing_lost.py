@@ -1,25 +1,29 @@
-"""No command replaces grades that it did not make, and no student stops the others."""
+"""No command replaces grades or files that it did not make, and no student stops the others."""
 
 from __future__ import annotations
 
-import csv
 import multiprocessing
+import zipfile
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from autograder.course.model import Work
 from autograder.grader import class_run, cohort
 from autograder.grader.cohort import ClassOptions
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT, load_chapters, select_chapters
 from autograder.marking.marked_answers import MarkedAnswers
+from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.marks import Mark
 from autograder.reports.report import StudentReport
-from autograder.submissions.class_list import read_class
-from autograder.submissions.codes import with_codes
+from autograder.similarity.run import similarity
+from autograder.submissions.unpack import class_folder
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
-from small_class import everything_in, grade, make_class, results, scores
+from small_class import everything_in, grade, make_class, results, scores, table
 from typed import typed
+
+MARKS = "student,exercise,points,comment\n"
 
 
 @pytest.fixture
@@ -53,27 +57,66 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
     with pytest.raises(ValueError, match="the grades of lab1, and not of lab2"):
         grade(tmp_path / "moved", out, root, assignment="lab2")
     assert grade(tmp_path / "moved", out, root, assignment="lab1") == 0, "the same class"
-
-
-def test_a_newer_download_under_another_name_is_told_to_take_the_old_one(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    grade(submissions, tmp_path / "out", root)
-    newer = make_class(tmp_path / "class (1)")  # which has no marks.csv
-    with pytest.raises(ValueError, match=r"newer download .* of the older one, class, so"):
-        grade(newer, tmp_path / "out", root)
-
-
-def test_a_folder_that_was_moved_does_not_let_another_class_in(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    out, other = tmp_path / "out", tmp_path / "other"
-    grade(submissions, out, root)
-    submissions.rename(tmp_path / "moved")
-    for student in ("ann", "zoe", "yan"):  # only one of the three who were graded
+    (tmp_path / "moved").rename(tmp_path / "moved again")
+    for student in ("zoe", "yan"):  # with ann, only one of the three who were graded
         hand_in(other, student, RIGHT)
     with pytest.raises(ValueError, match="the grades of the class in"):
-        grade(other, out, root)
+        grade(other, out, root, assignment="lab1")
+
+
+def test_the_grades_of_other_chapters_are_never_replaced(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    grade(submissions, out, root)
+    before = everything_in(out)
+    newer = make_class(tmp_path / "class (1)")  # which has no marks.csv
+    with pytest.raises(ValueError, match=r"newer download .* of the older one, class, so"):
+        grade(newer, out, root)
+    given = ClassOptions(root=root, unsafe=True, given=select_chapters("2"))
+    for chapters, options, words in (
+        (load_chapters(root), given, "chapters 90 on given chapters 2. To keep"),
+        (select_chapters("2"), ClassOptions(unsafe=True), "chapters 2. To keep them"),
+    ):
+        with pytest.raises(ValueError, match=f"the grades of chapters 90, and not of {words}"):
+            cohort.grade(submissions, out, chapters, options)
+    assert everything_in(out) == before
+
+
+@pytest.mark.parametrize(
+    ("place", "complaint"),
+    [
+        (".", "must not be the folder of the class"),
+        ("ann/grades", "must not be inside the submission"),
+        ("../website", r"has other files, such as index.html. Name another one"),
+    ],
+)
+def test_reports_do_not_go_among_submissions_or_other_files(
+    submissions: Path, root: Path, place: str, complaint: str
+) -> None:
+    website = submissions / "../website"
+    website.mkdir()
+    (website / "index.html").write_text("mine", encoding="utf-8")
+    with pytest.raises(ValueError, match=complaint):
+        grade(submissions, submissions / place, root)
+    with pytest.raises(ValueError, match=r"it has other files. Name another one"):
+        similarity(submissions, website, load_chapters(root), root=root)
+    assert everything_in(website) == "mine"
+
+
+def test_the_zip_for_gradescope_replaces_only_an_earlier_one(tmp_path: Path) -> None:
+    work, out = Work("", select_chapters("2")), tmp_path / "lab1.zip"
+    for content in ("text", "zip"):
+        out.write_text(content, encoding="utf-8")
+        if content == "zip":
+            with zipfile.ZipFile(out, "w") as file:
+                file.writestr("ann/work.py", "x = 1")
+        before = out.read_bytes()
+        with pytest.raises(ValueError, match=r"lab1.zip is another file, such as a download of su"):
+            make_gradescope(work, out)
+        assert out.read_bytes() == before
+    for _ in range(2):
+        make_gradescope(work, tmp_path / "autograder.zip")
 
 
 def test_the_command_grades_the_same_class_again_and_never_guesses_one(tmp_path: Path) -> None:
@@ -86,23 +129,43 @@ def test_the_command_grades_the_same_class_again_and_never_guesses_one(tmp_path:
     submission = tmp_path / "class/ann/ch02_vectors"
     submission.mkdir(parents=True)
     (submission / "vector.py").write_text("x = 1\n", encoding="utf-8")
-    (command_with_class := [*command]).insert(2, tmp_path / "class")
-    assert typed(*command_with_class).returncode == 0
+    assert typed(*command[:2], tmp_path / "class", *command[2:]).returncode == 0
     again = typed(*command, "--student", "Ann", "--note", 'it\'s "$5"')
     assert again.returncode == 0, again.stderr
     assert f"grading the class in {tmp_path / 'class'} again" in again.stdout
-    assert (
-        list(csv.reader((out / "regrades.csv").read_text(encoding="utf-8").splitlines()))[1][5]
-        == 'it\'s "$5"'
-    )
+    assert table(out / "regrades.csv")[0]["why"] == 'it\'s "$5"'
+
+
+def test_the_class_is_graded_again_on_the_same_chapters_and_never_from_an_older_zip(
+    tmp_path: Path,
+) -> None:
+    out, zipped = tmp_path / "out", tmp_path / "lab1.zip"
+
+    def download(*students: str) -> None:
+        with zipfile.ZipFile(zipped, "w") as file:
+            for student in students:
+                file.writestr(f"{student}/ch02_vectors/vector.py", "x = 1\n")
+
+    download("ann")
+    command = ("autograder", "grade", "--out", out)
+    first = typed(*command, zipped, "--chapters", "2")
+    assert first.returncode == 0, first.stderr
+    download("ann", "bob")
+    newer = typed(*command)
+    assert (newer.returncode, "lab1.zip has changed since it was unp" in newer.stderr) == (2, True)
+    assert typed(*command, zipped, "--chapters", "2").returncode == 0
+    again = typed(*command)
+    assert again.returncode == 0, again.stderr
+    _, *rows = table(out / "gradebook.csv")
+    assert [row["student"] for row in rows] == ["ann", "bob"]
+    assert not any(name.startswith("B3.") for name in rows[0]), "only chapter 2"
 
 
 def test_a_mark_stays_when_its_submission_goes(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "out"
-    marks = "student,exercise,points,comment\nann,90.2,2,\nbob,90.2,1,\n"
-    (submissions / "marks.csv").write_text(marks, encoding="utf-8")
+    (submissions / "marks.csv").write_text(f"{MARKS}ann,90.2,2,\nbob,90.2,1,\n", encoding="utf-8")
     grade(submissions, out, root)
     (submissions / "bob").rename(tmp_path / "bob")
     capsys.readouterr()
@@ -111,6 +174,17 @@ def test_a_mark_stays_when_its_submission_goes(
         assert "bob handed in nothing, so the marks are not used" in capsys.readouterr().out
     assert (out / "earlier/results/bob.json").exists()
     assert results(out)["ann"]["by_hand"] == 2
+
+
+def test_a_mark_for_an_exercise_that_is_not_graded_here_is_reported(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (submissions / "marks.csv").write_text(f"{MARKS}ann,90.2,2,\n", encoding="utf-8")
+    (chapter,) = load_chapters(root)
+    part = replace(chapter, exercises=[e for e in chapter.exercises if e.id != "90.2"])
+    options = ClassOptions(seed="1", root=root, unsafe=True)
+    assert cohort.grade(submissions, tmp_path / "out", [part], options) == 0
+    assert "Marks for exercises that are not graded here: 1 (90.2)." in capsys.readouterr().out
 
 
 def test_a_report_that_cannot_be_written_stops_nobody_else(
@@ -140,73 +214,43 @@ def test_an_answer_that_changes_after_it_was_marked_is_reported(
     answer(submissions / "ann", "Because it is small.")
     answer(submissions / "bob", "Because I say so.")
     marks = submissions / "marks.csv"
-    text = "student,exercise,points,comment\nann,90.2,2,\nbob,90.2,1,Why?\n"
+    text = f"{MARKS}ann,90.2,2,\nbob,90.2,1,Why?\n"
     marks.write_text(text, encoding="utf-8")
 
     def states() -> dict[str, tuple[str, float]]:
         capsys.readouterr()
-        grade(submissions, out, root, roster=None)
+        grade(submissions, out, root)
         reports = results(out)
-        found = {}
-        for student in ("ann", "bob"):
-            (written,) = [e for e in reports[student]["exercises"] if e["id"] == "90.2"]
-            found[student] = (written["status"], written["score"])
-        return found
+        return {
+            student: (written["status"], written["score"])
+            for student in ("ann", "bob")
+            for written in reports[student]["exercises"]
+            if written["id"] == "90.2"
+        }
 
     assert states() == {"ann": ("marked", 2.0), "bob": ("marked", 1.0)}
     answer(submissions / "bob", "Because of the definition.")
     assert states() == {"ann": ("marked", 2.0), "bob": ("changed", 1.0)}
-    assert "Answers that have changed since they were marked: 1 (bob 90.2)." in (
-        capsys.readouterr().out
-    )
-    assert "bob,graded; changed since marked: 90.2," in (out / "gradebook.csv").read_text(
-        encoding="utf-8"
-    )
-    assert "has changed since a person marked it" in (out / "feedback/bob.html").read_text(
-        encoding="utf-8"
-    )
+    said = "Answers that have changed since they were marked: 1 (bob 90.2)."
+    assert said in capsys.readouterr().out
+    for file, words in (
+        ("gradebook.csv", "bob,graded; changed since marked: 90.2,"),
+        ("feedback/bob.html", "has changed since a person marked it"),
+    ):
+        assert words in (out / file).read_text(encoding="utf-8")
     marks.write_text(text.replace("bob,90.2,1,Why?", "bob,90.2,3,"), encoding="utf-8")
     assert states()["bob"] == ("marked", 3.0), "a new mark is for the new answer"
-
-
-def test_a_mark_for_an_exercise_that_is_not_graded_here_is_reported(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (submissions / "marks.csv").write_text(
-        "student,exercise,points,comment\nann,90.2,2,\n", encoding="utf-8"
-    )
-    (chapter,) = load_chapters(root)
-    part = replace(chapter, exercises=[e for e in chapter.exercises if e.id != "90.2"])
-    options = ClassOptions(seed="1", root=root, unsafe=True)
-    assert cohort.grade(submissions, tmp_path / "out", [part], options) == 0
-    assert "Marks for exercises that are not graded here: 1 (90.2)." in capsys.readouterr().out
-
-
-def code_of(folder: Path, key: Path, found: str) -> None:
-    people = with_codes(read_class(folder), key)
-    Path(found).write_text(people.submissions[0].student, encoding="utf-8")
-
-
-def test_two_first_runs_with_codes_use_one_secret(submissions: Path, tmp_path: Path) -> None:
-    context = multiprocessing.get_context("fork")
-    key = tmp_path / "roster-key.csv"
-    found = [str(tmp_path / f"found{i}") for i in range(6)]
-    runs = [context.Process(target=code_of, args=(submissions, key, path)) for path in found]
-    for run in runs:
-        run.start()
-    for run in runs:
-        run.join()
-        assert run.exitcode == 0
-    assert len({Path(path).read_text(encoding="utf-8") for path in found}) == 1
 
 
 def test_reports_inside_the_folder_of_the_class_are_no_student(
     submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    grade(submissions, submissions / "grades", root)
+    for _ in range(2):
+        assert grade(submissions, submissions / "grades", root) == 0
     capsys.readouterr()
     grade(submissions, tmp_path / "other", root)
-    assert set(scores(tmp_path / "other")) == {"ann", "bob", "cem"}
+    for out in (submissions / "grades", tmp_path / "other"):
+        assert set(scores(out)) == {"ann", "bob", "cem"}
     assert "grades was left out: it has the reports of a graded class" in capsys.readouterr().out
 
 
@@ -239,25 +283,36 @@ def test_the_marking_page_and_the_grader_keep_each_others_records(tmp_path: Path
     assert all(now.is_changed(student, "90.2", mark, "new") for student in ("ann", "bob", "cem"))
 
 
-def test_names_do_not_go_among_codes(submissions: Path, root: Path, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    grade(submissions, out, root, anonymous=True)
-    before = everything_in(out)
-    with pytest.raises(
-        ValueError, match="chapters 90 with codes for names, and not of chapters 90"
-    ):
-        grade(submissions, out, root)
-    assert everything_in(out) == before
-
-
 def test_no_run_drops_the_roster_in_silence(submissions: Path, root: Path, tmp_path: Path) -> None:
     roster, out = tmp_path / "roster.csv", tmp_path / "out"
     roster.write_text("id,name,email,login\nbob,Bob Ray,,\n9,Zed,,\n", encoding="utf-8")
     grade(submissions, out, root)
     grade(submissions, out, root, roster=roster)  # which may come later
     before = everything_in(out)
-    with pytest.raises(
-        ValueError, match=r"with a roster: add --roster .* without one, add another"
-    ):
-        grade(submissions, out, root)
+    for student in (None, "bob"):
+        with pytest.raises(
+            ValueError, match=r"with a roster: add --roster .* without, add another"
+        ):
+            grade(submissions, out, root, student=student)
     assert everything_in(out) == before, "as if canvas.csv had today's grades"
+
+
+def unpacked_into(zipped: Path, found: Path) -> None:
+    folder = class_folder(zipped)
+    found.write_text(str(len([*folder.glob("*/work.py")])), encoding="utf-8")
+
+
+def test_two_commands_that_unpack_one_zip_both_find_everything(tmp_path: Path) -> None:
+    zipped = tmp_path / "lab1.zip"
+    with zipfile.ZipFile(zipped, "w") as file:
+        for number in range(300):
+            file.writestr(f"student {number}/work.py", "x = 1\n")
+    context = multiprocessing.get_context("fork")
+    found = [tmp_path / f"found{i}" for i in range(4)]
+    runs = [context.Process(target=unpacked_into, args=(zipped, path)) for path in found]
+    for run in runs:
+        run.start()
+    for run in runs:
+        run.join()
+        assert run.exitcode == 0
+    assert {path.read_text(encoding="utf-8") for path in found} == {"300"}

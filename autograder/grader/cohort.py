@@ -133,7 +133,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         places = write_class(out, chapters, reports, people)
         places.append(write_class_page(out, chapters, reports))
         uploads, lines = write_uploads(out, chapters, people, reports, options.column, worksheet)
-        places += [*uploads, *give_back(out, out, people, reports)]
+        places += [*uploads, *give_back(out, people, reports)]
     print_class(console, graded)
     lines = [*_about(run, graded, moved), *differences(people, reports), *lines]
     lines += _marks_for_nothing(marks, graded)

@@ -3,23 +3,17 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from pathlib import Path
 
 import pytest
 
 from autograder.course.model import Work
 from autograder.course.reading import read_course
-from autograder.grader.cohort import ClassOptions
-from autograder.grader.cohort import grade as grade_class
-from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT
-from autograder.platforms.grade_one import grade_one
-from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from copies import copy_tree
 from small import RIGHT, hand_in
-from small_class import everything_in, results, scores
+from small_class import everything_in, grade_work, on_gradescope, results, scores
 from small_class import grade as grade_chapters
 
 COURSE = """
@@ -68,8 +62,7 @@ def test_the_exercise_that_blocks_others_is_named_first_and_earns_nothing(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     out = tmp_path / "out"
-    options = ClassOptions(seed="1", root=root, unsafe=True, earlier=lab3.earlier)
-    assert grade_class(submissions, out, lab3.chapters, options) == 0
+    assert grade_work(submissions, out, root, lab3) == 0
     assert scores(out) == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
     causes = {student: report.get("causes") for student, report in results(out).items()}
     assert causes["ann"] is None
@@ -101,15 +94,12 @@ def test_whole_chapters_have_no_earlier_assignments(
 def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
     (tmp_path / "course.toml").write_text(VECTORS, encoding="utf-8")
     lab3 = read_course(tmp_path / "course.toml").assignments[1]
-    make_gradescope(lab3, tmp_path / "a.zip", unsafe=not best_level().is_sandbox)
-    with zipfile.ZipFile(tmp_path / "a.zip") as file:
-        file.extractall(tmp_path / "source")
-    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "submission/ch02_vectors")
-    vector = tmp_path / "submission/ch02_vectors/vector.py"
+    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "ada/ch02_vectors")
+    vector = tmp_path / "ada/ch02_vectors/vector.py"
     right = vector.read_text(encoding="utf-8")
     wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
     assert wrong != right
     vector.write_text(wrong, encoding="utf-8")
-    results = gradescope_results(grade_one(tmp_path, tmp_path / "source"))
+    results = gradescope_results(on_gradescope(lab3, tmp_path, tmp_path / "ada"))
     assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results.output
     assert [(test.number, test.max_score) for test in results.tests] == [("B2.10", 4), ("B2.9", 0)]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from autograder.course.choose import add_options, work_of
@@ -123,22 +124,16 @@ def run_grade(arguments: argparse.Namespace) -> int:
     if is_again and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
+    seed, roster = arguments.seed or work.seed, arguments.roster or work.roster
     options = ClassOptions(
-        given=work.given,
-        earlier=work.earlier,
-        seed=arguments.seed or work.seed,
         student=arguments.student,
         why=arguments.note,
-        hidden=work.hidden,
-        deadline=work.deadline,
         unsafe=arguments.unsafe_no_sandbox,
         jobs=arguments.jobs,
         cluster=arguments.cluster,
-        roster=arguments.roster or work.roster,
         column=Column(arguments.title or work.title, arguments.points),
-        assignment=work.name,
     )
-    return grade(folder, arguments.out, work.chapters, options)
+    return grade(folder, arguments.out, replace(work, seed=seed, roster=roster), options)
 
 
 def _class_of(arguments: argparse.Namespace) -> Path:

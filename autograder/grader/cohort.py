@@ -9,7 +9,7 @@ import json
 import os
 import secrets
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
@@ -19,7 +19,7 @@ from typing import Any
 from autograder.analysis.class_page import write_class_page
 from autograder.checks.runner import Limits
 from autograder.course.lateness import lateness
-from autograder.course.model import Deadline
+from autograder.course.model import Work
 from autograder.course.points import scaled_marks
 from autograder.grader.class_folder import (
     only_run,
@@ -53,39 +53,23 @@ from autograder.text.wrapping import plain_console
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """The options with which an instructor grades a class.
+    """How an instructor grades a class, apart from the work that is graded.
 
     Attributes:
-        given: Chapters that come from the reference solution, even if students hand in files for
-            them.
-        earlier: The exercises of earlier assignments that the graded ones build on, with the names
-            of these assignments.
-        seed: The seed for the random numbers in the checks. By default, a folder of reports keeps
-            its seed, and a new one draws a seed.
-        hidden: A folder of hidden checks, with paths such as chNN_name/test_*.py.
         unsafe: True to allow grading without a sandbox on a machine that has none.
         jobs: The number of submissions to grade at a time, by default one per core.
         cluster: The address of a Dask scheduler. Its workers then grade instead of this machine.
-        roster: A CSV file that lists the students of the class.
         column: The gradebook column of Canvas or Moodle that the grades are for.
-        assignment: The name of the assignment, or "" if whole chapters are graded.
         student: The only student to regrade, if the class has been graded before.
         why: The reason for the regrade, as it appears in the log.
     """
 
-    given: Sequence[Chapter] = ()
-    earlier: Mapping[str, str] = field(default_factory=dict)
-    seed: str | None = None
-    hidden: Path | None = None
     unsafe: bool = False
     root: Path = ROOT
     time_limit: float = Limits.check
     jobs: int | None = None
     cluster: str | None = None
-    deadline: Deadline | None = None
-    roster: Path | None = None
     column: Column = field(default_factory=Column)
-    assignment: str = ""
     student: str | None = None
     why: str = ""
 
@@ -98,11 +82,11 @@ class ClassOptions:
             raise ValueError("--note is for the log of regrades: add --student")
 
 
-def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
+def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
     A report from an earlier run is kept if the submission, the checks, the grader and the seed have
-    not changed.
+    not changed. Without a seed, ``out`` keeps its own, and a new folder draws one.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -111,17 +95,17 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    people = people_of(folder, out, options.roster)
+    people = people_of(folder, out, work.roster)
     refuse_place(out, folder, people.submissions)
     worksheet = worksheet_in(folder)
-    marks, notes = _marks(folder, chapters, people, options.root)
+    marks, notes = _marks(folder, work.chapters, people, options.root)
     late: dict[str, Late] = {}
-    if options.deadline:
-        late, more_notes = lateness(options.deadline, chapters, folder, people)
+    if work.deadline:
+        late, more_notes = lateness(work.deadline, work.chapters, folder, people)
         notes += more_notes
     console = plain_console()
     with only_run(out):
-        conditions, regrade = _begin(folder, out, chapters, options, people)
+        conditions, regrade = _begin(folder, out, work, options, people)
         for note in [*([regrade.note] if regrade and regrade.note else []), *notes]:
             console.print(note, markup=False)
         key, marked = run_key(conditions), MarkedAnswers(folder)
@@ -130,46 +114,45 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         reports = [*graded, *(run.regrade.others if run.regrade else ())]
         reports.sort(key=lambda report: report.student)
         moved = put_others_aside(out, [report.student for report in reports])
-        places = write_class(out, chapters, reports, people)
-        places.append(write_class_page(out, chapters, reports))
-        uploads, lines = write_uploads(out, chapters, people, reports, options.column, worksheet)
+        places = write_class(out, work.chapters, reports, people)
+        places.append(write_class_page(out, work.chapters, reports))
+        column = options.column
+        uploads, lines = write_uploads(out, work.chapters, people, reports, column, worksheet)
         places += [*uploads, *give_back(out, people, reports)]
     print_class(console, graded)
-    lines = [*_about(run, graded, moved), *differences(people, reports), *lines]
-    lines += _marks_for_nothing(marks, graded)
-    lines.append(f"Seed {run.key.seed}. Isolation: {run.conditions.level}.")
-    for line in lines:
+    for line in [*_about(run, graded, moved), *differences(people, reports), *lines]:
         console.print(line, markup=False)
+    console.print(f"Seed {key.seed}. Isolation: {conditions.level}.", markup=False)
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
     return int(any(report.status == "error, retry" for report in graded))
 
 
 def _begin(
-    folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions, people: ClassList
+    folder: Path, out: Path, work: Work, options: ClassOptions, people: ClassList
 ) -> tuple[Conditions, Regrade | None]:
     """Choose the conditions of a run, unless it would mix up grades, and record the run."""
     before = recorded(out)
     record: dict[str, Any] = {
-        "seed": options.seed or before.get("seed") or secrets.token_hex(4),
-        "roster": options.roster is not None,
-        "checks": options.hidden is not None,
+        "seed": work.seed or before.get("seed") or secrets.token_hex(4),
+        "roster": work.roster is not None,
+        "checks": work.hidden is not None,
         "folder": str(folder.resolve()),
-        "assignment": options.assignment,
-        "chapters": [chapter.number for chapter in chapters],
-        "given": [chapter.number for chapter in options.given],
+        "assignment": work.name,
+        "chapters": [chapter.number for chapter in work.chapters],
+        "given": [chapter.number for chapter in work.given],
     }
     refuse_other_grades(out, record, people)
     refuse_dropped(before, record, is_regrade=options.student is not None)
     conditions = Conditions(
-        chapters,
+        work.chapters,
         record["seed"],
         choose_level(folder, unsafe=options.unsafe),
-        options.given,
-        options.hidden and options.hidden.resolve(),
+        work.given,
+        work.hidden and work.hidden.resolve(),
         options.root,
         options.time_limit,
-        options.earlier,
+        work.earlier,
     )
     regrade = None
     if options.student:
@@ -223,18 +206,12 @@ def _about(run: ClassRun, graded: Sequence[StudentReport], moved: int) -> list[s
         lines.append(f"Reports of students outside this class: {moved}, moved to {there}")
     if run.reused:
         lines.append(f"{len(run.reused)} of {len(graded)} reports were kept from an earlier run.")
+    marked = {student for student, _ in run.marks}
+    if unused := [one.student for one in graded if one.nothing and one.student in marked]:
+        names = "; ".join(unused)
+        lines.append(f"Marks that do not count, since there is nothing to grade: {names}.")
     return lines
 
 
-def _marks_for_nothing(marks: Marks, reports: Sequence[StudentReport]) -> list[str]:
-    """Say whose marks do not count because nothing was handed in that can be graded."""
-    names = [r.student for r in reports if r.nothing and any(who == r.student for who, _ in marks)]
-    if not names:
-        return []
-    return [f"Marks that do not count, since there is nothing to grade: {'; '.join(names)}."]
-
-
 def _cores() -> int:
-    if sys.platform == "linux":
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1

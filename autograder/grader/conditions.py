@@ -10,7 +10,7 @@ import hashlib
 import platform
 import tempfile
 import threading
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -22,7 +22,6 @@ from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter, load_chapters
 from autograder.message import Kind, Message
 from autograder.reports.report import RunKey
-from autograder.scores import Result, results_of
 from autograder.submissions.stage import stage
 
 
@@ -133,8 +132,7 @@ class OnceForAll:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._of_nothing: dict[str, list[Verdict]] = {}
-        self._of_reference: dict[str, list[Result]] = {}
+        self._found: dict[tuple[str, str], list[Verdict]] = {}
 
     def of_nothing(self, conditions: Conditions, chapter: Chapter) -> list[Verdict]:
         """Return the results for students who have handed in no file for a chapter.
@@ -144,27 +142,23 @@ class OnceForAll:
         Raises:
             GraderError: The checks could not be run.
         """
-        with self._lock:
-            if chapter.name not in self._of_nothing:
-                self._of_nothing[chapter.name] = _run_on_nothing(conditions, chapter)
-            return self._of_nothing[chapter.name]
+        return self._once("nothing", _run_on_nothing, conditions, chapter)
 
-    def of_reference(self, conditions: Conditions, chapter: Chapter) -> list[Result]:
-        """Return the results of the reference solution on the exercises that have a chart.
+    def of_reference(self, conditions: Conditions, chapter: Chapter) -> list[Verdict]:
+        """Return the results of the reference on the exercises with a chart, or none."""
+        return self._once("reference", _run_on_reference, conditions, chapter)
 
-        If the reference solution cannot be checked, the chart shows only the student's solution.
-        """
-        root = conditions.root
-        with self._lock:
-            if chapter.name not in self._of_reference:
-                wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
-                found: list[Verdict] = []
-                if has_reference(chapter, root):
-                    engine = [root / "solutions", root / "chapters"]
-                    with contextlib.suppress(GraderError, OSError):  # grade without them
-                        found = conditions.run(chapter, engine, exercises=wanted)
-                self._of_reference[chapter.name] = results_of(chapter, found)
-            return self._of_reference[chapter.name]
+    def _once(
+        self,
+        what: str,
+        run: Callable[[Conditions, Chapter], list[Verdict]],
+        conditions: Conditions,
+        chapter: Chapter,
+    ) -> list[Verdict]:
+        with self._lock:  # the first thread runs the checks, and the others wait for it
+            if (what, chapter.name) not in self._found:
+                self._found[what, chapter.name] = run(conditions, chapter)
+            return self._found[what, chapter.name]
 
 
 def _run_on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
@@ -177,3 +171,13 @@ def _run_on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
         stage(empty, load_chapters(root), box, root)
         with with_given(available, [box], root) as engine:
             return conditions.run(chapter, engine)
+
+
+def _run_on_reference(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
+    root = conditions.root
+    wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
+    if has_reference(chapter, root):
+        with contextlib.suppress(GraderError, OSError):  # grade without them
+            engine = [root / "solutions", root / "chapters"]
+            return conditions.run(chapter, engine, exercises=wanted)
+    return []

@@ -248,8 +248,12 @@ def _chart(
     """Compare the error and the cost of a solution with those of the reference, if measured."""
     if result.on_chart is None:
         return None
-    reference = {r.exercise.id: r.on_chart for r in once.of_reference(conditions, chapter)}
     exercise = result.exercise
+    reference = {
+        verdict.exercise: verdict.on_chart
+        for verdict in reversed(once.of_reference(conditions, chapter))
+        if verdict.on_chart
+    }
     return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
 
 

@@ -15,9 +15,8 @@ from typing import Any
 
 import pytest
 
-from autograder.grader import cohort, grading
+from autograder.grader import grading
 from autograder.grader.class_folder import only_run
-from autograder.grader.cohort import ClassOptions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapter
@@ -165,7 +164,7 @@ def test_what_has_nothing_to_grade_is_explained_to_everybody_and_no_zero(
     (root / "chapters/ch91_other/chapter.toml").write_text(other, encoding="utf-8")
     out = tmp_path / "out"
     graded = [load_chapter(root / "chapters/ch90_small")]
-    cohort.grade(submissions, out, graded, ClassOptions(seed="1", root=root, unsafe=True))
+    grade(submissions, out, root, chapters=graded)
     of_dee = (
         "'dee.zip': small.py was found at the top of what was handed in, and not in a folder "
         "ch90_small. Put it into a folder ch90_small and hand in again"

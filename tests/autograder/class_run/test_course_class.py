@@ -31,7 +31,8 @@ from autograder.student.points import points_of
 from autograder.student.screen import Report, first_open
 from copies import copy_tree
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
-from small_class import HALF, grade_work, on_gradescope, results, scores, table
+from small_class import HALF, on_gradescope, results, scores, table
+from small_class import grade as grade_class
 from typed import typed
 
 CH02 = load_chapters()[0]
@@ -92,7 +93,7 @@ def submissions(tmp_path: Path) -> Path:
 
 def grade(submissions: Path, out: Path, root: Path, work: Work) -> list[dict[str, str]]:
     """Grade a class and return the rows of the gradebook."""
-    assert grade_work(submissions, out, root, work) == 0
+    assert grade_class(submissions, out, root, work=work) == 0
     return table(out / "gradebook.csv")
 
 

@@ -13,8 +13,7 @@ from autograder.manifest import ROOT
 from autograder.reports.gradescope import gradescope_results
 from copies import copy_tree
 from small import RIGHT, hand_in
-from small_class import everything_in, grade_work, on_gradescope, results, scores
-from small_class import grade as grade_chapters
+from small_class import everything_in, grade, on_gradescope, results, scores
 
 COURSE = """
 [[assignment]]
@@ -62,7 +61,7 @@ def test_the_exercise_that_blocks_others_is_named_first_and_earns_nothing(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     out = tmp_path / "out"
-    assert grade_work(submissions, out, root, lab3) == 0
+    assert grade(submissions, out, root, work=lab3) == 0
     assert scores(out) == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
     causes = {student: report.get("causes") for student, report in results(out).items()}
     assert causes["ann"] is None
@@ -85,7 +84,7 @@ def test_the_exercise_that_blocks_others_is_named_first_and_earns_nothing(
 def test_whole_chapters_have_no_earlier_assignments(
     submissions: Path, root: Path, tmp_path: Path
 ) -> None:
-    grade_chapters(submissions, tmp_path / "out", root)
+    grade(submissions, tmp_path / "out", root)
     assert not any("causes" in report for report in results(tmp_path / "out").values())
     assert "earlier assignment" not in everything_in(tmp_path / "out")
     assert "Fix <a" in (tmp_path / "out/feedback/bob.html").read_text(encoding="utf-8")

@@ -10,8 +10,7 @@ from pathlib import Path
 import pytest
 
 from autograder.course.model import Work
-from autograder.grader import class_run, cohort
-from autograder.grader.cohort import ClassOptions
+from autograder.grader import class_run
 from autograder.manifest import ROOT, load_chapters, select_chapters
 from autograder.marking.marked_answers import MarkedAnswers
 from autograder.platforms.gradescope import make_gradescope
@@ -40,7 +39,7 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
     submissions: Path, root: Path, tmp_path: Path
 ) -> None:
     out, other = tmp_path / "out", tmp_path / "other"
-    grade(submissions, out, root, assignment="lab1")
+    grade(submissions, out, root, name="lab1")
     before = everything_in(out)
     hand_in(other, "ann", "x = 1\n")
     for folder, assignment, words in (
@@ -50,18 +49,18 @@ def test_the_grades_of_another_class_or_assignment_are_never_replaced(
         (submissions, "", "the grades of lab1, and not of chapters 90"),
     ):
         with pytest.raises(ValueError, match="add another --out") as caught:
-            grade(folder, out, root, assignment=assignment)
+            grade(folder, out, root, name=assignment)
         assert words in str(caught.value)
         assert everything_in(out) == before
     submissions.rename(tmp_path / "moved")
     with pytest.raises(ValueError, match="the grades of lab1, and not of lab2"):
-        grade(tmp_path / "moved", out, root, assignment="lab2")
-    assert grade(tmp_path / "moved", out, root, assignment="lab1") == 0, "the same class"
+        grade(tmp_path / "moved", out, root, name="lab2")
+    assert grade(tmp_path / "moved", out, root, name="lab1") == 0, "the same class"
     (tmp_path / "moved").rename(tmp_path / "moved again")
     for student in ("zoe", "yan"):  # with ann, only one of the three who were graded
         hand_in(other, student, RIGHT)
     with pytest.raises(ValueError, match="the grades of the class in"):
-        grade(other, out, root, assignment="lab1")
+        grade(other, out, root, name="lab1")
 
 
 def test_the_grades_of_other_chapters_are_never_replaced(
@@ -73,13 +72,12 @@ def test_the_grades_of_other_chapters_are_never_replaced(
     newer = make_class(tmp_path / "class (1)")  # which has no marks.csv
     with pytest.raises(ValueError, match=r"newer download .* of the older one, class, so"):
         grade(newer, out, root)
-    given = ClassOptions(root=root, unsafe=True, given=select_chapters("2"))
-    for chapters, options, words in (
-        (load_chapters(root), given, "chapters 90 on given chapters 2. To keep"),
-        (select_chapters("2"), ClassOptions(unsafe=True), "chapters 2. To keep them"),
+    for work, words in (
+        ({"given": select_chapters("2")}, "chapters 90 on given chapters 2. To keep"),
+        ({"chapters": select_chapters("2")}, "chapters 2. To keep them"),
     ):
         with pytest.raises(ValueError, match=f"the grades of chapters 90, and not of {words}"):
-            cohort.grade(submissions, out, chapters, options)
+            grade(submissions, out, root, **work)
     assert everything_in(out) == before
 
 
@@ -182,8 +180,7 @@ def test_a_mark_for_an_exercise_that_is_not_graded_here_is_reported(
     (submissions / "marks.csv").write_text(f"{MARKS}ann,90.2,2,\n", encoding="utf-8")
     (chapter,) = load_chapters(root)
     part = replace(chapter, exercises=[e for e in chapter.exercises if e.id != "90.2"])
-    options = ClassOptions(seed="1", root=root, unsafe=True)
-    assert cohort.grade(submissions, tmp_path / "out", [part], options) == 0
+    assert grade(submissions, tmp_path / "out", root, chapters=[part]) == 0
     assert "Marks for exercises that are not graded here: 1 (90.2)." in capsys.readouterr().out
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -34,18 +35,19 @@ def make_class(folder: Path) -> Path:
     return folder
 
 
-def grade(submissions: Path, out: Path, root: Path, seed: str | None = "1", **options: Any) -> int:
-    chapters = load_chapters(root)
-    how = ClassOptions(seed=seed, root=root, unsafe=True, **options)
-    return cohort.grade(submissions, out, chapters, how)
-
-
-def grade_work(submissions: Path, out: Path, root: Path, work: Work) -> int:
-    """Grade an assignment of a course file."""
-    options = ClassOptions(
-        seed="1", root=root, unsafe=True, deadline=work.deadline, earlier=work.earlier
-    )
-    return cohort.grade(submissions, out, work.chapters, options)
+def grade(
+    submissions: Path,
+    out: Path,
+    root: Path,
+    seed: str | None = "1",
+    work: Work | None = None,
+    **more: Any,
+) -> int:
+    """Grade a class without a sandbox. ``more`` are parts of the work and options."""
+    work = work or Work("", load_chapters(root))
+    parts = {name: more.pop(name) for name in [*more] if name in vars(work)}
+    options = ClassOptions(root=root, unsafe=True, **more)
+    return cohort.grade(submissions, out, replace(work, seed=seed, **parts), options)
 
 
 def on_gradescope(work: Work, folder: Path, source: Path) -> StudentReport:

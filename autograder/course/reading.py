@@ -2,73 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
-from datetime import UTC, date, datetime, tzinfo
+from datetime import UTC, datetime, tzinfo
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 from zoneinfo import ZoneInfo, available_timezones
-
-import msgspec
-from msgspec import Meta, Struct
 
 from autograder.checks.verdict import needs_of
 from autograder.course.dates import YEARS
 from autograder.course.model import Course, Deadline, LatePolicy, Work
 from autograder.course.points import plain, rescaled, scaled_alike
+from autograder.course.tables import AssignmentTable, LateTable, read_tables
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, load_chapters
 from autograder.scores import possible, shown
-
-Amount = Annotated[int, Meta(gt=0, le=1_000_000)] | Annotated[float, Meta(gt=0, le=1_000_000)]
-PerDay = Annotated[int, Meta(ge=0, le=1_000_000)] | Annotated[float, Meta(ge=0, le=1_000_000)]
-# How a message says what msgspec expects, and what it found out about a table.
-WORDS = {
-    "Object contains unknown field": "there is no key",
-    "Object missing required field": "it must have",
-    "Expected": "expected",
-    "matching regex '^[A-Za-z0-9][A-Za-z0-9_-]*$'": "of letters, digits, - and _",
-    "datetime": "time such as 2026-10-23 23:59:00 without quotes",
-    "array": "list",
-    "object": "table",
-    " | null": "",
-    "`": "",
-}
-
-
-class LateTable(Struct, forbid_unknown_fields=True):
-    """The table [late] of a course file, or the value of ``late`` in an assignment."""
-
-    points_per_day: PerDay | None = None
-    percent_per_day: PerDay | None = None
-    cap: Amount | None = None
-
-
-class AssignmentTable(Struct, forbid_unknown_fields=True):
-    """A table [[assignment]] of a course file."""
-
-    name: Annotated[str, Meta(pattern="^[A-Za-z0-9][A-Za-z0-9_-]*$")]
-    title: str = ""
-    exercises: list[str] = []
-    chapters: list[int] = []
-    extra_credit: list[str] = []
-    given: list[int] = []
-    points: dict[str, Amount] = {}
-    out_of: Amount | None = None
-    total: Amount | None = None
-    due: datetime | None = None
-    late: LateTable | None = None
-    extensions: dict[str, datetime] = {}
-    hidden_checks: str | None = None
-    seed: str | int | None = None
-
-
-class CourseTable(Struct, forbid_unknown_fields=True):
-    """A whole course file."""
-
-    assignment: Annotated[list[AssignmentTable], Meta(min_length=1)]
-    time_zone: str | None = None
-    roster: str | None = None
-    late: LateTable | None = None
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
@@ -78,7 +24,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
         ValueError: The file has a mistake. The message names the key, its value and what is wanted.
         OSError: The file cannot be read.
     """
-    table = _table_in(path)
+    table = read_tables(path)
     works: list[Work] = []
     try:
         zone = _zone(table.time_zone)
@@ -97,56 +43,6 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
     return Course(works)
-
-
-def read_assignment(path: Path, name: str, root: Path = ROOT) -> Work:
-    """Read one assignment from a course file.
-
-    Raises:
-        ValueError: The file has a mistake, or no assignment with this name.
-        OSError: The file cannot be read.
-    """
-    works = {work.name: work for work in read_course(path, root).assignments}
-    if name not in works:
-        raise ValueError(f"{path} has no assignment {name!r}. It has {', '.join(works)}")
-    return works[name]
-
-
-def _table_in(path: Path) -> CourseTable:
-    """Parse a course file, and check the type of every value."""
-    if not path.is_file():
-        raise ValueError(
-            f"there is no file {str(path)!r}. Write one as autograder/README.md shows, or name "
-            "another with --course (in make: COURSE=)"
-        )
-    try:
-        data = msgspec.toml.decode(path.read_text(encoding="utf-8-sig"))
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path} is not UTF-8: save it as UTF-8 in your editor") from error
-    except (ValueError, RecursionError) as error:  # also for a number of 5,000 digits
-        raise ValueError(f"{path} is not valid TOML: {error}") from error
-    try:
-        return msgspec.convert(data, CourseTable, builtin_types=(datetime,))
-    except msgspec.ValidationError as error:
-        raise ValueError(f"{path}: {_explained(str(error), data)}") from error
-
-
-def _explained(message: str, data: Any) -> str:
-    """Say where in a course file a value is wrong, what is wanted there, and what was found."""
-    words, _, place = message.partition(" - at `$.")
-    words = words.partition(", got ")[0]
-    for old, new in WORDS.items():
-        words = words.replace(old, new)
-    value = data
-    for key in re.findall(r"\w+", place):  # the keys of points and extensions are not named
-        value = value[int(key) if isinstance(value, list) else key]
-    place = place.replace("[...]", "").rstrip("`")
-    if number := re.match(r"assignment\[(\d+)\]\.?", place):
-        name = data["assignment"][int(number[1])].get("name", int(number[1]) + 1)
-        place = f"assignment {name}, {place[number.end() :]}".rstrip(", ")
-    text = str(value) if isinstance(value, date) else repr(value)  # a datetime is a date, too
-    got = f", got {text:.60}" if words.startswith("expected") else ""
-    return ": ".join(filter(None, [place, f"{words}{got}"]))
 
 
 def _work(table: AssignmentTable, works: list[Work], chapters: list[Chapter], root: Path) -> Work:

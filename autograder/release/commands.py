@@ -10,7 +10,6 @@ from pathlib import Path
 from autograder.course.choose import add_options, work_of
 from autograder.course.late import clock
 from autograder.course.model import Course
-from autograder.course.reading import read_course
 from autograder.manifest import load_chapters
 
 
@@ -38,6 +37,7 @@ def run_release(arguments: argparse.Namespace) -> int:
     Raises:
         ValueError: A student may still hand in work, or the files cannot be released.
     """
+    from autograder.course.reading import read_course
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from autograder.course.points import rescaled
-from autograder.course.reading import AssignmentTable, CourseTable, LateTable, read_course
+from autograder.course.reading import read_course
+from autograder.course.tables import AssignmentTable, CourseTable, LateTable
 from autograder.manifest import ROOT, load_chapters
 from typed import typed
 
@@ -93,6 +94,7 @@ TIME = "expected time such as 2026-10-23 23:59:00 without quotes, got"
         (f"[late]\npercent_a_day = 2\n{LAB}", "late: there is no key percent_a_day"),
         ("", "it must have assignment"),
         ("[[assignment]]\nchapters = [2]", "assignment 1: it must have name"),
+        ("assignment = [1]", "assignment 1: expected table, got 1"),
         ('[[assignment]]\nname = "a b"', "name: expected str of letters, digits, .* got 'a b'"),
         (f"{LAB}chapters = [2]\n{LAB}chapters = [3]", "name: two assignments are called lab1"),
         (f'{LAB}exercises = ["B2.1", 2.1]', r"lab1, exercises\[1\]: expected str, got 2.1"),

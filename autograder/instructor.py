@@ -31,7 +31,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "last into --out, or else the sample class)",
     )
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
-    command.add_argument("--seed", help="seed for the random numbers (default: a new one)")
+    command.add_argument(
+        "--seed", help="seed for the random numbers (default: that of --out, or a new one)"
+    )
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument(

@@ -46,25 +46,20 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """An assignment: the exercises that students have to do, and how they are graded.
+    """What students have to do, and how it is graded: an assignment, or whole chapters.
 
-    Attributes:
-        chapters: The assigned chapters. Each contains only the assigned exercises, with their
-            points in this assignment.
-        given: The chapters that students receive as finished code.
-        earlier: The exercises of earlier assignments that this one builds on. Each is mapped to the
-            name of the first assignment that contains it.
-        hidden: The folder of hidden checks.
-        roster: The path of the class list.
+    The chapters contain only the assigned exercises, with their points in this assignment.
+    ``earlier`` are the exercises of earlier assignments that it builds on, with the names of the
+    first assignments that contain them.
     """
 
-    name: str
+    name: str  # of the assignment, or ""
     chapters: list[Chapter]
-    given: list[Chapter] = field(default_factory=list)
+    given: list[Chapter] = field(default_factory=list)  # students receive them as finished code
     title: str = ""
     earlier: Mapping[str, str] = field(default_factory=dict)
     deadline: Deadline | None = None
-    hidden: Path | None = None
+    hidden: Path | None = None  # the folder of hidden checks
     seed: str | None = None
     roster: Path | None = None
 

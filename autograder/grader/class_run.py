@@ -42,11 +42,7 @@ GradeAll = Callable[[list[Submission]], Generator[StudentReport]]
 class ClassRun:
     """A run over a class, with everything that applies to the whole class.
 
-    Attributes:
-        marked: The record of the answers for which marks were given.
-        late: How late the submission of each report is.
-        regrade: Set if one student is graded again. Otherwise, valid reports are kept.
-        reused: The students whose reports were kept.
+    Valid reports of an earlier run are kept, unless the run is a regrade.
     """
 
     conditions: Conditions
@@ -54,10 +50,10 @@ class ClassRun:
     out: Path
     console: Console
     marks: Marks
-    marked: MarkedAnswers
+    marked: MarkedAnswers  # the record of the answers for which marks were given
     late: Mapping[str, Late]
     regrade: Regrade | None = None
-    reused: list[str] = field(default_factory=list)
+    reused: list[str] = field(default_factory=list)  # the students whose reports were kept
 
     def collect(self, submissions: list[Submission], grade_all: GradeAll) -> list[StudentReport]:
         """Grade the submissions, show a progress bar, and return the reports in the same order.

@@ -48,22 +48,16 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Job:
-    """What a worker needs in order to grade for the instructor's machine.
-
-    Attributes:
-        key: The conditions on the instructor's machine. A worker with other ones refuses to grade.
-        hidden: The hidden checks, because the workers may have no access to their folder.
-        home: The path of the repository on the instructor's machine.
-    """
+    """What a worker needs in order to grade for the instructor's machine."""
 
     conditions: Conditions
-    key: RunKey
-    hidden: Tree
-    home: Path = ROOT
+    key: RunKey  # a worker with another one refuses to grade
+    hidden: Tree  # the hidden checks, because a worker may have no access to their folder
+    home: Path = ROOT  # on the instructor's machine
 
     @classmethod
     def of(cls, conditions: Conditions) -> Job:
-        """Collect everything that a worker needs."""
+        """Collect what a worker needs."""
         public = replace(conditions, hidden=None)
         return cls(public, run_key(public), _tree(conditions.hidden))
 

@@ -53,25 +53,16 @@ from autograder.text.wrapping import plain_console
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """How an instructor grades a class, apart from the work that is graded.
+    """How an instructor grades a class, apart from the work that is graded."""
 
-    Attributes:
-        unsafe: True to allow grading without a sandbox on a machine that has none.
-        jobs: The number of submissions to grade at a time, by default one per core.
-        cluster: The address of a Dask scheduler. Its workers then grade instead of this machine.
-        column: The gradebook column of Canvas or Moodle that the grades are for.
-        student: The only student to regrade, if the class has been graded before.
-        why: The reason for the regrade, as it appears in the log.
-    """
-
-    unsafe: bool = False
+    unsafe: bool = False  # whether to grade without a sandbox on a machine that has none
     root: Path = ROOT
     time_limit: float = Limits.check
-    jobs: int | None = None
-    cluster: str | None = None
+    jobs: int | None = None  # submissions at a time, by default one per core
+    cluster: str | None = None  # the address of a Dask scheduler, whose workers then grade
     column: Column = field(default_factory=Column)
-    student: str | None = None
-    why: str = ""
+    student: str | None = None  # the only one to regrade, if the class has been graded before
+    why: str = ""  # the reason for the regrade, for the log
 
     def __post_init__(self) -> None:
         if self.jobs is not None and self.jobs < 1:

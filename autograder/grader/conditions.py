@@ -29,22 +29,15 @@ from autograder.submissions.stage import stage
 class Conditions:
     """The conditions of grading, which are the same for the whole class.
 
-    Attributes:
-        chapters: The graded chapters, with only the graded exercises.
-        seed: The seed for the random numbers in the checks.
-        level: The layers of the sandbox that confine the students' code.
-        given: Earlier chapters that come from the reference solution, even if a student has handed
-            in files for them.
-        hidden: A folder of hidden checks, which students do not receive, or None.
-        earlier: The exercises of earlier assignments that the graded ones build on, with the names
-            of these assignments.
+    ``earlier`` has the exercises of earlier assignments that the graded ones build on, with the
+    names of these assignments.
     """
 
-    chapters: list[Chapter]
+    chapters: list[Chapter]  # with only the graded exercises
     seed: str
     level: Level
-    given: Sequence[Chapter] = ()
-    hidden: Path | None = None
+    given: Sequence[Chapter] = ()  # they come from the reference, whatever is handed in
+    hidden: Path | None = None  # the folder of hidden checks
     root: Path = ROOT
     time_limit: float = Limits.check
     earlier: Mapping[str, str] = field(default_factory=dict)

@@ -32,17 +32,11 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]
 
 @dataclass(frozen=True)
 class _Graded:
-    """A student's results on one chapter.
+    """A student's results on one chapter."""
 
-    Attributes:
-        own: The results with the student's own earlier chapters.
-        on_given: The results with our solutions to the earlier chapters.
-        causes: The exercises of earlier assignments that block graded ones.
-    """
-
-    own: list[Result]
-    on_given: list[Result]
-    causes: list[Cause] = field(default_factory=list)
+    own: list[Result]  # with the student's own earlier chapters
+    on_given: list[Result]  # with our solutions to the earlier chapters
+    causes: list[Cause] = field(default_factory=list)  # of failures in earlier assignments
 
 
 @contextmanager

@@ -176,7 +176,9 @@ def test_what_has_nothing_to_grade_is_explained_to_everybody_and_no_zero(
         assert (report["status"], report["nothing"]) == ("nothing to grade", why)
         assert scores(out)[student] is None, "which is no zero"
         for name in (f"feedback/{student}.html", f"gradescope/{student}/results.json"):
-            assert why.partition(": ")[2] in (out / name).read_text(encoding="utf-8")
+            text = (out / name).read_text(encoding="utf-8")
+            assert why.partition(": ")[2] in text
+            assert "ch90_small/" in text, "what to hand in"
         assert f"{student}: {why}" in screen
     how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
     assert results(out)["eve"]["notes"] == [how]

@@ -84,18 +84,6 @@ def test_each_student_gets_what_the_work_is_worth_in_the_promised_form(
     assert [(e["id"], e["score"], e["checks"]) for e in waiting] == [(n, None, []) for n in written]
 
 
-def test_an_empty_folder_is_handed_in_but_nothing_to_grade(graded: tuple[Path, str]) -> None:
-    report = result(graded[0], "eli")
-    assert (report["status"], report["score"]) == ("nothing to grade", None)
-    assert report["exercises"] == []
-    why = "no folder of a chapter was found, at most three levels down"
-    assert report["nothing"] == why
-    assert f"Handed in, nothing to grade: 1.\n  eli: {why}\n" in graded[1]
-    page = (graded[0] / "feedback/eli.html").read_text(encoding="utf-8")
-    assert "Handed in, but there is nothing to grade:" in page
-    assert "ch02_vectors/" in page, "what to hand in"
-
-
 def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
     graded: tuple[Path, str],
 ) -> None:

@@ -97,8 +97,8 @@ def refuse_other_grades(out: Path, new: dict[str, Any], people: ClassList) -> No
                 "If this is a newer download of the same work, give it the name of the older one, "
                 f"{before.name}, so that marks.csv and times.csv still count. "
             )
-    if not what and (earlier := _described(old)) != (now := _described(new)):
-        what = f"the grades of {earlier}, and not of {now}"
+    if not what and "chapters" in old and _described(old) != _described(new):
+        what = f"the grades of {_described(old)}, and not of {_described(new)}"
     if what:
         raise ValueError(
             f"{out} has {what}. {advice}To keep them, add another --out (make: OUT=build/other). "

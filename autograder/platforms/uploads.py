@@ -56,47 +56,31 @@ class Column:
 
 
 @dataclass(frozen=True)
-class _Grades:
-    """The grades for one of the files, in which full points are worth ``full``.
+class _Totals:
+    """The points of each student who has a grade, and the points possible without extra credit."""
 
-    Larger grades than ``limit`` are cut, because the platform does not accept them. ``totals`` has
-    the points of each student who has a grade, and ``most`` are possible without extra credit.
-    """
-
-    file: str
-    full: float
-    limit: float
-    totals: Mapping[str, float]
+    of: Mapping[str, float]
     most: float
 
-    @property
-    def _whole(self) -> dict[str, float]:
-        scale = self.full / self.most
-        return {name: round(total * scale, 2) for name, total in self.totals.items()}
+    def scaled(self, file: str, full: float, limit: float) -> tuple[dict[str, float], list[str]]:
+        """Scale the points for a file in which full points are worth ``full``, with notes.
 
-    @property
-    def scaled(self) -> dict[str, float]:
-        """The grade of each student."""
-        return {name: min(grade, self.limit) for name, grade in self._whole.items()}
-
-    @property
-    def lines(self) -> list[str]:
-        """What the instructor should know about these grades."""
+        Larger grades than ``limit`` are cut, because the platform does not accept them.
+        """
+        grades = {name: round(total * full / self.most, 2) for name, total in self.of.items()}
         lines = []
-        if self.full != self.most:
+        if full != self.most:
             lines.append(
-                f"{self.file}: rescaled from {shown(self.most)} points to {shown(self.full)}. "
-                "Choose other points with POINTS=."
+                f"{file}: rescaled from {shown(self.most)} points to {shown(full)}. Choose other "
+                "points with POINTS=."
             )
-        if over := sorted(name for name, grade in self._whole.items() if grade > self.limit):
-            best = max(self.totals.values())
-            points = math.floor(100 * self.limit * self.most / best) / 100
+        if over := sorted(name for name, grade in grades.items() if grade > limit):
+            points = math.floor(100 * limit * self.most / max(self.of.values())) / 100
             lines.append(
-                f"{self.file}: grades above {shown(self.limit)} were cut, because Moodle accepts "
-                f"no larger ones: {len(over)} ({_some(over)}). With POINTS={shown(points)}, no "
-                "grade is cut."
+                f"{file}: grades above {shown(limit)} were cut, because Moodle accepts no larger "
+                f"ones: {len(over)} ({_some(over)}). With POINTS={shown(points)}, no grade is cut."
             )
-        return lines
+        return {name: min(grade, limit) for name, grade in grades.items()}, lines
 
 
 def write_uploads(
@@ -116,7 +100,9 @@ def write_uploads(
         The paths of the files, and notes for the instructor.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
-    totals = {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}
+    totals = _Totals(
+        {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}, most
+    )
     title = column.title or "Chapters " + ", ".join(str(chapter.number) for chapter in chapters)
     paths: list[Path] = []
     lines: list[str] = []
@@ -125,25 +111,25 @@ def write_uploads(
             lines.append("Not in canvas.csv and moodle.csv: " + "; ".join(people.unmatched) + ".")
         paths += [folder / "canvas.csv", folder / "moodle.csv"]
         full = column.points or most
-        grades = _Grades("canvas.csv", full, math.inf, totals, most)
-        replace_table(paths[0], _for_canvas(people, grades, title))
-        lines += grades.lines
+        grades, notes = totals.scaled("canvas.csv", full, math.inf)
+        replace_table(paths[0], _for_canvas(people, grades, title, full))
+        lines += notes
         full = min(column.points or MOST_IN_MOODLE, MOST_IN_MOODLE)
-        grades = _Grades("moodle.csv", full, MOST_IN_MOODLE, totals, most)
-        replace_table(paths[1], _for_moodle(people, grades.scaled, CANVAS_ID.sub("", title)))
-        lines += grades.lines
+        grades, notes = totals.scaled("moodle.csv", full, MOST_IN_MOODLE)
+        replace_table(paths[1], _for_moodle(people, grades, CANVAS_ID.sub("", title)))
+        lines += notes
     if worksheet:
         full = min(column.points or worksheet.most, worksheet.most)
-        grades = _Grades("moodle-worksheet.csv", full, worksheet.most, totals, most)
+        path = folder / "moodle-worksheet.csv"
+        grades, notes = totals.scaled(path.name, full, worksheet.most)
         members = _members_in(worksheet, people)
-        scaled = grades.scaled
-        filled = {n: scaled[m.report] for n, m in members.items() if m.report in scaled}
+        filled = {n: grades[m.report] for n, m in members.items() if m.report in grades}
         if filled:
-            paths.append(folder / grades.file)
-            replace_bytes(paths[-1], worksheet.filled(filled))
-            lines += grades.lines
+            paths.append(path)
+            replace_bytes(path, worksheet.filled(filled))
+            lines += notes
         there = {*members.values()}
-        left_out = [m.shown for m in people.members if m.report in scaled and m not in there]
+        left_out = [m.shown for m in people.members if m.report in grades and m not in there]
         if left_out:
             lines.append(
                 f"Not in {worksheet.path.name} from Moodle: {_some(left_out)}. Make sure that it "
@@ -167,18 +153,19 @@ def write_uploads(
     return paths, lines
 
 
-def _for_canvas(people: ClassList, grades: _Grades, title: str) -> list[list[str]]:
+def _for_canvas(
+    people: ClassList, grades: Mapping[str, float], title: str, full: float
+) -> list[list[str]]:
     """Make a table with a row for each student on the roster, and an empty cell for no grade.
 
     Canvas recognizes a student by the ID or, if that is empty, by the SIS user ID, the login or the
     name.
     """
-    rows = [[*OF_CANVAS, title], ["    Points Possible", "", "", "", "", number(grades.full)]]
-    scaled = grades.scaled
+    rows = [[*OF_CANVAS, title], ["    Points Possible", "", "", "", "", number(full)]]
     for member in people.members:
         if who := member.student:
             known = [as_cell(who.name), _canvas_id(member, people), who.id, who.login or who.email]
-            rows.append([*known, "", number(scaled.get(member.report))])
+            rows.append([*known, "", number(grades.get(member.report))])
     return rows
 
 

@@ -28,8 +28,7 @@ from autograder.scores import results_of
 from autograder.student.points import points_of
 from autograder.student.screen import Report, first_open
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
-from small_class import HALF, on_gradescope, results, scores, table
-from small_class import grade as grade_class
+from small_class import HALF, SmallClass, on_gradescope
 from typed import typed
 from wrong import write_all
 
@@ -89,23 +88,17 @@ def submissions(tmp_path: Path) -> Path:
     return folder
 
 
-def grade(submissions: Path, out: Path, root: Path, work: Work) -> list[dict[str, str]]:
-    """Grade a class and return the rows of the gradebook."""
-    assert grade_class(submissions, out, root, work=work) == 0
-    return table(out / "gradebook.csv")
-
-
 def test_only_the_assigned_exercises_count_and_lateness_has_columns_of_its_own(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    small: SmallClass,
 ) -> None:
     """Two and three points become 4 and 6. Bob is two days late, and Cem's time is unknown."""
     times = "student,submitted\nann,2026-10-23 20:00\nbob,2026-10-25T20:00:00Z\n"
-    (submissions / "times.csv").write_text(times, encoding="utf-8")
+    small.write("times.csv", times)
     marks = "student,exercise,points,comment\nann,90.2,1.5,half\nbob,90.2,3,all\n"
-    (submissions / "marks.csv").write_text(marks, encoding="utf-8")
-    out = tmp_path / "out"
-    work = course(submissions, SMALL, root)["lab2"]
-    rows = grade(submissions, out, root, work)
+    small.write("marks.csv", marks)
+    work = course(small.folder, SMALL, small.root)["lab2"]
+    assert small.grade(work=work) == 0
+    rows = small.table("gradebook.csv")
     columns = ["score", "by hand", "waiting", "points", "late days", "penalty", "total"]
     columns += ["90.1", "90.2"]
     assert {row["student"]: [row[column] for column in columns] for row in rows} == {
@@ -114,42 +107,43 @@ def test_only_the_assigned_exercises_count_and_lateness_has_columns_of_its_own(
         "bob": ["2", "6", "0", "8", "2", "3", "5", "2", "6"],
         "cem": ["4", "", "6", "4", "", "0", "4", "4", ""],
     }
-    assert [e["id"] for e in results(out)["cem"]["exercises"]] == ["90.1", "90.2"]
-    page = (out / "feedback/bob.html").read_text(encoding="utf-8")
+    assert [e["id"] for e in small.results()["cem"]["exercises"]] == ["90.1", "90.2"]
+    page = small.text("feedback/bob.html")
     for words in ("Points earned: 8.", "Late penalty: 3.", "2026-10-23 23:59", "costs 1.5 points"):
         assert words in page
     assert "B90.1" not in page
-    said = json.loads((out / "gradescope/bob/results.json").read_text(encoding="utf-8"))
+    said = json.loads(small.text("gradescope/bob/results.json"))
     assert said["score"] == 5
     assert "late penalty: 3 points. It was due" in said["output"]
     assert "total: 8 - 3 = 5 points" in said["output"]
-    screen = " ".join(capsys.readouterr().out.split())
+    screen = small.printed()
     assert "therefore get no penalty: cem." in screen
     assert "The points in this table are from checks alone. The totals, which include" in screen
-    (submissions / "times.csv").unlink()
-    (submissions / "cem_LATE_1_2_x").mkdir()
-    again = {row["student"]: row for row in grade(submissions, out, root, work)}
-    assert "3 of 4 reports" in capsys.readouterr().out
+    (small.folder / "times.csv").unlink()
+    (small.folder / "cem_LATE_1_2_x").mkdir()
+    assert small.grade(work=work) == 0
+    assert "3 of 4 reports" in small.printed()
+    again = {row["student"]: row for row in small.table("gradebook.csv")}
     assert [again["bob"][column] for column in ("points", "late days", "total")] == ["8", "", "8"]
 
 
-def test_extra_credit_counts_above_the_total(submissions: Path, root: Path, tmp_path: Path) -> None:
+def test_extra_credit_counts_above_the_total(small: SmallClass) -> None:
     """Four points are possible, and two more can be earned. The gradebook has no late columns."""
-    out = tmp_path / "out"
-    rows = grade(submissions, out, root, course(submissions, SMALL, root)["lab1"])
-    assert scores(out) == {"ann": 6, "bob": 5, "cem": 3}  # a zero doubles rightly, too
+    assert small.grade(work=course(small.folder, SMALL, small.root)["lab1"]) == 0
+    rows = small.table("gradebook.csv")
+    assert small.scores() == {"ann": 6, "bob": 5, "cem": 3}  # a zero doubles rightly, too
     assert rows[0]["score"] == rows[0]["total"] == "4"
     assert "penalty" not in rows[0]
-    assert results(out)["ann"]["points"] == 4
-    assert "extra credit" in (out / "feedback/ann.html").read_text(encoding="utf-8")
-    said = json.loads((out / "gradescope/ann/results.json").read_text(encoding="utf-8"))
+    assert small.results()["ann"]["points"] == 4
+    assert "extra credit" in small.text("feedback/ann.html")
+    said = json.loads(small.text("gradescope/ann/results.json"))
     assert [(t["number"], t["score"], t["max_score"]) for t in said["tests"]] == [
         ("B90.1", 4, 4),
         ("90.1", 2, 0),
     ]
-    other_points = course(submissions, SMALL.replace('"B90.1"]', '"B90.1"]\nout_of = 8'), root)
-    grade(submissions, out, root, other_points["lab1"])
-    assert scores(out)["ann"] == 12, "and no report of the other points is kept"
+    text = SMALL.replace('"B90.1"]', '"B90.1"]\nout_of = 8')
+    assert small.grade(work=course(small.folder, text, small.root)["lab1"]) == 0
+    assert small.scores()["ann"] == 12, "and no report of the other points is kept"
 
 
 def check(out: Path, *arguments: str) -> subprocess.CompletedProcess[str]:

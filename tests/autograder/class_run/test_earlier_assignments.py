@@ -13,7 +13,7 @@ from autograder.manifest import ROOT
 from autograder.reports.gradescope import gradescope_results
 from copies import copy_tree
 from small import RIGHT, hand_in
-from small_class import everything_in, grade, on_gradescope, results, scores
+from small_class import SmallClass, on_gradescope
 
 COURSE = """
 [[assignment]]
@@ -54,40 +54,31 @@ def submissions(tmp_path: Path) -> Path:
 
 
 def test_the_exercise_that_blocks_others_is_named_first_and_earns_nothing(
-    submissions: Path,
-    root: Path,
-    tmp_path: Path,
-    lab3: Work,
-    capsys: pytest.CaptureFixture[str],
+    small: SmallClass, lab3: Work
 ) -> None:
-    out = tmp_path / "out"
-    assert grade(submissions, out, root, work=lab3) == 0
-    assert scores(out) == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
-    causes = {student: report.get("causes") for student, report in results(out).items()}
+    assert small.grade(work=lab3) == 0
+    assert small.scores() == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
+    causes = {student: report.get("causes") for student, report in small.results().items()}
     assert causes["ann"] is None
     assert causes["cem"] is None, "90.1 passes, so it does not matter"
     assert causes["bob"] is not None
-    page = (out / "feedback/bob.html").read_text(encoding="utf-8")
+    page = small.text("feedback/bob.html")
     assert f'">B90.1 of lab1</a> {ADVICE.partition("lab1 ")[2]}' in page
     assert "double must double" in page
-    said = json.loads((out / "gradescope/bob/results.json").read_text(encoding="utf-8"))
+    said = json.loads(small.text("gradescope/bob/results.json"))
     assert ADVICE in said["output"]
     assert said["score"] == 1
-    screen = " ".join(capsys.readouterr().out.split())
+    screen = small.printed()
     assert "B90.1 of lab1: double must double" in screen
-    assert "B90.1" not in (out / "gradebook.csv").read_text(encoding="utf-8")
-    assert '<span class="id">B90.1</span> Double' in (out / "index.html").read_text(
-        encoding="utf-8"
-    )
+    assert "B90.1" not in small.text("gradebook.csv")
+    assert '<span class="id">B90.1</span> Double' in small.text("index.html")
 
 
-def test_whole_chapters_have_no_earlier_assignments(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    grade(submissions, tmp_path / "out", root)
-    assert not any("causes" in report for report in results(tmp_path / "out").values())
-    assert "earlier assignment" not in everything_in(tmp_path / "out")
-    assert "Fix <a" in (tmp_path / "out/feedback/bob.html").read_text(encoding="utf-8")
+def test_whole_chapters_have_no_earlier_assignments(small: SmallClass) -> None:
+    small.grade()
+    assert not any("causes" in report for report in small.results().values())
+    assert "earlier assignment" not in small.everything()
+    assert "Fix <a" in (small.place / "out/feedback/bob.html").read_text(encoding="utf-8")
 
 
 def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:

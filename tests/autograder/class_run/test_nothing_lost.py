@@ -19,7 +19,7 @@ from autograder.reports.report import StudentReport
 from autograder.similarity.run import similarity
 from autograder.submissions.unpack import class_folder
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
-from small_class import everything_in, grade, make_class, results, scores, table
+from small_class import SmallClass, everything_in, grade, make_class, results, table
 from typed import typed
 
 MARKS = "student,exercise,points,comment\n"
@@ -35,50 +35,45 @@ def answer(folder: Path, text: str) -> None:
     (folder / "ch90_small/answers.md").write_text(f"{heading}{text}\n", encoding="utf-8")
 
 
-def test_the_grades_of_another_class_or_assignment_are_never_replaced(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    out, other = tmp_path / "out", tmp_path / "other"
-    grade(submissions, out, root, name="lab1")
-    before = everything_in(out)
+def test_the_grades_of_another_class_or_assignment_are_never_replaced(small: SmallClass) -> None:
+    other = small.place / "other"
+    small.grade(name="lab1")
+    before = small.everything()
     hand_in(other, "ann", "x = 1\n")
     for folder, assignment, words in (
-        (other, "lab1", f"the grades of the class in {submissions}, and not in {other}"),
+        (other, "lab1", f"the grades of the class in {small.folder}, and not in {other}"),
         (ROOT / "sample_class", "lab1", "sample_class"),
-        (submissions, "lab2", "the grades of lab1, and not of lab2"),
-        (submissions, "", "the grades of lab1, and not of chapters 90"),
+        (small.folder, "lab2", "the grades of lab1, and not of lab2"),
+        (small.folder, "", "the grades of lab1, and not of chapters 90"),
     ):
         with pytest.raises(ValueError, match="add another --out") as caught:
-            grade(folder, out, root, name=assignment)
+            grade(folder, small.out, small.root, name=assignment)
         assert words in str(caught.value)
-        assert everything_in(out) == before
-    submissions.rename(tmp_path / "moved")
+        assert small.everything() == before
+    small.folder.rename(small.place / "moved")
     with pytest.raises(ValueError, match="the grades of lab1, and not of lab2"):
-        grade(tmp_path / "moved", out, root, name="lab2")
-    assert grade(tmp_path / "moved", out, root, name="lab1") == 0, "the same class"
-    (tmp_path / "moved").rename(tmp_path / "moved again")
+        grade(small.place / "moved", small.out, small.root, name="lab2")
+    assert grade(small.place / "moved", small.out, small.root, name="lab1") == 0, "the same class"
+    (small.place / "moved").rename(small.place / "moved again")
     for student in ("zoe", "yan"):  # with ann, only one of the three who were graded
         hand_in(other, student, RIGHT)
     with pytest.raises(ValueError, match="the grades of the class in"):
-        grade(other, out, root, name="lab1")
+        grade(other, small.out, small.root, name="lab1")
 
 
-def test_the_grades_of_other_chapters_are_never_replaced(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
-    grade(submissions, out, root)
-    before = everything_in(out)
-    newer = make_class(tmp_path / "class (1)")  # which has no marks.csv
+def test_the_grades_of_other_chapters_are_never_replaced(small: SmallClass) -> None:
+    small.grade()
+    before = small.everything()
+    newer = make_class(small.place / "class (1)")  # which has no marks.csv
     with pytest.raises(ValueError, match=r"newer download .* of the older one, class, so"):
-        grade(newer, out, root)
+        grade(newer, small.out, small.root)
     for work, words in (
         ({"given": select_chapters("2")}, "chapters 90 on given chapters 2. To keep"),
         ({"chapters": select_chapters("2")}, "chapters 2. To keep them"),
     ):
         with pytest.raises(ValueError, match=f"the grades of chapters 90, and not of {words}"):
-            grade(submissions, out, root, **work)
-    assert everything_in(out) == before
+            small.grade(**work)
+    assert small.everything() == before
 
 
 @pytest.mark.parametrize(
@@ -90,15 +85,15 @@ def test_the_grades_of_other_chapters_are_never_replaced(
     ],
 )
 def test_reports_do_not_go_among_submissions_or_other_files(
-    submissions: Path, root: Path, place: str, complaint: str
+    small: SmallClass, place: str, complaint: str
 ) -> None:
-    website = submissions / "../website"
+    website = small.folder / "../website"
     website.mkdir()
     (website / "index.html").write_text("mine", encoding="utf-8")
     with pytest.raises(ValueError, match=complaint):
-        grade(submissions, submissions / place, root)
+        grade(small.folder, small.folder / place, small.root)
     with pytest.raises(ValueError, match=r"it has other files. Name another one"):
-        similarity(submissions, website, load_chapters(root), root=root)
+        similarity(small.folder, website, load_chapters(small.root), root=small.root)
     assert everything_in(website) == "mine"
 
 
@@ -159,33 +154,28 @@ def test_the_class_is_graded_again_on_the_same_chapters_and_never_from_an_older_
     assert not any(name.startswith("B3.") for name in rows[0]), "only chapter 2"
 
 
-def test_a_mark_stays_when_its_submission_goes(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    out = tmp_path / "out"
-    (submissions / "marks.csv").write_text(f"{MARKS}ann,90.2,2,\nbob,90.2,1,\n", encoding="utf-8")
-    grade(submissions, out, root)
-    (submissions / "bob").rename(tmp_path / "bob")
-    capsys.readouterr()
+def test_a_mark_stays_when_its_submission_goes(small: SmallClass) -> None:
+    small.write("marks.csv", f"{MARKS}ann,90.2,2,\nbob,90.2,1,\n")
+    small.grade()
+    (small.folder / "bob").rename(small.place / "bob")
+    small.printed()
     for _ in range(2):  # bob's report is in earlier/ the second time
-        assert grade(submissions, out, root) == 0
-        assert "bob handed in nothing, so the marks are not used" in capsys.readouterr().out
-    assert (out / "earlier/results/bob.json").exists()
-    assert results(out)["ann"]["by_hand"] == 2
+        assert small.grade() == 0
+        assert "bob handed in nothing, so the marks are not used" in small.printed()
+    assert (small.out / "earlier/results/bob.json").exists()
+    assert small.results()["ann"]["by_hand"] == 2
 
 
-def test_a_mark_for_an_exercise_that_is_not_graded_here_is_reported(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (submissions / "marks.csv").write_text(f"{MARKS}ann,90.2,2,\n", encoding="utf-8")
-    (chapter,) = load_chapters(root)
+def test_a_mark_for_an_exercise_that_is_not_graded_here_is_reported(small: SmallClass) -> None:
+    small.write("marks.csv", f"{MARKS}ann,90.2,2,\n")
+    (chapter,) = load_chapters(small.root)
     part = replace(chapter, exercises=[e for e in chapter.exercises if e.id != "90.2"])
-    assert grade(submissions, tmp_path / "out", root, chapters=[part]) == 0
-    assert "Marks for exercises that are not graded here: 1 (90.2)." in capsys.readouterr().out
+    assert small.grade(chapters=[part]) == 0
+    assert "Marks for exercises that are not graded here: 1 (90.2)." in small.printed()
 
 
 def test_a_report_that_cannot_be_written_stops_nobody_else(
-    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    small: SmallClass, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     write = class_run.write_student
 
@@ -195,29 +185,26 @@ def test_a_report_that_cannot_be_written_stops_nobody_else(
         write(out, report)
 
     monkeypatch.setattr(class_run, "write_student", fails_for_bob)
-    assert grade(submissions, tmp_path / "out", root) == 1
-    assert set(scores(tmp_path / "out")) == {"ann", "cem"}
-    book = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8")
+    assert small.grade() == 1
+    assert set(small.scores()) == {"ann", "cem"}
+    book = (small.place / "out/gradebook.csv").read_text(encoding="utf-8")
     assert 'bob,"error, retry"' in book
     monkeypatch.undo()
-    assert grade(submissions, tmp_path / "out", root, seed=None) == 0
-    assert set(scores(tmp_path / "out")) == {"ann", "bob", "cem"}
+    assert small.grade(seed=None) == 0
+    assert set(small.scores()) == {"ann", "bob", "cem"}
 
 
-def test_an_answer_that_changes_after_it_was_marked_is_reported(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    out = tmp_path / "out"
-    answer(submissions / "ann", "Because it is small.")
-    answer(submissions / "bob", "Because I say so.")
-    marks = submissions / "marks.csv"
+def test_an_answer_that_changes_after_it_was_marked_is_reported(small: SmallClass) -> None:
+    answer(small.folder / "ann", "Because it is small.")
+    answer(small.folder / "bob", "Because I say so.")
+    marks = small.folder / "marks.csv"
     text = f"{MARKS}ann,90.2,2,\nbob,90.2,1,Why?\n"
     marks.write_text(text, encoding="utf-8")
 
     def states() -> dict[str, tuple[str, float]]:
-        capsys.readouterr()
-        grade(submissions, out, root)
-        reports = results(out)
+        small.printed()
+        small.grade()
+        reports = small.results()
         return {
             student: (written["status"], written["score"])
             for student in ("ann", "bob")
@@ -226,47 +213,42 @@ def test_an_answer_that_changes_after_it_was_marked_is_reported(
         }
 
     assert states() == {"ann": ("marked", 2.0), "bob": ("marked", 1.0)}
-    answer(submissions / "bob", "Because of the definition.")
+    answer(small.folder / "bob", "Because of the definition.")
     assert states() == {"ann": ("marked", 2.0), "bob": ("changed", 1.0)}
     said = "Answers that have changed since they were marked: 1 (bob 90.2)."
-    assert said in capsys.readouterr().out
+    assert said in small.printed()
     for file, words in (
         ("gradebook.csv", "bob,graded; changed since marked: 90.2,"),
         ("feedback/bob.html", "has changed since a person marked it"),
     ):
-        assert words in (out / file).read_text(encoding="utf-8")
+        assert words in small.text(file)
     marks.write_text(text.replace("bob,90.2,1,Why?", "bob,90.2,3,"), encoding="utf-8")
     assert states()["bob"] == ("marked", 3.0), "a new mark is for the new answer"
 
 
-def test_reports_inside_the_folder_of_the_class_are_no_student(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_reports_inside_the_folder_of_the_class_are_no_student(small: SmallClass) -> None:
     for _ in range(2):
-        assert grade(submissions, submissions / "grades", root) == 0
-    capsys.readouterr()
-    grade(submissions, tmp_path / "other", root)
-    for out in (submissions / "grades", tmp_path / "other"):
-        assert set(scores(out)) == {"ann", "bob", "cem"}
-    assert "grades was left out: it has the reports of a graded class" in capsys.readouterr().out
+        assert grade(small.folder, small.folder / "grades", small.root) == 0
+    small.printed()
+    grade(small.folder, small.place / "other", small.root)
+    for out in (small.folder / "grades", small.place / "other"):
+        assert set(results(out)) == {"ann", "bob", "cem"}
+    assert "grades was left out: it has the reports of a graded class" in small.printed()
 
 
-def test_a_report_that_is_kept_names_what_was_not_graded_today(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
-    (submissions / "dan.pdf").touch()
-    grade(submissions, out, root)
-    (submissions / "ann.pdf").touch()
-    (submissions / "dan.pdf").rename(submissions / "dan.rar")
-    grade(submissions, out, root)
-    assert results(out)["ann"]["notes"] == [
+def test_a_report_that_is_kept_names_what_was_not_graded_today(small: SmallClass) -> None:
+    (small.folder / "dan.pdf").touch()
+    small.grade()
+    (small.folder / "ann.pdf").touch()
+    (small.folder / "dan.pdf").rename(small.folder / "dan.rar")
+    small.grade()
+    assert small.results()["ann"]["notes"] == [
         "'ann' was graded, and 'ann.pdf' was not: it is neither a folder nor a .zip file"
     ]
-    assert "'dan.rar' cannot be graded" in results(out)["dan"]["nothing"]
-    (submissions / "ann.pdf").unlink()
-    grade(submissions, out, root)
-    assert results(out)["ann"].get("notes", []) == []
+    assert "'dan.rar' cannot be graded" in small.results()["dan"]["nothing"]
+    (small.folder / "ann.pdf").unlink()
+    small.grade()
+    assert small.results()["ann"].get("notes", []) == []
 
 
 def test_the_marking_page_and_the_grader_keep_each_others_records(tmp_path: Path) -> None:
@@ -280,18 +262,18 @@ def test_the_marking_page_and_the_grader_keep_each_others_records(tmp_path: Path
     assert all(now.is_changed(student, "90.2", mark, "new") for student in ("ann", "bob", "cem"))
 
 
-def test_no_run_drops_the_roster_in_silence(submissions: Path, root: Path, tmp_path: Path) -> None:
-    roster, out = tmp_path / "roster.csv", tmp_path / "out"
+def test_no_run_drops_the_roster_in_silence(small: SmallClass) -> None:
+    roster, small.out = small.place / "roster.csv", small.out
     roster.write_text("id,name,email,login\nbob,Bob Ray,,\n9,Zed,,\n", encoding="utf-8")
-    grade(submissions, out, root)
-    grade(submissions, out, root, roster=roster)  # which may come later
-    before = everything_in(out)
+    small.grade()
+    small.grade(roster=roster)  # which may come later
+    before = small.everything()
     for student in (None, "bob"):
         with pytest.raises(
             ValueError, match=r"with a roster: add --roster .* without, add another"
         ):
-            grade(submissions, out, root, student=student)
-    assert everything_in(out) == before, "as if canvas.csv had today's grades"
+            small.grade(student=student)
+    assert small.everything() == before, "as if canvas.csv had today's grades"
 
 
 def unpacked_into(zipped: Path, found: Path) -> None:

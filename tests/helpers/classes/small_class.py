@@ -9,6 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from autograder.course.model import Work
 from autograder.grader import cohort
 from autograder.grader.cohort import ClassOptions
@@ -78,3 +80,42 @@ def everything_in(out: Path) -> str:
     return "\n".join(
         path.read_text(encoding="utf-8") for path in sorted(out.rglob("*")) if path.is_file()
     )
+
+
+class SmallClass:
+    """A class that has solved the small chapter, and the folder of its grades."""
+
+    def __init__(
+        self, place: Path, folder: Path, root: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        self.place, self.folder, self.root, self.out = place, folder, root, place / "out"
+        self._capsys = capsys
+
+    def printed(self) -> str:
+        """Return what was printed since the last call, as one line."""
+        return " ".join(self._capsys.readouterr().out.split())
+
+    def hand_in(self, student: str, code: str) -> None:
+        hand_in(self.folder, student, code)
+
+    def write(self, name: str, text: str) -> None:
+        """Write a file in the folder of the class."""
+        (self.folder / name).write_text(text, encoding="utf-8")
+
+    def grade(self, seed: str | None = "1", **more: Any) -> int:
+        return grade(self.folder, self.out, self.root, seed, **more)
+
+    def results(self) -> dict[str, dict[str, Any]]:
+        return results(self.out)
+
+    def scores(self) -> dict[str, float | None]:
+        return scores(self.out)
+
+    def table(self, name: str) -> list[dict[str, str]]:
+        return table(self.out / name)
+
+    def text(self, name: str) -> str:
+        return (self.out / name).read_text(encoding="utf-8")
+
+    def everything(self) -> str:
+        return everything_in(self.out)

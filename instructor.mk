@@ -5,10 +5,7 @@ PYTEST = PYTHONPATH=tests/helpers $(RUN) -m pytest --dist worksteal
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
-# Reports with codes never go to a folder of reports with names.
-CODED = $(filter-out 0,$(ANONYMOUS))
-
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
+TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
 TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ROSTER ASSIGNMENT COURSE
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT ROSTER ASSIGNMENT COURSE
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ROSTER ASSIGNMENT COURSE
@@ -48,7 +45,7 @@ out = --out $(or $(call typed,OUT),'$(1)')
 
 # == For instructors ==
 grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade $(call typed,SUBMISSIONS) $(call out,$(BUILT)grades$(if $(CODED),-anonymous)) $(ASSIGNED) $(call option,--seed,SEED) $(call option,--chapters,CHAPTERS) $(call option,--given,GIVEN) $(call option,--checks,CHECKS) $(call option,--roster,ROSTER) $(if $(CODED),--anonymous) $(call option,--title,TITLE) $(call option,--points,POINTS) $(call option,--student,STUDENT) $(call option,--note,NOTE)
+	@$(RUN) -m autograder grade $(call typed,SUBMISSIONS) $(call out,$(BUILT)grades) $(ASSIGNED) $(call option,--seed,SEED) $(call option,--chapters,CHAPTERS) $(call option,--given,GIVEN) $(call option,--checks,CHECKS) $(call option,--roster,ROSTER) $(call option,--title,TITLE) $(call option,--points,POINTS) $(call option,--student,STUDENT) $(call option,--note,NOTE)
 
 release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder release $(NAMED) $(call out,$(BUILT)release) $(ASSIGNED) $(call option,--exercises,EX) $(call option,--submissions,SUBMISSIONS) $(if $(value GRADES)$(value SUBMISSIONS)$(wildcard $(BUILT)grades/results),--grades $(or $(call typed,GRADES),'$(BUILT)grades')) $(call option,--roster,ROSTER)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from autograder.course.choose import add_options, work_of
@@ -30,7 +31,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "last into --out, or else the sample class)",
     )
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
-    command.add_argument("--seed", help="seed for the random numbers (default: a new one)")
+    command.add_argument(
+        "--seed", help="seed for the random numbers (default: that of --out, or a new one)"
+    )
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument(
@@ -45,7 +48,6 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "--note", default="", help="with --student: the reason to write to regrades.csv"
     )
     command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
-    command.add_argument("--anonymous", action="store_true", help="show codes instead of names")
     command.add_argument("--title", default="", help="title in Canvas, such as 'Lab 1 (12345)'")
     command.add_argument("--points", type=float, help="what full points are worth on the platform")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
@@ -112,9 +114,8 @@ def run_grade(arguments: argparse.Namespace) -> int:
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
 
-    from autograder.grader.class_folder import SAMPLE
+    from autograder.grader.class_folder import SAMPLE, earlier_choice
     from autograder.grader.cohort import ClassOptions, grade
-    from autograder.grader.regrade import earlier_choice
     from autograder.platforms.uploads import Column
     from autograder.submissions.unpack import class_folder
 
@@ -125,23 +126,16 @@ def run_grade(arguments: argparse.Namespace) -> int:
     if is_again and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
+    seed, roster = arguments.seed or work.seed, arguments.roster or work.roster
     options = ClassOptions(
-        given=work.given,
-        earlier=work.earlier,
-        seed=arguments.seed or work.seed,
         student=arguments.student,
         why=arguments.note,
-        hidden=work.hidden,
-        deadline=work.deadline,
         unsafe=arguments.unsafe_no_sandbox,
         jobs=arguments.jobs,
         cluster=arguments.cluster,
-        roster=arguments.roster or work.roster,
-        anonymous=arguments.anonymous,
         column=Column(arguments.title or work.title, arguments.points),
-        assignment=work.name,
     )
-    return grade(folder, arguments.out, work.chapters, options)
+    return grade(folder, arguments.out, replace(work, seed=seed, roster=roster), options)
 
 
 def _class_of(arguments: argparse.Namespace) -> Path:

@@ -10,7 +10,6 @@ from pathlib import Path
 from autograder.course.choose import add_options, work_of
 from autograder.course.late import clock
 from autograder.course.model import Course
-from autograder.course.reading import read_course
 from autograder.manifest import load_chapters
 
 
@@ -34,6 +33,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 def run_release(arguments: argparse.Namespace) -> int:
     """Release what the arguments say, unless a student may still hand it in."""
+    from autograder.course.reading import read_course
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 

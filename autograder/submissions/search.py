@@ -54,9 +54,9 @@ def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:
             raise NotTakenError("the submission is a symbolic link")
         if stat.S_ISDIR(mode):
             return _search_folder(submission, wanted)
+        return _search_zip(submission, wanted), []
     except OSError as error:
         raise NotTakenError(f"the submission cannot be read: {cause(error)}") from error
-    return _search_zip(submission, wanted), []
 
 
 def refuse(reason: str) -> Read:

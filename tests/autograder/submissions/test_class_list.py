@@ -72,6 +72,17 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
         # An unusual space is a space.
         ("山田\u3000太郎", "1,山田\u3000太郎,,\n", {"山田 太郎": "山田\u3000太郎"}),
         ("Ann\u00a0Lee", "1,Ann\u00a0Lee,,\n", {"Ann Lee": "Ann\u00a0Lee"}),
+        # A name is one of Canvas's only if all of them look like one download from there.
+        *(
+            (names, "", {name.removesuffix(".zip"): name for name in names.split("|")})
+            for names in (
+                *("lab1_2026_10_ann|lab1_2026_11_bob", "hw_1_1_cat|hw_1_2_dan"),
+                "lab1_2026_10_ann.zip|lab1_2026_11_bob.zip",  # two uploads of one student?
+                "lab1_2026_10_ann.zip|lab2_2026_11_bob.zip",  # two students with one number?
+                "doejane_77_1_work.zip|leebo_78_2_work.zip|carl.zip",  # not all are Canvas's
+                "doejane_77_1_work|leebo_78_2_work",  # Canvas has no folders
+            )
+        ),
         # A group hands in once, under the name of any member or its own.
         ("Bo", TEAM.replace("Bo,,,t", "Bo,,,T") + CY, {"Ann": "Bo", "Bo": "Bo", "Cy": ""}),
         ("team 1|8", TEAM + CY, {"Ann": "team 1", "Bo": "team 1", "Cy": "8"}),

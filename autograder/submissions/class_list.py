@@ -28,7 +28,22 @@ class Member:
     report: str  # the name of the report, which students of a group share
     student: Student | None
     submission: Submission | None
-    known_as: tuple[str, ...] = ()  # all other names
+
+    @property
+    def names(self) -> list[str]:
+        """All names of the student on the roster, in the reports and on a platform."""
+        names = [self.shown, self.report]
+        if student := self.student:
+            names += [*student.names, student.group]
+        if submission := self.submission:
+            path, export, upload = submission.path, submission.export, submission.upload
+            names += [path.name, without_suffix(path)]
+            if export:
+                names += [export.student, export.name]
+                names += [export.number] if export.platform == "canvas" else []
+            if upload and len(upload.people) == 1:
+                names += upload.people[0]
+        return names
 
 
 @dataclass(frozen=True)
@@ -58,7 +73,7 @@ class ClassList:
 
     @cached_property
     def _names(self) -> Names[Member]:
-        return Names((m, m.shown, (m.shown, m.report, *m.known_as)) for m in self.members)
+        return Names((member, member.shown, member.names) for member in self.members)
 
     def members_of(self, name: str) -> list[Member]:
         """Return the student with this name, or all students of the group with this name.
@@ -123,9 +138,16 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         except ValueError as error:
             problems.append(f"{owners.label(who)} {error}")
             continue
-        owner, upload = owners.lasting_name(who), uploads.of(chosen.path)
+        names = [f"id {one.id}" if isinstance(one, Student) else f"submission {one}" for one in who]
+        owner, upload = ", ".join(names), uploads.of(chosen.path)
         submissions[who] = replace(chosen, owner=owner, upload=upload)
-    problems += owners.in_two(found)
+    seen: dict[Student | str, Who] = {}
+    problems += [
+        f"{owners.label((one,))} is among the students of two submissions"
+        for who in found
+        for one in who
+        if seen.setdefault(one, who) != who
+    ]
     if problems:
         raise ValueError("\n".join(problems))
     if not submissions:
@@ -194,21 +216,5 @@ def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Memb
             )
         for one, name in zip(who, names, strict=True):
             student = one if isinstance(one, Student) else None
-            known = _known_as(student, submission)
-            members.append(Member(name, report, student, submission, known))
+            members.append(Member(name, report, student, submission))
     return sorted(members, key=lambda member: member.shown)
-
-
-def _known_as(student: Student | None, submission: Submission | None) -> tuple[str, ...]:
-    """Return all names of a student on the roster, on the submission and on the platform."""
-    names = [*student.names, student.group] if student else []
-    if submission:
-        path = submission.path
-        names += [path.name, without_suffix(path)]
-        if export := submission.export:
-            names += [export.student, export.name]
-            names += [export.number] if export.platform == "canvas" else []
-        upload = submission.upload
-        if upload and len(upload.people) == 1:
-            names += upload.people[0]
-    return tuple(dict.fromkeys(filter(None, names)))

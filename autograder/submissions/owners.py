@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from autograder.submissions.exports import OF_MOODLE, Exported
@@ -53,12 +53,6 @@ class Owners:
         name = printable(self._uploads.name_of(entry.path))
         return (name or (export.student if export else entry.name),)
 
-    def lasting_name(self, who: Who) -> str:
-        """Return how records call these students, whatever the names of reports are."""
-        return ", ".join(
-            f"id {one.id}" if isinstance(one, Student) else f"submission {one}" for one in who
-        )
-
     def label(self, who: Who) -> str:
         """Return how an error message calls these students."""
         students = [one for one in who if isinstance(one, Student)]
@@ -67,16 +61,6 @@ class Owners:
         lines = " and ".join(str(one.line) for one in students)
         names = " and ".join(one.name for one in students)
         return f"{self.path}, line{'s' if len(students) > 1 else ''} {lines}: {names}"
-
-    def in_two(self, found: Iterable[Who]) -> list[str]:
-        """Describe each student who is in two groups that have handed in."""
-        seen: dict[Student | str, Who] = {}
-        return [
-            f"{self.label((one,))} is among the students of two submissions"
-            for who in found
-            for one in who
-            if seen.setdefault(one, who) != who
-        ]
 
     def absent(self, submissions: Collection[Who]) -> list[Who]:
         """Return the students on the roster who have handed in nothing, in their groups."""

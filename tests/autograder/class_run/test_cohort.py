@@ -221,7 +221,7 @@ def test_without_a_wall_only_the_sample_class_is_graded(
 ) -> None:
     monkeypatch.setattr(level, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    with pytest.raises(ValueError, match=r"no sandbox for small.folder .* add --unsafe-no-sandbox"):
+    with pytest.raises(ValueError, match=r"no sandbox for submissions .* add --unsafe-no-sandbox"):
         level.choose_level(small.folder, unsafe=False)
     assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_sandbox
     assert not level.choose_level(small.folder, unsafe=True).is_sandbox

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import errno
 import hashlib
-import json
 import shutil
 import unicodedata
 import zipfile
@@ -16,14 +15,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import msgspec
 from rich.console import Console
 from rich.progress import track
 
 from autograder.accepted_files import NotTakenError
 from autograder.alone import alone
-from autograder.files import is_new
-from autograder.records import from_json, to_json
-from autograder.reports.texts import replace_file
+from autograder.files import is_new, replace_bytes
 from autograder.submissions.find import SILENT, is_skipped, printable
 from autograder.submissions.zips import is_folder, is_unsafe, open_zip, path_in_zip, read_entry
 from autograder.text.wrapping import plain_console
@@ -197,8 +195,8 @@ def _read_marker(folder: Path) -> Unpacked:
     if is_new(folder, folder / MARKER):
         return Unpacked("", [], [])
     try:
-        return from_json(Unpacked, json.loads((folder / MARKER).read_text(encoding="utf-8")))
-    except (OSError, ValueError) as error:
+        return msgspec.json.decode((folder / MARKER).read_bytes(), type=Unpacked)
+    except (OSError, msgspec.DecodeError) as error:
         raise ValueError(
             f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
             "folder instead, or move it elsewhere"
@@ -206,7 +204,7 @@ def _read_marker(folder: Path) -> Unpacked:
 
 
 def _write_marker(folder: Path, unpacked: Unpacked) -> None:
-    replace_file(folder / MARKER, json.dumps(to_json(unpacked), indent=1) + "\n")
+    replace_bytes(folder / MARKER, msgspec.json.encode(unpacked))
 
 
 def _digest(path: Path) -> str:

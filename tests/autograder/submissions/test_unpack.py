@@ -129,10 +129,11 @@ def test_marks_are_not_used_for_the_zip_of_another_assignment(tmp_path: Path) ->
 def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
     zipped = class_zip(tmp_path, {"ann.zip": WORK})
     (tmp_path / "lab1").mkdir()
-    (tmp_path / "lab1/mine.txt").touch()
-    with pytest.raises(ValueError, match="already exists, but was not unpacked"):
-        class_folder(zipped)
-    (tmp_path / "lab1/mine.txt").unlink()
+    for name, text in (("mine.txt", ""), (".unpacked.json", "{"), (".unpacked.json", "{}")):
+        (tmp_path / "lab1" / name).write_text(text, encoding="utf-8")
+        with pytest.raises(ValueError, match="already exists, but was not unpacked"):
+            class_folder(zipped)
+        (tmp_path / "lab1" / name).unlink()
     class_folder(zipped)
     (tmp_path / "lab1/cem.zip").symlink_to("/etc/passwd")
     class_zip(tmp_path, {"cem.zip": WORK})

@@ -116,7 +116,10 @@ DAMPING = "ch03_laws_of_motion/damping.py"
     [
         # Neither stubs nor solutions are taken for what is not there.
         *((files, NOTHING) for files in ({}, {"readme.txt": CODE})),
-        *((in_ch02("*", n), NOTHING) for n in ("vector.txt", "my_helpers.py", "vector\x1b.py")),
+        *(
+            (in_ch02("*", n), NOTHING)
+            for n in ("vector.txt", "my_helpers.py", "vector\x1b.py", "._vector.py.py")
+        ),
         # A chapter may be three levels down, but nowhere else.
         *((in_ch02(at), TAKEN) for at in ("*", "a/*", "a/b/*", "[x] Ångström\n/$(b)/*")),
         *((in_ch02(at), NOTHING) for at in ("a/b/c/*", ".hidden/*", "a/.git/*", "__MACOSX/*")),

@@ -1,8 +1,6 @@
 """Decide whether the grader accepts a student's file.
 
-The grader uses this module when it copies a submission, and the students' own commands use it
-before they run the code. A file that would be rejected in grading is therefore rejected at home
-too, in the same words.
+Students' own commands use it too, so a file is rejected at home in the same words as in grading.
 """
 
 from __future__ import annotations
@@ -26,47 +24,29 @@ OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
 
 
 class NotTakenError(Exception):
-    """Raised when a student's file or a whole submission is rejected.
-
-    The message gives the reason as part of a sentence, such as "it is a symbolic link".
-    """
+    """Raised if a file or a submission is rejected, with a reason such as "it is a folder"."""
 
 
 def rejected_modules(chapters: Iterable[Chapter], engine: Sequence[Path]) -> dict[str, str]:
-    """Find the files in a student's folders that the grader would reject.
-
-    Python imports each module from the first folder of ``engine`` that contains it, so only that
-    file is read.
-
-    Returns:
-        The names of the rejected modules, such as ch02_vectors.vector, each with the reason.
-    """
+    """Return the modules in a student's folders that would be rejected, each with the reason."""
     reasons = {}
     for chapter in chapters:
+        folders = [folder / chapter.name for folder in engine]
+        names = {f: {path.name for path in f.iterdir()} if f.is_dir() else set() for f in folders}
         for name in chapter.handed_in:
+            # Python imports a module from the first folder that has it.
+            folder = next((folder for folder in folders if name in names[folder]), None)
+            error = None if folder else renamed(chapter, name, set().union(*names.values()))
             try:
-                _check(chapter, name, engine)
-            except NotTakenError as error:
+                if folder and folder.is_symlink():
+                    raise NotTakenError(LINKED_FOLDER)
+                if folder:
+                    check_text(read_file(folder / name, LARGEST_FILE))
+            except NotTakenError as rejected:
+                error = rejected
+            if error:
                 reasons[module_of(chapter.name, name)] = rejection(chapter.name, name, error)
     return reasons
-
-
-def _check(chapter: Chapter, name: str, engine: Sequence[Path]) -> None:
-    """Raise NotTakenError if the grader would reject a file.
-
-    A missing file is not rejected, unless a file with a similar name is in its place.
-    """
-    there: set[str] = set()
-    for folder in (folder / chapter.name for folder in engine):
-        names = {path.name for path in folder.iterdir()} if folder.is_dir() else set()
-        if name in names:
-            if folder.is_symlink():
-                raise NotTakenError(LINKED_FOLDER)
-            check_text(read_file(folder / name, LARGEST_FILE))
-            return
-        there |= names
-    if error := renamed(chapter, name, there):
-        raise error
 
 
 def module_of(chapter: str, name: str) -> str:
@@ -80,11 +60,7 @@ def rejection(chapter: str, name: str, error: NotTakenError) -> str:
 
 
 def check_text(content: bytes) -> bytes:
-    """Make sure that a student's file is a text file, and return its contents unchanged.
-
-    Raises:
-        NotTakenError: It is not a text file.
-    """
+    """Return the contents of a file unchanged, or raise NotTakenError if they are not text."""
     try:
         content.decode()
     except UnicodeDecodeError as error:
@@ -95,14 +71,7 @@ def check_text(content: bytes) -> bytes:
 
 
 def renamed(chapter: Chapter, file: str, there: Iterable[str]) -> NotTakenError | None:
-    """Recognize a missing file under an almost correct name, such as "vector (1).py".
-
-    ``there`` contains the names of the files in the chapter's folder. A file that belongs there
-    under its own name, such as a given module, has not been renamed.
-
-    Returns:
-        The error that tells the student the right name, or None if no name is similar.
-    """
+    """Return an error if one of the files in a chapter's folder seems to be ``file``, renamed."""
     strange = {*there} - {*chapter.handed_in, *chapter.complete}
     ending = f".{file.rpartition('.')[2]}"
     alike = [n for n in sorted(strange) if n.endswith(ending) and HARMLESS.fullmatch(n)]
@@ -112,12 +81,10 @@ def renamed(chapter: Chapter, file: str, there: Iterable[str]) -> NotTakenError 
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Read a student's file, but only if it is a regular file of at most ``largest`` bytes.
-
-    Error messages refer to the file as ``what``, for example "the zip".
+    """Read a student's file, which errors call ``what``, without following a link.
 
     Raises:
-        NotTakenError: The file is not a regular file, is too large, or cannot be read.
+        NotTakenError: It is not a regular file, has more than ``largest`` bytes, or is unreadable.
     """
     try:
         _check_kind(path.lstat(), largest, what)
@@ -130,32 +97,19 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
             raise NotTakenError(f"{what} is a symbolic link") from error
         raise NotTakenError(f"{what} cannot be read: {cause(error)}") from error
     if len(content) > largest:
-        raise too_large(what, largest)
+        raise NotTakenError(f"{what} is larger than {largest:,} bytes")
     return content
 
 
-def too_large(what: str, largest: int) -> NotTakenError:
-    """Create the error for a student's file or zip that is larger than ``largest`` bytes."""
-    return NotTakenError(f"{what} is larger than {largest:,} bytes")
-
-
 def cause(error: OSError) -> str:
-    """Return the reason why a student's file cannot be read, such as "Permission denied".
-
-    The error is raised again if the submission is not to blame, for example because the grader has
-    run out of memory.
-    """
+    """Return the reason why a student's file is unreadable. If it is our fault, raise the error."""
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a student's file without following a link or waiting for a pipe.
-
-    A link could lead to a file outside the submission, and a pipe could keep the grader waiting
-    forever.
-    """
+    """Open a file, but no link, which could lead out, and no pipe, which could wait forever."""
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -167,4 +121,4 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
     if not stat.S_ISREG(status.st_mode):
         raise NotTakenError(f"{what} is not a regular file")
     if status.st_size > largest:
-        raise too_large(what, largest)
+        raise NotTakenError(f"{what} is larger than {largest:,} bytes")

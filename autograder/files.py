@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import shutil
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 LITTLE = 1_000_000  # bytes
@@ -27,6 +30,13 @@ def replace_bytes(path: Path, content: bytes) -> None:
         if temporary.exists():
             temporary.unlink()
         raise
+
+
+def replace_table(path: Path, rows: Iterable[Sequence[str]]) -> None:
+    """Write a CSV file atomically. Characters that cannot be encoded are escaped."""
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    replace_bytes(path, text.getvalue().encode("utf-8", errors="backslashreplace"))
 
 
 def is_full(folder: Path) -> bool:

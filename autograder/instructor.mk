@@ -1,5 +1,5 @@
 # `make update` writes this file from autograder/instructor.toml.
-TAKES_grade := SUBMISSIONS OUT SEED CHAPTERS GIVEN CHECKS STUDENT NOTE ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE
+TAKES_grade := SUBMISSIONS OUT SEED CHAPTERS GIVEN CHECKS STUDENT NOTE ROSTER TITLE POINTS ASSIGNMENT COURSE
 OPTIONS_grade = $(call typed,SUBMISSIONS) $(call option,--seed,SEED) $(call option,--chapters,CHAPTERS) $(call option,--given,GIVEN) $(call option,--checks,CHECKS) $(call option,--student,STUDENT) $(call option,--note,NOTE) $(call option,--roster,ROSTER) $(call option,--title,TITLE) $(call option,--points,POINTS) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 OPTIONS_handout = $(call option,--given,GIVEN) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from autograder.course.choose import work_of
@@ -19,9 +20,8 @@ def run_grade(arguments: argparse.Namespace) -> int:
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
 
-    from autograder.grader.class_folder import SAMPLE
+    from autograder.grader.class_folder import SAMPLE, earlier_choice
     from autograder.grader.cohort import ClassOptions, grade
-    from autograder.grader.regrade import earlier_choice
     from autograder.platforms.uploads import Column
     from autograder.submissions.unpack import class_folder
 
@@ -32,23 +32,16 @@ def run_grade(arguments: argparse.Namespace) -> int:
     if is_again and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
+    seed, roster = arguments.seed or work.seed, arguments.roster or work.roster
     options = ClassOptions(
-        given=work.given,
-        earlier=work.earlier,
-        seed=arguments.seed or work.seed,
         student=arguments.student,
         why=arguments.note,
-        hidden=work.hidden,
-        deadline=work.deadline,
         unsafe=arguments.unsafe_no_sandbox,
         jobs=arguments.jobs,
         cluster=arguments.cluster,
-        roster=arguments.roster or work.roster,
-        anonymous=arguments.anonymous,
         column=Column(arguments.title or work.title, arguments.points),
-        assignment=work.name,
     )
-    return grade(folder, arguments.out, work.chapters, options)
+    return grade(folder, arguments.out, replace(work, seed=seed, roster=roster), options)
 
 
 def _class_of(arguments: argparse.Namespace) -> Path:

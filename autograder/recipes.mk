@@ -5,9 +5,6 @@ PYTEST = PYTHONPATH=tests/helpers $(RUN) -m pytest --dist worksteal
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
-# Reports with codes never go to a folder of reports with names.
-CODED = $(filter-out 0,$(ANONYMOUS))
-
 include autograder/instructor.mk
 TAKES_site := OUT SOLUTIONS
 TAKES_test := CH
@@ -28,7 +25,7 @@ out = --out $(or $(call typed,OUT),'$(1)')
 
 # == For instructors ==
 grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade $(OPTIONS_grade) $(call out,$(BUILT)grades$(if $(CODED),-anonymous)) $(if $(CODED),--anonymous)
+	@$(RUN) -m autograder grade $(OPTIONS_grade) $(call out,$(BUILT)grades)
 
 release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder release $(NAMED) $(OPTIONS_release) $(call out,$(BUILT)release) $(if $(value GRADES)$(value SUBMISSIONS)$(wildcard $(BUILT)grades/results),--grades $(or $(call typed,GRADES),'$(BUILT)grades'))

@@ -5,12 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 
 from autograder.course.late import clock
 from autograder.course.model import Work
-from autograder.course.of_class import points_of
-from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.course.points import points_of
+from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.scores import shown
 
 START = re.compile(r"(?m)^(?=\[\[exercise\]\])")
@@ -19,21 +18,14 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return the chapter that students receive for an assignment, with all of its exercises.
-
-    The exercises in ``assigned`` have the points of the assignment. All others are marked as
-    optional.
-    """
+    """Return the whole chapter with the points of the assignment. Other exercises are optional."""
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
     return replace(whole, exercises=exercises)
 
 
 def manifest_of(text: str, chapter: Chapter) -> str:
-    """Replace the points in the text of a chapter.toml with those of the assignment.
-
-    The new text also marks which exercises are optional and which give extra credit.
-    """
+    """Write a chapter's points, extra credit and optional exercises into its chapter.toml."""
     first, *rest = START.split(text)
     return first + "".join(_entry(part, chapter) for part in rest)
 
@@ -50,13 +42,10 @@ def _entry(text: str, chapter: Chapter) -> str:
     return POINTS.sub("\n".join(lines), text, count=1)
 
 
-def about(work: Work, root: Path = ROOT, *, on_github: Mapping[str, float] | None = None) -> str:
-    """Write the README section about an assignment: its due date, its exercises and their points.
+def about(work: Work, on_github: Mapping[str, float] | None = None) -> str:
+    """Write the README section about an assignment, or "" if the work is whole chapters.
 
-    Return an empty string if the instructor selected some chapters instead of an assignment.
-
-    ``on_github`` has the points of each exercise on GitHub Classroom, if they differ from the
-    others.
+    ``on_github`` has the points on GitHub Classroom, if they differ from the others.
     """
     if not work.name:
         return ""
@@ -67,7 +56,7 @@ def about(work: Work, root: Path = ROOT, *, on_github: Mapping[str, float] | Non
             "GitHub Classroom shows whole points only, so its points are rounded. It does not\n"
             "grade written answers, and it adds extra credit to the total."
         )
-    whole = {chapter.name: len(chapter.exercises) for chapter in load_chapters(root)}
+    whole = {chapter.name: len(chapter.exercises) for chapter in load_chapters()}
     if any(len(chapter.exercises) < whole[chapter.name] for chapter in work.chapters):
         parts.append(
             "The other exercises are optional: you may do them, but they do not count.\n"

@@ -15,8 +15,7 @@ from autograder.scores import shown
 class HandedIn:
     """The time of a submission, and the platform or file that reports it.
 
-    Canvas does not report the time. It reports only whether the submission was late, and ``late``
-    is True in that case.
+    Canvas reports only whether a submission was late. In that case, ``late`` is True.
     """
 
     source: str
@@ -42,18 +41,14 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Convert the local time at which a late day ends to UTC.
 
-    When the clocks go back, some local times occur twice, and the second occurrence counts. When
-    the clocks go forward, some are skipped. A skipped time is converted as if the clocks had not
-    changed yet.
+    Of a time that the clocks show twice, the second occurrence counts. One that they skip is
+    converted as if they had not changed yet.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Compute how many points a student loses for handing in ``days`` days late.
-
-    ``possible`` is the number of points that the assignment is worth.
-    """
+    """Compute the points for ``days`` late days, if ``possible`` ones can be earned."""
     price = policy.per_day * days
     if policy.cap is not None:
         price = min(price, policy.cap)
@@ -65,8 +60,8 @@ def late_of(
 ) -> Late:
     """Compute the lateness of a submission and the resulting penalty, with an explanation.
 
-    ``granted`` lists the extensions of the students who submitted the work together. The latest one
-    applies to all of them. There is no penalty if the submission time is unknown.
+    ``granted`` are the extensions of the students who handed in together. The latest one applies to
+    all. There is no penalty if the submission time is unknown.
     """
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
     was = f"It was due {clock(due)}{' (extended)' if granted else ''}."
@@ -90,5 +85,5 @@ def late_of(
 
 
 def clock(time: datetime) -> str:
-    """Format a due date or submission time for people to read, as in 2026-10-23 23:59 CEST."""
+    """Format a time for people to read, as in 2026-10-23 23:59 CEST."""
     return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

@@ -1,7 +1,4 @@
-"""The assignments, deadlines and late policies that an instructor describes in a course file.
-
-Commands get these objects only if the parts of the file that they come from have no mistakes.
-"""
+"""The assignments, deadlines and late policies that an instructor describes in a course file."""
 
 from __future__ import annotations
 
@@ -16,7 +13,7 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """The penalty for late work: a number of points per day, and optionally a maximum.
+    """The points that each day of lateness costs, and optionally the most that all days cost.
 
     A part of a day counts as a full day. If ``unit`` is "percent", both numbers are percentages of
     the points that the assignment is worth.
@@ -28,10 +25,7 @@ class LatePolicy:
 
     @property
     def words(self) -> str:
-        """The penalty for late work, described in a sentence for students.
-
-        An example is "Each day or part of a day costs 2 points."
-        """
+        """A sentence for students, such as "Each day or part of a day costs 2 points."."""
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
         return f"Each day or part of a day costs {self.per_day:g} {of}{cap}."
@@ -39,13 +33,10 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """The due date of an assignment, and the penalty for late work.
+    """When an assignment is due, with the later due dates of individual students.
 
-    Attributes:
-        due: The due date, with a time zone.
-        policy: The penalty. If it is None, late work loses no points, but reports still say how
-            late it is.
-        extensions: The later due dates of individual students.
+    All times have a time zone. Without a policy, late work loses no points, but reports still say
+    how late it is.
     """
 
     due: datetime
@@ -55,25 +46,20 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """An assignment: the exercises that students have to do, and how they are graded.
+    """What students have to do, and how it is graded: an assignment, or whole chapters.
 
-    Attributes:
-        chapters: The assigned chapters. Each contains only the assigned exercises, with their
-            points in this assignment.
-        given: The chapters that students receive as finished code.
-        earlier: The exercises of earlier assignments that this one builds on. Each is mapped to the
-            name of the first assignment that contains it.
-        hidden: The folder of hidden checks.
-        roster: The path of the class list.
+    The chapters contain only the assigned exercises, with their points in this assignment.
+    ``earlier`` are the exercises of earlier assignments that it builds on, with the names of the
+    first assignments that contain them.
     """
 
-    name: str
+    name: str  # of the assignment, or ""
     chapters: list[Chapter]
-    given: list[Chapter] = field(default_factory=list)
+    given: list[Chapter] = field(default_factory=list)  # students receive them as finished code
     title: str = ""
     earlier: Mapping[str, str] = field(default_factory=dict)
     deadline: Deadline | None = None
-    hidden: Path | None = None
+    hidden: Path | None = None  # the folder of hidden checks
     seed: str | None = None
     roster: Path | None = None
 
@@ -83,4 +69,3 @@ class Course:
     """All the assignments of a term, in the order in which students do them."""
 
     assignments: list[Work]
-    title: str = ""

@@ -1,17 +1,21 @@
-"""Scale the points of exercises so that an assignment adds up to the intended total."""
+"""Scale the points of exercises and of marks to those that an assignment gives."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
+
+from autograder.manifest import Chapter
+from autograder.reports.marks import Marks
+from autograder.scores import possible
 
 
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
-    """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
+    """Scale all points by one factor, to multiples of ``unit`` that add up to ``out_of``.
 
-    Each result is a multiple of ``unit``. All points are first rounded down, which may make their
-    sum too small. To correct the sum, one ``unit`` is added to each of the exercises that lost the
-    most by rounding.
+    All points are first rounded down. Then one ``unit`` is added to each of the exercises that lost
+    the most by rounding, until the sum is right.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -21,21 +25,31 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
     by_loss = sorted(exact, key=lambda name: units[name] * step - exact[name])
     for name in by_loss[:left]:
         units[name] += 1
-    return {name: _plain(count * step) for name, count in units.items()}
+    return {name: plain(count * step) for name, count in units.items()}
 
 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
-    """Scale the points of an extra-credit exercise by the same factor as the regular points.
-
-    ``value`` is the number of points that this exercise is worth before scaling. ``total`` is the
-    sum of the regular points before scaling, and ``out_of`` is their sum afterwards.
-    """
-    return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
+    """Scale the points of an extra-credit exercise as regular points scale from total to out_of."""
+    return plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
 
-def _plain(value: Fraction) -> float:
-    """Convert a fraction to an int if it is a whole number, and to a float otherwise.
+def plain(value: Fraction | float) -> float:
+    """Return a whole number as an int, so that it is printed as 3 instead of 3.0."""
+    return int(value) if value == int(value) else float(value)
 
-    A whole number of points is therefore printed as 3 instead of 3.0.
-    """
-    return int(value) if value.denominator == 1 else float(value)
+
+def points_of(chapters: Iterable[Chapter]) -> float:
+    """Add up the points of all exercises, without extra credit and optional exercises."""
+    return possible(exercise for chapter in chapters for exercise in chapter.exercises)
+
+
+def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
+    """Scale marks from the points of the rubrics, in the manifests, to those of an assignment."""
+    rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
+    assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}
+    return {
+        (student, name): replace(
+            mark, points=round(mark.points * assigned.get(name, rubric[name]) / rubric[name], 2)
+        )
+        for (student, name), mark in marks.items()
+    }

@@ -1,257 +1,199 @@
-"""Read an instructor's course.toml, and report all of its mistakes with their line numbers."""
+"""Read course.toml, in which an instructor describes the assignments of a term."""
 
 from __future__ import annotations
 
-import re
-import tomllib
-from collections.abc import Mapping
+from dataclasses import replace
 from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import Any
+from zoneinfo import ZoneInfo, available_timezones
 
-from autograder.course.dates import read_time, read_zone
-from autograder.course.exercises import Chooser, chapters_under
-from autograder.course.mistakes import Mistakes, nearest, shown
+from autograder.checks.verdict import needs_of
+from autograder.course.dates import YEARS
 from autograder.course.model import Course, Deadline, LatePolicy, Work
-from autograder.manifest import ROOT, Chapter, load_chapters
-
-OF_COURSE = ("title", "time_zone", "roster", "late", "assignment")
-OF_ASSIGNMENT = (
-    *("name", "title", "exercises", "chapters", "extra_credit", "given", "points", "out_of"),
-    *("total", "due", "late", "extensions", "hidden_checks", "seed"),
-)
-OF_LATE = ("points_per_day", "percent_per_day", "cap")
-NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+from autograder.course.points import plain, rescaled, scaled_alike
+from autograder.course.tables import AssignmentTable, LateTable, read_tables
+from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, load_chapters
+from autograder.scores import possible, shown
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
-    """Read the course file, in which an instructor describes the assignments of a term.
-
-    Relative paths in the file are resolved from the folder that contains it.
+    """Read a course file. Relative paths in it are resolved from the folder that contains it.
 
     Raises:
-        ValueError: The file contains mistakes. The message lists all of them with their lines.
+        ValueError: The file has a mistake. The message names the key, its value and what is wanted.
         OSError: The file cannot be read.
     """
-    reader = _reader(path, root)
-    course = reader.course()
-    reader.mistakes.raise_any()
-    return course
-
-
-def read_assignment(path: Path, name: str, root: Path = ROOT) -> tuple[Work, str]:
-    """Read one assignment from the course file, even if other assignments have mistakes.
-
-    Returns:
-        The assignment, and a note that lists the mistakes in other assignments, if there are any.
-
-    Raises:
-        ValueError: There is no such assignment, or there are mistakes at the top of the file, in
-            this assignment, or in one that it builds on. The message lists all mistakes.
-        OSError: The file cannot be read.
-    """
-    reader = _reader(path, root)
-    works = reader.course().assignments
-    called = [number for number, work in enumerate(works) if work.name == name]
-    if not called:
-        reader.mistakes.raise_any()
-        wanted = nearest(name, [work.name for work in works])
-        known = f"It has {', '.join(work.name for work in works)}"
-        raise ValueError(
-            " ".join(filter(None, [f"{path} has no assignment {name!r}.", wanted, known]))
-        )
-    reader.mistakes.raise_any([*called, *reader.needed_by(called[0], works)])
-    return works[called[0]], reader.mistakes.listed(f" outside of {name}")
-
-
-def _reader(path: Path, root: Path) -> Reader:
-    """Parse the course file.
-
-    Raises:
-        ValueError: The file is not valid TOML.
-        OSError: The file cannot be read.
-    """
-    if not path.is_file():
-        raise ValueError(
-            f"there is no file {str(path)!r}. Write one as autograder/README.md shows, or name "
-            "another with --course (in make: COURSE=)"
-        )
+    table = read_tables(path)
+    works: list[Work] = []
     try:
-        text = path.read_text(encoding="utf-8-sig")
-        data = tomllib.loads(text)
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path} is not UTF-8: save it as UTF-8 in your editor") from error
-    except (ValueError, RecursionError) as error:  # also for a number of 5,000 digits
-        raise ValueError(f"{path} is not valid TOML: {error}") from error
-    return Reader(data, path.parent, load_chapters(root), Mistakes(str(path), text))
+        zone = _zone(table.time_zone)
+        roster = _path(path.parent, "roster", table.roster)
+        policy = _policy(table.late)
+        for one in table.assignment:
+            if one.name in [work.name for work in works]:
+                raise ValueError(f"name: two assignments are called {one.name}")
+            try:
+                work = _work(one, works, load_chapters(root), root)
+                hidden = _hidden(path.parent, one, work.chapters)
+                deadline = _deadline(one, _policy(one.late) if one.late else policy, zone)
+            except ValueError as error:
+                raise ValueError(f"assignment {one.name}, {error}") from error
+            works.append(replace(work, deadline=deadline, hidden=hidden, roster=roster))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+    return Course(works)
 
 
-class Reader:
-    """Converts the tables of a course file to assignments, and records any mistakes in the file."""
+def _work(table: AssignmentTable, works: list[Work], chapters: list[Chapter], root: Path) -> Work:
+    """Find the exercises of an assignment, their points, and those that they build on.
 
-    def __init__(
-        self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
-    ) -> None:
-        self.data = data
-        self.folder = folder
-        self.chapters = chapters
-        self.mistakes = mistakes
-        self.before: dict[str, str] = {}  # exercises read so far, with their first assignment
+    ``works`` are the earlier assignments of the course file.
+    """
+    before: dict[str, str] = {}
+    for work in works:
+        for exercise in (e for chapter in work.chapters for e in chapter.exercises):
+            before.setdefault(exercise.id, work.name)
+    home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
+    given = _chapters("given", table.given, chapters)
+    whole = _chapters("chapters", table.chapters, chapters)
+    for key, names in (("exercises", table.exercises), ("extra_credit", table.extra_credit)):
+        for name in names:
+            if name not in home:
+                raise ValueError(f"{key}: there is no exercise {name!r}")
+            if [*table.exercises, *table.extra_credit].count(name) > 1:
+                raise ValueError(f"{key}: {name} is listed twice")
+            if key == "exercises" and home[name] in whole:
+                number = home[name].number
+                raise ValueError(f"{key}: {name} belongs to chapter {number}, which is listed too")
+    ids = {*table.exercises, *(e.id for chapter in whole for e in chapter.exercises)}
+    if not ids - {*table.extra_credit}:
+        raise ValueError('exercises: there are none. Write exercises = ["B2.1"] or chapters = [2]')
+    ids |= {*table.extra_credit}
+    earlier: set[str] = set()
+    for name in (name for name in home if name in ids):
+        if home[name] in given:
+            number = home[name].number
+            raise ValueError(f"given: chapter {number} is complete, so {name} cannot be assigned")
+        needs = [e for e in home[name].exercise(name).needs if e not in ids | before.keys()]
+        if needs:
+            raise ValueError(f"{name} needs {', '.join(needs)}, which is in no assignment so far")
+        earlier |= (needs_of(home[name], name) - ids) & before.keys()
+    own = [chapter for chapter in chapters if any(e.id in ids for e in chapter.exercises)]
+    for chapter in own:
+        for below in chapters_below(chapter, root):
+            if below not in given and not any(e.id in ids | before.keys() for e in below.exercises):
+                raise ValueError(
+                    f"given: chapter {chapter.number} builds on chapter {below.number}, which is "
+                    f"neither given nor assigned so far. Add {below.number} to given"
+                )
+    worth = _points(table, [e for c in own for e in c.exercises if e.id in ids])
+    return Work(
+        table.name,
+        [replace(c, exercises=[worth[e.id] for e in c.exercises if e.id in ids]) for c in own],
+        given,
+        title=table.title,
+        earlier={name: before[name] for name in home if name in earlier},
+        seed=None if table.seed is None else str(table.seed),
+    )
 
-    def course(self) -> Course:
-        """Read all assignments of the term.
 
-        If the course file contains mistakes, they are recorded, and the result may be incomplete.
-        The caller must therefore check for recorded mistakes before using the result.
-        """
-        mistakes, data = self.mistakes, self.data
-        mistakes.check_keys(data, (), OF_COURSE)
-        self.zone: tzinfo | None = None
-        if "time_zone" in data:
-            self.zone = read_zone(data["time_zone"], ("time_zone",), mistakes)
-        self.policy = self._policy(data, ())
-        tables = data.get("assignment", [])
-        if not (isinstance(tables, list) and tables and all(type(t) is dict for t in tables)):
-            mistakes.add(
-                ("assignment",), "there is no assignment. Each one begins with [[assignment]]"
-            )
-            tables = []
-        self.roster = self._path(data, (), "roster")
-        assignments = [self._assignment(i, table) for i, table in enumerate(tables)]
-        return Course(assignments, mistakes.value(data, (), "title", str) or "")
+def _chapters(key: str, numbers: list[int], chapters: list[Chapter]) -> list[Chapter]:
+    known = {chapter.number: chapter for chapter in chapters}
+    for number in numbers:
+        if number not in known:
+            there = ", ".join(map(str, known))
+            raise ValueError(f"{key}: there is no chapter {number}. The chapters are {there}")
+    return [chapter for number, chapter in known.items() if number in numbers]
 
-    def needed_by(self, number: int, works: list[Work]) -> list[int]:
-        """List the earlier assignments on which an assignment builds, by their numbers in the file.
 
-        They contain the exercises that it needs, or exercises of the earlier chapters that its code
-        imports.
-        """
-        work = works[number]
-        below = {
-            earlier.number
-            for chapter in work.chapters
-            for earlier in chapters_under(chapter, self.chapters)
-            if earlier not in work.given
-        }
-        return [
-            other
-            for other in range(number)
-            for chapter in works[other].chapters
-            if chapter.number in below or any(e.id in work.earlier for e in chapter.exercises)
-        ]
+def _points(table: AssignmentTable, exercises: list[Exercise]) -> dict[str, Exercise]:
+    """Give each exercise its points in the assignment, scaled to ``out_of`` if that is set."""
+    chosen = {e.id: replace(e, extra=e.id in table.extra_credit) for e in exercises}
+    for name, value in table.points.items():
+        if name not in chosen:
+            raise ValueError(f"points: {name!r} is not an exercise of this assignment")
+        chosen[name] = replace(chosen[name], points=plain(value))
+    now = possible(chosen.values())
+    if table.total and table.out_of:
+        raise ValueError("total: it checks the points, but out_of changes them. Keep only one")
+    if table.total and abs(table.total - now) > 0.005:
+        raise ValueError(f"total: the points add up to {shown(now)}, not to {shown(table.total)}")
+    if not table.out_of:
+        return chosen
+    new = rescaled({e.id: e.points for e in chosen.values() if not e.extra}, table.out_of)
+    new |= {e.id: scaled_alike(e.points, table.out_of, now) for e in chosen.values() if e.extra}
+    return {name: replace(e, points=new[name]) for name, e in chosen.items()}
 
-    def _assignment(self, index: int, table: dict[str, Any]) -> Work:
-        mistakes, path = self.mistakes, ("assignment", index)
-        mistakes.check_keys(table, path, OF_ASSIGNMENT, ("roster", "time_zone"))
-        name = mistakes.value(table, path, "name", str)
-        others = [other.get("name") for other in self.data["assignment"][:index]]
-        if name is None and "name" not in table:
-            mistakes.add(path, 'the assignment has no name. Write one such as name = "lab1"')
-        elif name is not None and not NAME.fullmatch(name):
-            words = f"name must have only letters, digits, - and _, got {shown(name)}"
-            mistakes.add((*path, "name"), words)
-        elif name is not None and name in others:
-            mistakes.add((*path, "name"), f"another assignment is called {name} too")
-        chosen = Chooser(table, path, self.chapters, self.before, mistakes).choose()
-        for exercise in (e for chapter in chosen.chapters for e in chapter.exercises):
-            self.before.setdefault(exercise.id, name or "")
-        seed = table.get("seed")
-        if type(seed) not in (str, int, type(None)) or seed == "":
-            mistakes.add(
-                (*path, "seed"), f"seed must be a string or a whole number, got {shown(seed)}"
-            )
-        return Work(
-            name or "",
-            chosen.chapters,
-            chosen.given,
-            title=mistakes.value(table, path, "title", str) or "",
-            earlier=chosen.earlier,
-            deadline=self._deadline(table, path),
-            hidden=self._hidden(table, path, chosen.chapters),
-            seed=None if seed is None else str(seed),
-            roster=self.roster,
-        )
 
-    def _deadline(self, table: dict[str, Any], path: tuple[str | int, ...]) -> Deadline | None:
-        wrong = "time_zone" in self.data and self.zone is None
-        policy = self._policy(table, path) if "late" in table else self.policy
-        times: dict[str, datetime] = {}
-        extensions = self.mistakes.value(table, path, "extensions", dict) or {}
-        for student, value in extensions.items():
-            at = (*path, "extensions", student)
-            time = read_time(value, at, self.zone, self.mistakes, is_zone_wrong=wrong)
-            if time:
-                times[student] = time
-        if "due" not in table:
-            for key in (key for key in ("extensions", "late") if key in table):
-                self.mistakes.add((*path, key), f"{key} has no effect without due. Add a due date")
-            return None
-        due = read_time(table["due"], (*path, "due"), self.zone, self.mistakes, is_zone_wrong=wrong)
-        if due is None:
-            return None
-        for student, time in times.items():
-            if time.astimezone(UTC) < due.astimezone(UTC):
-                words = f"the extension of {student} ends before the assignment is due"
-                self.mistakes.add((*path, "extensions", student), words)
-        return Deadline(due, policy, times)
-
-    def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Read the penalty for late work from a table of the course file.
-
-        The result is None if late work loses no points.
-        """
-        mistakes, at = self.mistakes, (*path, "late")
-        late = mistakes.value(table, path, "late", dict)
-        if late is None:
-            return None
-        mistakes.check_keys(late, at, OF_LATE)
-        given = [key for key in ("points_per_day", "percent_per_day") if key in late]
-        if len(given) != 1:
-            words = "late must have points_per_day or percent_per_day"
-            mistakes.add(at, f"{words}, and not both" if given else words)
-            return None
-        if late[given[0]] == 0 and late.keys() == {*given}:
-            return None
-        per_day = mistakes.number(late, at, given[0])
-        cap = mistakes.number(late, at, "cap")
-        if per_day is None:
-            return None
-        unit = "percent" if given[0] == "percent_per_day" else "points"
-        if cap is not None and cap < per_day:
-            words = f"cap must be at least {given[0]}, since it limits the {unit} for all days"
-            mistakes.add((*at, "cap"), words)
-        if unit == "percent" and max(per_day, cap or 0) > 100:
-            key = "cap" if (cap or 0) > 100 else given[0]
-            mistakes.add((*at, key), f"{key} must be at most 100 percent, got {shown(late[key])}")
-        return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
-
-    def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Read the path of a file or folder, such as the class list, from the course file.
-
-        If nothing exists at that path, record a mistake and return None.
-        """
-        name = self.mistakes.value(table, path, key, str)
-        if name is None:
-            return None
-        found = self.folder / str(name)
-        if found.is_dir() if key == "hidden_checks" else found.is_file():
-            return found
-        what = "folder" if key == "hidden_checks" else "file"
-        there = [other.name for other in self.folder.iterdir()] if self.folder.is_dir() else []
-        wanted = nearest(name, there) or f"It should be in {str(self.folder.resolve())!r}."
-        self.mistakes.add((*path, key), f"{key}: there is no {what} {name!r}. {wanted}")
+def _deadline(
+    table: AssignmentTable, policy: LatePolicy | None, zone: tzinfo | None
+) -> Deadline | None:
+    if table.due is None:
+        for key in ("extensions", "late"):
+            if getattr(table, key):
+                raise ValueError(f"{key} has no effect without due. Add a due date")
         return None
+    due = _with_zone("due", table.due, zone)
+    extensions = {
+        name: _with_zone(f"extensions: {name}", time, zone)
+        for name, time in table.extensions.items()
+    }
+    for name, time in extensions.items():
+        if time.astimezone(UTC) < due.astimezone(UTC):
+            raise ValueError(f"extensions: that of {name} ends before the assignment is due")
+    return Deadline(due, policy, extensions)
 
-    def _hidden(
-        self, table: Mapping[str, Any], path: tuple[str | int, ...], chapters: list[Chapter]
-    ) -> Path | None:
-        """Read the path of the folder that holds an assignment's hidden checks.
 
-        If none of these checks belong to an assigned chapter, record a mistake in the course file.
-        """
-        hidden = self._path(table, path, "hidden_checks")
-        if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):
-            wanted = " or ".join(chapter.name for chapter in chapters)
-            words = f"hidden_checks: {str(table['hidden_checks'])!r} must contain a folder {wanted}"
-            self.mistakes.add((*path, "hidden_checks"), words)
-        return hidden
+def _policy(late: LateTable | None) -> LatePolicy | None:
+    """Return the penalty for late work, or None if late work loses no points."""
+    if late is None:
+        return None
+    if (late.points_per_day is None) == (late.percent_per_day is None):
+        raise ValueError("late must have points_per_day or percent_per_day, and not both")
+    unit: Any = "points" if late.percent_per_day is None else "percent"
+    per_day = (late.points_per_day or 0) + (late.percent_per_day or 0)
+    if late.cap is not None and late.cap < per_day:
+        raise ValueError(f"late: cap must be at least {per_day}, since it is for all days")
+    if unit == "percent" and max(per_day, late.cap or 0) > 100:
+        raise ValueError("late: percent_per_day and cap must be at most 100")
+    return LatePolicy(plain(per_day), unit, late.cap and plain(late.cap)) if per_day else None
+
+
+def _zone(name: str | None) -> tzinfo | None:
+    if name is not None and name not in available_timezones():
+        raise ValueError(f"time_zone: there is none called {name!r}. Write one like Europe/Berlin")
+    return ZoneInfo(name) if name else None
+
+
+def _with_zone(key: str, time: datetime, zone: tzinfo | None) -> datetime:
+    """Return a time of the course file in the time zone of the course."""
+    if time.year not in YEARS:
+        raise ValueError(f"{key} must be from {YEARS[0]} to {YEARS[-1]}, got {time}")
+    if time.tzinfo:
+        return time.astimezone(zone) if zone else time
+    if zone is None:
+        raise ValueError(
+            f"{key} {time} has no time zone. Write an offset from UTC, as in {time.isoformat()}"
+            '+02:00, or time_zone = "Europe/Berlin" at the top of the file'
+        )
+    there = time.replace(tzinfo=zone, fold=1)  # if clocks show it twice, use the later time
+    if there.astimezone(UTC).astimezone(zone).replace(tzinfo=None) != time:
+        raise ValueError(f"{key} {time} does not exist: the clocks in {zone} go forward then")
+    return there
+
+
+def _path(folder: Path, key: str, name: str | None) -> Path | None:
+    """Return the path of a file or a folder that the course file names."""
+    if name is None or (folder / name).exists():
+        return None if name is None else folder / name
+    raise ValueError(f"{key}: {name!r} is not there. It should be in {str(folder.resolve())!r}")
+
+
+def _hidden(folder: Path, table: AssignmentTable, chapters: list[Chapter]) -> Path | None:
+    """Return the folder of hidden checks, which must have some for an assigned chapter."""
+    hidden = _path(folder, "hidden_checks", table.hidden_checks)
+    if hidden and not any((hidden / chapter.name).is_dir() for chapter in chapters):
+        wanted = " or ".join(chapter.name for chapter in chapters)
+        raise ValueError(f"hidden_checks: {table.hidden_checks!r} must contain a folder {wanted}")
+    return hidden

@@ -1,7 +1,7 @@
-"""Find out when each student of a class handed in the work.
+"""Find out when each student of a class handed in the work, from files beside the submissions.
 
-The times come from files that accompany the submissions. The modification times of a student's
-files are not reliable, because copying or unpacking the files changes them.
+The modification times of a student's files are not reliable, because copying the files changes
+them.
 """
 
 from __future__ import annotations
@@ -24,9 +24,8 @@ def times_of(
 ) -> tuple[dict[str, HandedIn], list[str]]:
     """Find out when each report's submission was handed in, with notes on rows without effect.
 
-    Submissions whose time is unknown are left out of the result. If several files contain a time
-    for the same student, times.csv takes precedence, because the instructor writes it. A time
-    without a time zone, in times.csv or in Moodle's worksheet, is taken to be in ``zone``.
+    Submissions whose time is unknown are left out. What the instructor writes in times.csv takes
+    precedence. A time without a time zone is taken to be in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
@@ -46,10 +45,7 @@ def times_of(
 def _of_instructor(
     path: Path, people: ClassList, zone: tzinfo
 ) -> tuple[dict[str, HandedIn], list[str]]:
-    """Read the submission times that the instructor has listed in times.csv.
-
-    The file has two columns, student and submitted.
-    """
+    """Read the times in times.csv, the file of the instructor."""
     if not path.exists():
         return {}, []
     table = read_csv(path)

@@ -19,13 +19,8 @@ def causes_of(
 ) -> list[Cause]:
     """List the exercises that are not graded, but block graded ones because they fail.
 
-    ``verdicts`` also contains the verdicts on prerequisites that belong to earlier assignments.
-
-    Args:
-        whole: The chapter with all of its exercises.
-        graded: The student's results on the graded exercises of the chapter.
-        verdicts: The verdicts on all checks that were run.
-        assignments: The name of the earlier assignment that each exercise belongs to.
+    ``verdicts`` are of all exercises of the chapter. ``assignments`` has the name of the earlier
+    assignment that each exercise belongs to.
     """
     ids = {result.exercise.id for result in graded}
     others = replace(whole, exercises=[e for e in whole.exercises if e.id not in ids])

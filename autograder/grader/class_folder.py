@@ -1,14 +1,13 @@
 """Manage the folder that holds the grading reports on a class.
 
-Only one run of the grader at a time may write to this folder. A file in it records whether the last
-run has finished, so that an interrupted run can be resumed.
+Only one run of the grader at a time may write to this folder. A file in it records which class was
+graded, and how. A run that was interrupted can therefore be resumed.
 """
 
 from __future__ import annotations
 
 import fcntl
 import json
-import secrets
 import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -23,51 +22,31 @@ from autograder.submissions.find import RECORD, Submission, file_name
 SAMPLE = (ROOT / "sample_class").resolve()
 
 
-def seed_of(state: Path, seed: str | None) -> str:
-    """Choose the seed for the random numbers in the checks of a class.
-
-    A seed that the instructor has requested takes precedence. Otherwise, an interrupted run keeps
-    its seed when it is resumed, and a new run draws one at random.
-    """
-    if seed:
-        return seed
-    last = _recorded(state)
-    stopped = last.get("seed") if last.get("finished") is False else None
-    return stopped if isinstance(stopped, str) else secrets.token_hex(4)
-
-
-def refuse_dropped(state: Path, *, has_roster: bool, has_checks: bool, is_regrade: bool) -> None:
-    """Check that no run drops the roster or the hidden checks with which the class was graded.
-
-    With a roster, the reports use its names for the students. Without one, they use the names of
-    the submissions. The first run with a roster therefore has to be one of the whole class.
-
-    Raises:
-        ValueError: The roster or the hidden checks are missing, or a regrade has a new roster.
-    """
-    record = _recorded(state)
-    if "roster" not in record:
-        return
-    had_roster, had_checks = record["roster"], record.get("checks", False)
-    if had_roster and not has_roster:
-        raise ValueError(
-            "the class was graded with a roster: add --roster (make: ROSTER=), or --assignment "
-            "(make: ASSIGNMENT=) if the course file names the roster. To grade it without one, add "
-            "another --out (make: OUT=)"
-        )
-    if had_checks and not has_checks:
-        raise ValueError(
-            "the class was graded with hidden checks: add --checks (make: CHECKS=), or grade it "
-            "without them into another --out (make: OUT=)"
-        )
-    if is_regrade and has_roster and not had_roster:
-        raise ValueError("the class was graded without a roster: leave out --roster")
+def recorded(out: Path) -> dict[str, Any]:
+    """Return what the last run into a folder has recorded, or an empty dict."""
+    try:
+        record = json.loads((out / RECORD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return record if isinstance(record, dict) else {}
 
 
 def graded_folder(out: Path) -> Path | None:
     """Return the folder of the class whose grades are in ``out``, or None if there are none."""
-    folder = _recorded(out / RECORD).get("folder")
+    folder = recorded(out).get("folder")
     return Path(folder) if isinstance(folder, str) else None
+
+
+def earlier_choice(out: Path) -> tuple[str, str]:
+    """Return the graded and the given chapters of the last run, as on the command line.
+
+    Raises:
+        ValueError: There is no earlier run.
+    """
+    record = recorded(out)
+    if "chapters" not in record:
+        raise ValueError(f"{str(out)!r} has no results. It must be a folder of make grade OUT=...")
+    return ",".join(map(str, record["chapters"])), ",".join(map(str, record["given"]))
 
 
 def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> None:
@@ -93,21 +72,21 @@ def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> 
             )
 
 
-def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[str, Any]) -> None:
+def refuse_other_grades(out: Path, new: dict[str, Any], people: ClassList) -> None:
     """Check that a run does not replace the grades of another class or of another assignment.
 
-    ``work`` has the name of the assignment and the numbers of the graded and of the given chapters.
-    The grades of the sample class may be replaced. If the folder of the class is no longer where it
-    was, the same students must have handed in.
+    ``new`` is the record of the run. The grades of the sample class may be replaced. If the folder
+    of the class is no longer where it was, the same students must have handed in.
 
     Raises:
         ValueError: The folder has other grades.
     """
-    before = graded_folder(out)
+    old, before = recorded(out), graded_folder(out)
     if before is None or before == SAMPLE:
         return
+    folder = Path(new["folder"])
     what = advice = ""
-    if before != folder.resolve():
+    if before != folder:
         names = {file_name(one.student) for one in people.submissions}
         there = [path.stem for path in (out / "results").glob("*.json")]
         same = sum(name in names for name in there)
@@ -118,8 +97,8 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[st
                 "If this is a newer download of the same work, give it the name of the older one, "
                 f"{before.name}, so that marks.csv and times.csv still count. "
             )
-    if not what and (earlier := _work_in(out)) and _described(earlier) != _described(work):
-        what = f"the grades of {_described(earlier)}, and not of {_described(work)}"
+    if not what and "chapters" in old and _described(old) != _described(new):
+        what = f"the grades of {_described(old)}, and not of {_described(new)}"
     if what:
         raise ValueError(
             f"{out} has {what}. {advice}To keep them, add another --out (make: OUT=build/other). "
@@ -127,38 +106,39 @@ def refuse_other_class(out: Path, people: ClassList, folder: Path, work: dict[st
         )
 
 
-def _described(work: dict[str, Any]) -> str:
+def _described(record: dict[str, Any]) -> str:
     """Describe what was graded. The chapters of an assignment may change in the course file."""
-    coded = " with codes for names" if work["anonymous"] else ""
-    if work["assignment"]:
-        return f"{work['assignment']}{coded}"
-    chapters = f"chapters {', '.join(map(str, work['chapters']))}"
-    given = f" on given chapters {', '.join(map(str, work['given']))}" if work["given"] else ""
-    return f"{chapters}{given}{coded}"
+    if record["assignment"]:
+        return str(record["assignment"])
+    chapters = f"chapters {', '.join(map(str, record['chapters']))}"
+    given = f" on given chapters {', '.join(map(str, record['given']))}" if record["given"] else ""
+    return f"{chapters}{given}"
 
 
-def _work_in(out: Path) -> dict[str, Any] | None:
-    """Return what the last run into this folder has graded, or None if it is not recorded."""
-    names = ("assignment", "chapters", "given", "anonymous")
-    record = _recorded(out / RECORD)
-    return {name: record[name] for name in names} if record.keys() >= {*names} else None
+def refuse_dropped(old: dict[str, Any], new: dict[str, Any], *, is_regrade: bool) -> None:
+    """Check that no run drops the roster or the hidden checks with which the class was graded.
 
+    With a roster, the reports use its names for the students. Without one, they use the names of
+    the submissions. The first run with a roster therefore has to be one of the whole class.
 
-def _recorded(state: Path) -> dict[str, Any]:
-    """Read what the last run has recorded, or return an empty dict if there is no valid record."""
-    try:
-        record = json.loads(state.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return record if isinstance(record, dict) else {}
+    Raises:
+        ValueError: The roster or the hidden checks are missing, or a regrade has new ones.
+    """
+    for key, what in (("roster", "a roster"), ("checks", "hidden checks")):
+        option = f"--{key} (make: {key.upper()}=)"
+        if old.get(key) and not new[key]:
+            raise ValueError(
+                f"the class was graded with {what}: add {option}, or --assignment (make: "
+                f"ASSIGNMENT=) if the course file names the {key}. To grade it without, add "
+                "another --out (make: OUT=)"
+            )
+        if is_regrade and new[key] and not old.get(key):
+            raise ValueError(f"the class was graded without {what}: leave out {option}")
 
 
 @contextmanager
-def only_run(out: Path) -> Iterator[Path]:
-    """Lock the folder of reports, so that no other run of the grader writes to it.
-
-    This context manager creates the folder if necessary. It yields the path of the file that
-    records the seed and whether the run has finished.
+def only_run(out: Path) -> Iterator[None]:
+    """Create the folder of reports, and lock it so that no other run of the grader writes to it.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.
@@ -171,16 +151,12 @@ def only_run(out: Path) -> Iterator[Path]:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise ValueError(f"another run is grading into {str(out)!r}") from None
-        yield out / RECORD
+        yield
 
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Keep the temporary files of a grading run inside ``out``, the folder for its reports.
-
-    If a run is killed, it cannot delete its temporary files. The next run finds them there and
-    deletes them.
-    """
+    """Keep the temporary files of a run inside ``out``, where the next run deletes leftovers."""
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
     own.mkdir(mode=0o700, exist_ok=True)
@@ -193,10 +169,7 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move the reports on students who are not in this class to ``earlier/``.
-
-    Return the number of these students. They may belong to another class, or have left this one.
-    """
+    """Move the reports on students who are not in this class to ``earlier/``, and count them."""
     names = {file_name(student) for student in students}
     others = set()
     for kind in ("results", "feedback", "gradescope"):

@@ -1,15 +1,15 @@
 """Grade a class on a Dask cluster, whose machines receive submissions and return reports.
 
-Dask distributes the submissions among its workers. If a worker dies, its submission goes to another
-worker. A grade must not depend on the machine that computed it. A worker therefore refuses to grade
-unless it has the same kind of sandbox as the instructor's machine.
+If a worker dies, Dask gives its submission to another one. A grade must not depend on the machine
+that computed it. A worker therefore refuses to grade unless it has the same kind of sandbox as the
+instructor's machine.
 """
 
 from __future__ import annotations
 
 import pickle
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -19,16 +19,20 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from autograder.grader.assignment import Assignment, OnceForAll
-from autograder.grader.grading import grade_submission, report_of_failure
-from autograder.grader.run_key import grader_digest, run_key
+from autograder.grader.conditions import Conditions, OnceForAll, grader_digest, run_key
+from autograder.grader.grading import (
+    grade_staged,
+    grade_submission,
+    report_of_failure,
+    staged_files,
+)
 from autograder.isolation.probe import choose_level
 from autograder.isolation.sandbox import Level
 from autograder.make_venv import shown_python
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT
 from autograder.reports.report import RunKey, StudentReport
 from autograder.submissions.find import Submission
-from autograder.submissions.stage import Staged, stage
+from autograder.submissions.stage import Staged
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -43,34 +47,29 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 
 @dataclass(frozen=True)
-class Work:
-    """Everything that a worker of a cluster needs in order to grade an assignment.
+class Job:
+    """What a worker needs in order to grade for the instructor's machine."""
 
-    Attributes:
-        key: The conditions of grading on the instructor's machine, such as the versions of Python
-            and the checks. A worker refuses to grade if its own conditions differ.
-        hidden: The contents of the hidden checks.
-        home: The path of the repository on the instructor's machine.
-    """
-
-    assignment: Assignment
-    key: RunKey
-    hidden: Tree
-    home: Path = ROOT
+    conditions: Conditions
+    key: RunKey  # a worker with another one refuses to grade
+    hidden: Tree  # the hidden checks, because a worker may have no access to their folder
+    home: Path = ROOT  # on the instructor's machine
 
     @classmethod
-    def of(cls, assignment: Assignment) -> Work:
-        """Collect everything that a worker of the cluster needs in order to grade an assignment.
+    def of(cls, conditions: Conditions) -> Job:
+        """Collect what a worker needs."""
+        public = replace(conditions, hidden=None)
+        return cls(public, run_key(public), _tree(conditions.hidden))
 
-        The hidden checks are read into memory, because the workers may have no access to their
-        folder.
-        """
-        public = replace(assignment, hidden=None)
-        return cls(public, run_key(public), _tree(assignment.hidden))
+    @property
+    def here(self) -> Conditions:
+        """The conditions, with the folder of the repository on this machine."""
+        is_usual = self.conditions.root == self.home
+        return replace(self.conditions, root=ROOT) if is_usual else self.conditions
 
 
 @contextmanager
-def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
+def connect(address: str, conditions: Conditions, console: Console) -> Iterator[Client]:
     """Connect to the scheduler of a Dask cluster, and print how many workers can grade.
 
     Raises:
@@ -99,7 +98,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
             raise ValueError(
                 f"the cluster {address} had no worker within {WORKERS_WITHIN:g} seconds; {START}"
             ) from error
-        outcomes = client.run(*_call(check_worker, Work.of(assignment)), on_error="return")
+        outcomes = client.run(*_call(check_worker, Job.of(conditions)), on_error="return")
         for worker, outcome in outcomes.items():
             if isinstance(outcome, Exception):
                 raise ValueError(_refusal(f"the worker {worker}", outcome)) from outcome
@@ -109,9 +108,9 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 
 
 def grade_over(
-    client: Client, assignment: Assignment, submissions: list[Submission]
-) -> Iterator[StudentReport]:
-    """Grade the submissions of a class on the cluster, and yield each report when it arrives.
+    client: Client, conditions: Conditions, submissions: list[Submission]
+) -> Generator[StudentReport]:
+    """Grade submissions on the cluster, and yield each report when it arrives.
 
     The files of a submission are sent as data, so the machines need no shared disk.
 
@@ -121,19 +120,15 @@ def grade_over(
     """
     from distributed import KilledWorker, as_completed
 
-    work = Work.of(assignment)
-    chapters = load_chapters(assignment.root)
+    job = Job.of(conditions)
     whose = {}
-    for submission in submissions:  # sent as data, so that no files are shared
+    for submission in submissions:
         if submission.nothing:
-            yield grade_submission(assignment, submission)
+            yield grade_submission(conditions, submission)
             continue
-        with tempfile.TemporaryDirectory(prefix="submission-") as folder:
-            staged = stage(submission.path, chapters, Path(folder), assignment.root)
-            box = _tree(Path(folder))
-        call = _call(grade_there, work, submission, staged, box)
-        future = client.submit(*call, pure=False)
-        whose[future] = submission
+        with staged_files(conditions, submission) as (staged, box):
+            call = _call(grade_there, job, submission, staged, _tree(box))
+        whose[client.submit(*call, pure=False)] = submission
     for future in as_completed(list(whose), loop=client.loop):
         submission = whose[future]  # keeps the future alive, since its __del__ could swallow Ctrl-C
         try:
@@ -141,7 +136,7 @@ def grade_over(
         except KilledWorker as error:
             died = error.allowed_failures + 1
             reason = f"every worker that tried to grade it died; workers lost: {died}"
-            report = report_of_failure(assignment, submission.student, reason)
+            report = report_of_failure(conditions, submission.student, reason)
         except CancelledError as error:
             raise ConnectionError("the scheduler of the cluster is gone") from error
         except Exception as error:  # errors of grading are in the report
@@ -149,50 +144,52 @@ def grade_over(
         yield report
 
 
-def grade_there(work: Work, submission: Submission, staged: Staged, box: Tree) -> StudentReport:
-    """Grade one student's submission on a worker of the cluster.
+_once: dict[str, OnceForAll] = {}  # on a worker, what is the same for all students, by assignment
 
-    Dask calls this function on the worker.
+
+def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) -> StudentReport:
+    """Grade one student's submission. Dask calls this function on a worker.
 
     Raises:
         ValueError: The worker would not grade exactly as the instructor's machine does.
     """
     from distributed import get_worker
 
-    check_worker(work)
+    check_worker(job)
+    once = _once.setdefault(repr((str(job.here.root), job.key)), OnceForAll())
     # Dask removes the folder of a worker, with all its files, however the worker dies.
     tempfile.tempdir = get_worker().local_directory
+    try:
+        with (
+            tempfile.TemporaryDirectory(prefix="hidden-") as hidden,
+            tempfile.TemporaryDirectory(prefix="submission-") as box,
+        ):
+            _write_tree(job.hidden, Path(hidden))
+            _write_tree(tree, Path(box))
+            conditions = replace(job.here, hidden=Path(hidden) if job.hidden else None)
+            return grade_staged(conditions, submission, staged, Path(box), once)
+    except Exception as error:  # of the grader
+        return report_of_failure(job.conditions, submission.student, repr(error))
 
-    def fill(_path: Path, _chapters: Any, folder: Path, _root: Path) -> Staged:
-        _write_tree(box, folder)
-        return staged
 
-    with tempfile.TemporaryDirectory(prefix="hidden-") as folder:
-        _write_tree(work.hidden, Path(folder))
-        hidden = Path(folder) if work.hidden else None
-        assignment = replace(_at_home(work), hidden=hidden)
-        return grade_submission(assignment, submission, _shared(work), fill)
-
-
-def check_worker(work: Work) -> None:
+def check_worker(job: Job) -> None:
     """Raise ValueError if this worker would not grade exactly as the instructor's machine does.
 
-    Otherwise a student's grade could depend on the machine that happened to compute it. The worker
-    must have the same versions of Python, the grader and the checks, and the same kind of sandbox.
+    Otherwise a student's grade could depend on the machine that happened to compute it.
     """
-    wanted = work.assignment.level
-    level = _level(unsafe=not wanted.is_sandbox)
-    own = run_key(replace(_at_home(work), level=level))
+    level = _level(unsafe=not job.conditions.level.is_sandbox)
+    own = run_key(replace(job.here, level=level))
     if own.grader != _GRADER:
         raise ValueError("the autograder has changed since the worker was started: restart it")
     names = {
-        "python": f"Python {own.python} instead of {work.key.python}",
+        "python": f"Python {own.python} instead of {job.key.python}",
         "grader": "another version of autograder/",
         "checks": "another version of tests/, solutions/ or chapters/",
         "level": f"another sandbox: {level}",
     }
-    ours, theirs = vars(own), vars(work.key)
-    differences = [words for name, words in names.items() if ours[name] != theirs[name]]
+    differences = [
+        words for name, words in names.items() if getattr(own, name) != getattr(job.key, name)
+    ]
     if differences:
         raise ValueError(f"it has {'; '.join(differences)}")
 
@@ -200,27 +197,6 @@ def check_worker(work: Work) -> None:
 @cache  # because testing the sandbox takes a moment
 def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
-
-
-_once: dict[str, OnceForAll] = {}
-
-
-def _shared(work: Work) -> OnceForAll:
-    """Return this worker's cache of check results that are the same for all students.
-
-    There is one cache for each assignment.
-    """
-    return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
-
-
-def _at_home(work: Work) -> Assignment:
-    """Return the assignment, adapted to the location of the repository on this machine.
-
-    Each machine of a cluster may have the repository in a different folder.
-    """
-    if work.assignment.root == work.home:
-        return replace(work.assignment, root=ROOT)
-    return work.assignment
 
 
 def _refusal(worker: str, error: Exception) -> str:
@@ -241,32 +217,24 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Pack a function call so that Dask can send it to a worker without importing the autograder.
+    """Pack a function call so that only the worker imports the autograder to unpack it.
 
-    If Dask had to import the autograder, the scheduler would need it as well. A worker without the
-    autograder would then stop responding instead of reporting an error.
+    The scheduler may lack it. A worker without it reports an error, instead of not responding.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read all the files in a folder into a dict that can be sent to a worker of the cluster.
-
-    The keys are paths relative to the folder, such as "ch02_vectors/vector.py". If ``folder`` is
-    None, the dict is empty.
-    """
-    paths = sorted(folder.rglob("*")) if folder else []
+    """Read all files in a folder, by their paths relative to it."""
     return {
-        path.relative_to(folder or path).as_posix(): None if path.is_dir() else path.read_bytes()
-        for path in paths
+        path.relative_to(folder).as_posix(): None if path.is_dir() else path.read_bytes()
+        for path in (sorted(folder.rglob("*")) if folder else ())
+        if folder
     }
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the files received from the instructor's machine to a folder on this worker.
-
-    The files are readable by all users, because the student's code may run under another account.
-    """
+    """Write received files, readable by all, because students' code may run under another user."""
     for name, content in tree.items():
         path = folder / name
         if content is None:

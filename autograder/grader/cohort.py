@@ -7,31 +7,34 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from autograder.analysis.class_page import write_class_page
-from autograder.checks.arrange import Behind
-from autograder.checks.runner import GraderError, Limits, run_checks
-from autograder.course.model import Deadline
-from autograder.course.of_class import lateness, scaled_marks
-from autograder.grader.assignment import Assignment
+from autograder.checks.runner import Limits
+from autograder.course.lateness import lateness
+from autograder.course.model import Work
+from autograder.course.points import scaled_marks
 from autograder.grader.class_folder import (
     only_run,
     put_others_aside,
+    recorded,
     refuse_dropped,
-    refuse_other_class,
+    refuse_other_grades,
     refuse_place,
-    seed_of,
     temporary_files_in,
 )
-from autograder.grader.class_run import ClassRun, print_class
+from autograder.grader.class_run import ClassRun, grade_here, print_class
 from autograder.grader.cluster import connect, grade_over
-from autograder.grader.people import differences, folder_with_names, people_of
+from autograder.grader.conditions import Conditions, run_key
+from autograder.grader.hidden import check_hidden
+from autograder.grader.people import differences, people_of
 from autograder.grader.regrade import Regrade
 from autograder.isolation.probe import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
@@ -42,51 +45,24 @@ from autograder.reports.marks import Marks, read_marks
 from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
-from autograder.submissions.codes import key_path
+from autograder.submissions.class_list import ClassList
+from autograder.submissions.find import RECORD
 from autograder.submissions.moodle_worksheet import worksheet_in
 from autograder.text.wrapping import plain_console
 
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """The options with which an instructor grades a class.
+    """How an instructor grades a class, apart from the work that is graded."""
 
-    Attributes:
-        given: Chapters that come from the reference solution, even if students hand in files for
-            them.
-        earlier: The exercises of earlier assignments that the graded ones build on, with the names
-            of these assignments.
-        seed: The seed for the random numbers in the checks. If it is None, a new run draws a seed,
-            and an interrupted run keeps its own.
-        hidden: A folder of hidden checks, with paths such as chNN_name/test_*.py.
-        unsafe: True to allow grading without a sandbox on a machine that has none.
-        jobs: The number of submissions to grade at a time, by default one per core.
-        cluster: The address of a Dask scheduler. Its workers then grade instead of this machine.
-        deadline: When the work was due. The reports then say who was late.
-        roster: A CSV file that lists the students of the class.
-        anonymous: True if the reports must show codes instead of names.
-        column: The gradebook column of Canvas or Moodle that the grades are for.
-        assignment: The name of the assignment, or "" if whole chapters are graded.
-        student: The only student to regrade, if the class has been graded before.
-        why: The reason for the regrade, as it appears in the log.
-    """
-
-    given: Sequence[Chapter] = ()
-    earlier: Mapping[str, str] = field(default_factory=dict)
-    seed: str | None = None
-    hidden: Path | None = None
-    unsafe: bool = False
+    unsafe: bool = False  # whether to grade without a sandbox on a machine that has none
     root: Path = ROOT
     time_limit: float = Limits.check
-    jobs: int | None = None
-    cluster: str | None = None
-    deadline: Deadline | None = None
-    roster: Path | None = None
-    anonymous: bool = False
+    jobs: int | None = None  # submissions at a time, by default one per core
+    cluster: str | None = None  # the address of a Dask scheduler, whose workers then grade
     column: Column = field(default_factory=Column)
-    assignment: str = ""
-    student: str | None = None
-    why: str = ""
+    student: str | None = None  # the only one to regrade, if the class has been graded before
+    why: str = ""  # the reason for the regrade, for the log
 
     def __post_init__(self) -> None:
         if self.jobs is not None and self.jobs < 1:
@@ -97,11 +73,11 @@ class ClassOptions:
             raise ValueError("--note is for the log of regrades: add --student")
 
 
-def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
+def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
-    A complete report from an earlier run is kept if it is still valid. That means that the
-    submission, the checks, the grader and the seed have not changed.
+    A report from an earlier run is kept if the submission, the checks, the grader and the seed have
+    not changed. Without a seed, ``out`` keeps its own, and a new folder draws one.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -110,182 +86,123 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    named = folder_with_names(out, folder, anonymous=options.anonymous)
-    people = people_of(folder, out, options.roster, anonymous=options.anonymous)
+    people = people_of(folder, out, work.roster)
+    refuse_place(out, folder, people.submissions)
     worksheet = worksheet_in(folder)
-    submissions = people.submissions
-    refuse_place(out, folder, submissions)
-    work = {
-        "assignment": options.assignment,
-        "chapters": [chapter.number for chapter in chapters],
-        "given": [chapter.number for chapter in options.given],
-        "anonymous": options.anonymous,
-    }
-    refuse_other_class(out, people, folder, work)
-    everyone = [submission.student for submission in submissions]
-    manifests = load_chapters(options.root)
-    marks, unused = read_marks(folder / "marks.csv", manifests, people)
-    notes = [*people.notes, *unused, *_marks_elsewhere(marks, chapters)]
-    marks = scaled_marks(marks, chapters, manifests)
-    marked = MarkedAnswers(folder)
+    marks, notes = _marks(folder, work.chapters, people, options.root)
     late: dict[str, Late] = {}
-    if options.deadline:
-        late, more_notes = lateness(options.deadline, chapters, folder, people)
+    if work.deadline:
+        late, more_notes = lateness(work.deadline, work.chapters, folder, people)
         notes += more_notes
-    level = choose_level(folder, unsafe=options.unsafe)
-    with only_run(out) as state:
-        has_roster = options.roster is not None
-        has_checks = options.hidden is not None
-        refuse_dropped(
-            state,
-            has_roster=has_roster,
-            has_checks=has_checks,
-            is_regrade=options.student is not None,
-        )
-        again = Regrade(out, options.student, people) if options.student else None
-        seed = again.seed(options.seed) if again else seed_of(state, options.seed)
-        hidden = options.hidden and options.hidden.resolve()
-        assignment = Assignment(
-            chapters,
-            seed,
-            level,
-            options.given,
-            hidden,
-            options.root,
-            options.time_limit,
-            options.earlier,
-        )
-        check_hidden(assignment)
-        console = plain_console()
-        class_run = ClassRun(
-            assignment, out, marks, console, late, marked=marked, anonymous=options.anonymous
-        )
-        if again:
-            submissions = again.prepare(class_run)
-        record = {"seed": seed, "finished": False, "roster": has_roster, "checks": has_checks}
-        record |= {"folder": str(folder.resolve()), **work}
-        replace_file(state, json.dumps(record) + "\n")
-        for note in notes:
+    console = plain_console()
+    with only_run(out):
+        conditions, regrade = _begin(folder, out, work, options, people)
+        for note in [*([regrade.note] if regrade and regrade.note else []), *notes]:
             console.print(note, markup=False)
-        with temporary_files_in(out), ExitStack() as stack:
-            if options.cluster:
-                client = stack.enter_context(connect(options.cluster, assignment, console))
-                over = partial(grade_over, client, assignment)
-                arriving = class_run.elsewhere(submissions, over)
-            else:
-                arriving = class_run.here(submissions, options.jobs or _cores())
-            graded = class_run.collect(submissions, arriving)
-        marked.save()
-        reports = again.finish(graded, options.why, console) if again else graded
+        key, marked = run_key(conditions), MarkedAnswers(folder)
+        run = ClassRun(conditions, key, out, console, marks, marked, late, regrade)
+        graded = _graded(run, people, options)
+        reports = [*graded, *(run.regrade.others if run.regrade else ())]
+        reports.sort(key=lambda report: report.student)
         moved = put_others_aside(out, [report.student for report in reports])
-        places = write_class(out, chapters, reports, people)
-        places.append(write_class_page(out, chapters, reports))
-        uploads, lines = write_uploads(named, chapters, people, reports, options.column, worksheet)
-        uploads += give_back(named, out, people, reports)
-        finished = all(report.status != "error, retry" for report in reports)
-        finished = finished and {*everyone} == {report.student for report in reports}
-        replace_file(state, json.dumps({**record, "finished": finished}) + "\n")
+        places = write_class(out, work.chapters, reports, people)
+        places.append(write_class_page(out, work.chapters, reports))
+        column = options.column
+        uploads, lines = write_uploads(out, work.chapters, people, reports, column, worksheet)
+        places += [*uploads, *give_back(out, people, reports)]
     print_class(console, graded)
-    if any(report.penalty or report.by_hand or report.waiting for report in graded):
-        console.print(
-            "The points in this table are from checks alone. The totals, which include answers "
-            f"marked by hand and late penalties, are in {out / 'gradebook.csv'}.",
-            markup=False,
-        )
-    for report in graded:
-        for note in [] if report.nothing else report.notes:
-            console.print(f"{report.student}: {note}", markup=False)
-    if moved:
-        console.print(
-            f"Reports of students outside this class: {moved}, moved to {out / 'earlier'}"
-        )
-    if class_run.reused:
-        console.print(
-            f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
-        )
-    lines += _marks_for_nothing(marks, graded)
-    for line in [*differences(people, reports), *lines]:
+    for line in [*_about(run, graded, moved), *differences(people, reports), *lines]:
         console.print(line, markup=False)
-    console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
-    if options.anonymous:
-        uploads.append(key_path(options.roster, out))
+    console.print(f"Seed {key.seed}. Isolation: {conditions.level}.", markup=False)
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
-    for place in uploads:
-        only_you = ": keep this private, because it contains names" if options.anonymous else ""
-        console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status == "error, retry" for report in graded))
 
 
-def _marks_elsewhere(marks: Marks, chapters: list[Chapter]) -> list[str]:
-    """Say which marks are for exercises that are not graded here."""
+def _begin(
+    folder: Path, out: Path, work: Work, options: ClassOptions, people: ClassList
+) -> tuple[Conditions, Regrade | None]:
+    """Choose the conditions of a run, unless it would mix up grades, and record the run."""
+    before = recorded(out)
+    record: dict[str, Any] = {
+        "seed": work.seed or before.get("seed") or secrets.token_hex(4),
+        "roster": work.roster is not None,
+        "checks": work.hidden is not None,
+        "folder": str(folder.resolve()),
+        "assignment": work.name,
+        "chapters": [chapter.number for chapter in work.chapters],
+        "given": [chapter.number for chapter in work.given],
+    }
+    refuse_other_grades(out, record, people)
+    refuse_dropped(before, record, is_regrade=options.student is not None)
+    conditions = Conditions(
+        work.chapters,
+        record["seed"],
+        choose_level(folder, unsafe=options.unsafe),
+        work.given,
+        work.hidden and work.hidden.resolve(),
+        options.root,
+        options.time_limit,
+        work.earlier,
+    )
+    regrade = None
+    if options.student:
+        regrade = Regrade(out, options.student, people, options.why, run_key(conditions))
+    check_hidden(conditions)
+    replace_file(out / RECORD, json.dumps(record) + "\n")
+    return conditions, regrade
+
+
+def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[StudentReport]:
+    """Grade the submissions on this machine or on a cluster."""
+    wanted = run.regrade.student if run.regrade else None
+    submissions = [one for one in people.submissions if wanted in (None, one.student)]
+    with temporary_files_in(run.out), ExitStack() as stack:
+        if options.cluster:
+            client = stack.enter_context(connect(options.cluster, run.conditions, run.console))
+            reports = run.collect(submissions, partial(grade_over, client, run.conditions))
+        else:
+            jobs = options.jobs or _cores()
+            reports = run.collect(submissions, partial(grade_here, run.conditions, jobs))
+    run.marked.save()
+    return reports
+
+
+def _marks(
+    folder: Path, chapters: list[Chapter], people: ClassList, root: Path
+) -> tuple[Marks, list[str]]:
+    """Read marks.csv, and say which marks are for nobody or for exercises not graded here."""
+    manifests = load_chapters(root)
+    marks, unused = read_marks(folder / "marks.csv", manifests, people)
+    notes = [*people.notes, *unused]
     graded = {exercise.id for chapter in chapters for exercise in chapter.exercises}
-    others = sorted({name for _, name in marks if name not in graded})
-    if not others:
-        return []
-    count = sum(name in others for _, name in marks)
-    return [f"Marks for exercises that are not graded here: {count} ({', '.join(others)})."]
+    if others := [name for _, name in marks if name not in graded]:
+        names = ", ".join(sorted({*others}))
+        notes.append(f"Marks for exercises that are not graded here: {len(others)} ({names}).")
+    return scaled_marks(marks, chapters, manifests), notes
 
 
-def _marks_for_nothing(marks: Marks, reports: Sequence[StudentReport]) -> list[str]:
-    """Say whose marks do not count because nothing was handed in that can be graded."""
-    names = [r.student for r in reports if r.nothing and any(who == r.student for who, _ in marks)]
-    if not names:
-        return []
-    return [f"Marks that do not count, since there is nothing to grade: {'; '.join(names)}."]
-
-
-def check_hidden(assignment: Assignment) -> None:
-    """Test the instructor's hidden checks on the reference solution before any student is graded.
-
-    A hidden check that fails on the reference solution contains a mistake and would cost students
-    points.
-
-    Raises:
-        ValueError: The folder has no hidden checks for a graded chapter, they cannot be run, or the
-            reference solution fails one of them.
-    """
-    hidden, root = assignment.hidden, assignment.root
-    if hidden is None:
-        return
-    graded = [chapter for chapter in assignment.chapters if (hidden / chapter.name).is_dir()]
-    if not graded:
-        names = ", ".join(chapter.name for chapter in assignment.chapters)
-        raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden)
-    engine = [root / "solutions", root / "chapters"]
-    for chapter in graded:
-        for probes in (root / "tests" / chapter.name).glob("*probes.py"):
-            if (hidden / chapter.name / probes.name).exists():
-                raise ValueError(
-                    f"{hidden / chapter.name / probes.name} has the name of a public file. "
-                    "Rename it to hidden_probes.py"
-                )
-        try:
-            verdicts = run_checks(
-                assignment.whole(chapter),
-                engine,
-                seed=assignment.seed,
-                root=root,
-                behind=behind,
-                exercises=[exercise.id for exercise in chapter.exercises],
-            )
-        except GraderError as error:
-            raise ValueError(
-                f"the checks in {hidden / chapter.name} cannot be run: {error}"
-            ) from error
-        if not any(verdict.hidden for verdict in verdicts):
-            raise ValueError(
-                f"there is no check in {hidden / chapter.name} of a graded exercise: "
-                "add a test_*.py"
-            )
-        for check in verdicts:
-            if check.status != "passed":
-                told = check.secret or check
-                raise ValueError(f"{told.name} fails on the reference itself: {told.message}")
+def _about(run: ClassRun, graded: Sequence[StudentReport], moved: int) -> list[str]:
+    """Say what the instructor should know about the reports of a run."""
+    lines = []
+    if any(report.penalty or report.by_hand or report.waiting for report in graded):
+        lines.append(
+            "The points in this table are from checks alone. The totals, which include answers "
+            f"marked by hand and late penalties, are in {run.out / 'gradebook.csv'}."
+        )
+    for report in graded:
+        lines += [f"{report.student}: {note}" for note in ([] if report.nothing else report.notes)]
+    if moved:
+        there = run.out / "earlier"
+        lines.append(f"Reports of students outside this class: {moved}, moved to {there}")
+    if run.reused:
+        lines.append(f"{len(run.reused)} of {len(graded)} reports were kept from an earlier run.")
+    marked = {student for student, _ in run.marks}
+    if unused := [one.student for one in graded if one.nothing and one.student in marked]:
+        names = "; ".join(unused)
+        lines.append(f"Marks that do not count, since there is nothing to grade: {names}.")
+    return lines
 
 
 def _cores() -> int:
-    if sys.platform == "linux":
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1

@@ -13,7 +13,7 @@ def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
 
     Work on other chapters than the graded ones cannot be graded, and is not worth 0 points either.
     """
-    rejected = [module for module in staged.missing if module not in staged.misplaced]
+    rejected = [module for module in staged.rejected if module not in staged.misplaced]
     found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *rejected]}
     names = {chapter.name for chapter in graded}
     if staged.refused or found & names:
@@ -23,7 +23,7 @@ def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
     if found:
         return f"it has no files of {', '.join(sorted(names))}, only of {', '.join(sorted(found))}"
     if staged.misplaced:
-        return "; ".join(staged.missing.values())
+        return "; ".join(staged.rejected.values())
     there = f". There is {', '.join(staged.others)}" if staged.others else ""
     return f"no folder of a chapter was found, at most three levels down{there}"
 
@@ -35,4 +35,4 @@ def notes_on(staged: Staged, graded: list[Chapter]) -> list[str]:
 
 def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:
     names = {chapter.name for chapter in graded}
-    return [staged.missing[m] for m in staged.misplaced if m.partition(".")[0] in names]
+    return [staged.rejected[m] for m in staged.misplaced if m.partition(".")[0] in names]

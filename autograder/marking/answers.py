@@ -91,7 +91,7 @@ def _answers_of(
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
         for chapter in wanted:
-            refused = staged.missing.get(f"{chapter.name}.{FILE}", "")
+            refused = staged.rejected.get(f"{chapter.name}.{FILE}", "")
             for question in questions_of(chapter, [Path(folder)]):
                 name = question.exercise.id
                 text, note = _text_of(question, Path(folder) / chapter.name / FILE)

@@ -10,7 +10,7 @@ import yaml  # type: ignore[import-untyped]
 
 from autograder.course.points import rescaled
 from autograder.handouts.handout import make_handout
-from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.manifest import Chapter, Exercise
 from autograder.scores import extra_possible, possible, shown
 
 WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
@@ -20,18 +20,16 @@ MINUTES = 10  # a generous limit, since the set-up takes a minute and each exerc
 
 
 def make_classroom(
-    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
+    chapters: list[Chapter], given: list[Chapter], out: Path, about: str = ""
 ) -> None:
-    """Write the files that students receive through GitHub Classroom to the new folder ``out``.
+    """Write an ordinary handout, and a workflow that grades every push, to the new folder ``out``.
 
-    The folder contains an ordinary handout and a workflow that grades every push. The points of the
-    exercises are rounded, because GitHub Classroom accepts only whole points. ``about`` is the
-    section of the README that describes the assignment.
+    ``about`` is the section of the README that describes the assignment.
 
     Raises:
         ValueError: A chapter is in both ``chapters`` and ``given``, or the folder is not empty.
     """
-    make_handout(chapters, given, out, root, about=about)
+    make_handout(chapters, given, out, about=about)
     chapters = in_whole_points(chapters)
     path = out / WORKFLOW
     path.parent.mkdir(parents=True)
@@ -45,11 +43,9 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Create the workflow that GitHub runs on every push to a student's repository.
-
-    It has one step for each exercise, followed by a step that reports the points.
-    """
+    """Create the workflow, with a step for each exercise, and one that reports the points."""
     exercises = _checked(chapters)
+    ids = [step_id(exercise) for exercise in exercises]
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
         {
@@ -67,34 +63,26 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
             "name": "Report",
             "uses": REPORTER,
             "env": {
-                f"{step_id(exercise).upper()}_RESULTS": (
-                    f"${{{{steps.{step_id(exercise)}.outputs.result}}}}"
-                )
-                for exercise in exercises
+                f"{name.upper()}_RESULTS": f"${{{{steps.{name}.outputs.result}}}}" for name in ids
             },
-            "with": {"runners": ",".join(map(step_id, exercises))},
+            "with": {"runners": ",".join(ids)},
         },
     ]
+    job = {
+        "runs-on": "ubuntu-latest",
+        "if": "github.actor != 'github-classroom[bot]'",
+        "steps": steps,
+    }
     return {
         "name": "Autograding Tests",
         "on": ["push", "repository_dispatch"],
         "permissions": {"checks": "write", "actions": "read", "contents": "read"},
-        "jobs": {
-            "autograding": {
-                "runs-on": "ubuntu-latest",
-                "if": "github.actor != 'github-classroom[bot]'",
-                "steps": steps,
-            }
-        },
+        "jobs": {"autograding": job},
     }
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Round the points of all exercises to whole numbers, and keep their sum where possible.
-
-    GitHub Classroom does not accept fractions of a point. Each exercise is worth at least one
-    point.
-    """
+    """Round the points of all exercises to whole numbers of at least 1, as GitHub wants them."""
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")
@@ -106,21 +94,14 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
 
 
 def rounded_points(chapters: list[Chapter]) -> dict[str, float]:
-    """Return the whole points of the exercises that GitHub grades.
-
-    If no exercise had a fraction of a point, the points are the same everywhere, and the result is
-    empty.
-    """
+    """Return the whole points of the exercises that GitHub grades, if any points were rounded."""
     before = {exercise.id: exercise.points for exercise in _checked(chapters)}
     after = {exercise.id: exercise.points for exercise in _checked(in_whole_points(chapters))}
     return {} if before == after else after
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id for an exercise's step in a GitHub workflow, such as exerciseB2dot1 for B2.1.
-
-    The step that reports the points accepts only letters and digits.
-    """
+    """Return an id for an exercise's step, of letters and digits, such as exerciseB2dot1."""
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 
@@ -141,6 +122,5 @@ def _step(exercise: Exercise) -> dict[str, Any]:
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:
-    """List the exercises that GitHub can grade. Only written exercises are left out."""
-    everything = [exercise for chapter in chapters for exercise in chapter.exercises]
-    return [exercise for exercise in everything if exercise.kind != "written"]
+    """List the exercises that GitHub can grade, which are all but the written ones."""
+    return [e for chapter in chapters for e in chapter.exercises if e.kind != "written"]

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from autograder.files import replace_bytes
+from autograder.files import replace_bytes, replace_table
 from autograder.platforms.zipped import zipped
 from autograder.reports.report import StudentReport
-from autograder.reports.texts import replace_file
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.csv_rows import as_cell
 from autograder.submissions.exports import Exported
@@ -20,17 +17,12 @@ from autograder.submissions.find import file_name
 PAGE = "feedback.html"
 
 
-def give_back(
-    folder: Path, out: Path, people: ClassList, reports: Sequence[StudentReport]
-) -> list[Path]:
+def give_back(out: Path, people: ClassList, reports: Sequence[StudentReport]) -> list[Path]:
     """Write the files with which an instructor gives students their feedback pages.
 
     These are a zip for Moodle and one for Canvas if there are submissions from there, and mail.csv
-    if the class has a roster. They are written to ``folder``, because they contain names. The pages
-    are in ``out``. Students on whose work the grader failed are left out.
-
-    Returns:
-        The paths of the files.
+    if the class has a roster. Students on whose work the grader failed are left out. Return the
+    paths of the files.
     """
     graded = {report.student for report in reports if report.status != "error, retry"}
     pages = {
@@ -49,18 +41,16 @@ def give_back(
     paths = []
     for name, contents in (("moodle", to_moodle), ("canvas", to_canvas)):
         if contents:
-            paths.append(folder / f"feedback-{name}.zip")
+            paths.append(out / f"feedback-{name}.zip")
             replace_bytes(paths[-1], zipped(contents))
     if people.has_roster:
-        paths.append(folder / "mail.csv")
+        paths.append(out / "mail.csv")
         rows = [
             [as_cell(member.student.name), member.student.email, str(page.resolve())]
             for member, page in pages.items()
             if member.student
         ]
-        text = io.StringIO(newline="")
-        csv.writer(text).writerows([["name", "email", "file"], *rows])
-        replace_file(paths[-1], text.getvalue())
+        replace_table(paths[-1], [["name", "email", "file"], *rows])
     return paths
 
 

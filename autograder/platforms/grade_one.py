@@ -1,7 +1,4 @@
-"""Grade a single submission on Gradescope, and print the results as JSON.
-
-Gradescope starts the script run_autograder from our zip file, and the script runs this module.
-"""
+"""Grade a submission on Gradescope, where the script run_autograder runs this module."""
 
 from __future__ import annotations
 
@@ -15,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.dates import deadline_from_json
-from autograder.course.of_class import late_on_gradescope
-from autograder.grader.assignment import Assignment
+from autograder.course.lateness import late_on_gradescope
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.isolation.probe import best_level, choose_level
 from autograder.isolation.sandbox import Level, drop_privileges
@@ -28,10 +25,7 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Grade one student's submission on Gradescope, and print the results as JSON.
-
-    If it cannot be graded, the results contain the reason instead of points.
-    """
+    """Grade one submission, and print the results, or why there are none, as JSON."""
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is written for people to read
@@ -44,11 +38,10 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade the submission that Gradescope has put into ``folder``, and return the report on it.
+    """Grade the submission that Gradescope has put into ``folder``, as assignment.json says.
 
-    The file assignment.json, which comes with the grader, describes what to grade. Every run draws
-    a new seed, even if the course file has one. Otherwise students could submit again with the
-    numbers that they saw in the results of an earlier run.
+    Every run draws a new seed, even if the course file has one. Otherwise students could submit
+    again with the numbers that they saw in the results of an earlier run.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -63,7 +56,7 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     graded = [_assigned(chapter, settings["points"], settings["extra"]) for chapter in graded]
     hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
     seed, earlier = secrets.token_hex(4), settings["earlier"]
-    assignment = Assignment(graded, seed, level, given, hidden, root, earlier=earlier)
+    assignment = Conditions(graded, seed, level, given, hidden, root, earlier=earlier)
     student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))
@@ -76,11 +69,7 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
 
 def students(metadata: Path) -> str:
-    """Return the names of the students who made this submission, such as "Ann Lee, Bo Chen".
-
-    The names are read from the metadata file that Gradescope writes. If it contains none, return
-    "submission".
-    """
+    """Return the names in Gradescope's metadata, such as "Ann Lee, Bo Chen", or "submission"."""
     try:
         users = _metadata(metadata)["users"]
         return ", ".join(printable(user["name"]) for user in users) or "submission"
@@ -89,10 +78,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Read Gradescope's metadata about a submission, such as who submitted it and when.
-
-    If the file is unreadable, return an empty dict.
-    """
+    """Read who submitted and when, or return an empty dict if the file is unreadable."""
     try:
         metadata = json.loads(path.read_text(encoding="utf-8"))
         return metadata if isinstance(metadata, dict) else {}
@@ -101,11 +87,7 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter with only the assigned exercises and their points.
-
-    An instructor may have left out exercises, changed their points, or made some of them extra
-    credit.
-    """
+    """Return a copy of the chapter with only the assigned exercises and their points."""
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -115,11 +97,7 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Choose the sandbox in which the student's code runs on Gradescope's machine.
-
-    If the machine has no sandbox, ``unsafe`` must be True. Student code must not run as root in
-    that case, so the process first switches from root to an unprivileged user.
-    """
+    """Choose the sandbox. Without one, students' code must not run as root, so drop privileges."""
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()
     return choose_level(submission, unsafe=unsafe)

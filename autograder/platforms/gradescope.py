@@ -1,8 +1,4 @@
-"""Create the zip file that Gradescope needs to grade submissions.
-
-It contains the scripts that Gradescope calls, the grader, the checks, and the parts of the
-reference solution that grading needs.
-"""
+"""Make the zip for Gradescope, with the grader, the checks and the reference that they need."""
 
 from __future__ import annotations
 
@@ -13,8 +9,8 @@ from pathlib import Path
 
 from autograder.checks.arrange import shared_by_checks
 from autograder.course.dates import deadline_to_json
+from autograder.course.lateness import for_gradescope
 from autograder.course.model import Work
-from autograder.course.of_class import for_gradescope
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.platforms.zipped import zipped
@@ -25,18 +21,10 @@ SETTINGS = "assignment.json"
 SCRIPTS = ("setup.sh", "run_autograder")
 
 
-def make_gradescope(
-    work: Work,
-    out: Path,
-    *,
-    unsafe: bool = False,
-    root: Path = ROOT,
-) -> None:
+def make_gradescope(work: Work, out: Path, *, unsafe: bool = False) -> None:
     """Write the zip file that an instructor uploads to Gradescope, and print what it contains.
 
-    ``work`` describes the assignment. If students are given a complete chapter, the grader uses the
-    reference solution of that chapter and ignores any files that they submit for it. ``unsafe``
-    permits grading on a machine that has no sandbox.
+    ``unsafe`` permits grading on a machine that has no sandbox.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or ``unsafe`` is set although the assignment
@@ -48,13 +36,13 @@ def make_gradescope(
     if unsafe and work.hidden:
         raise ValueError("without a sandbox, students' code could read the hidden checks")
     chapters, given = work.chapters, work.given
-    below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
+    below = {other.name: other for graded in chapters for other in chapters_below(graded)}
     own = [other for other in below.values() if other not in given]
     # To grade a chapter we do not need its own reference, but the second run needs that of earlier
     # chapters. Without a sandbox the student's code could read it, so then we leave it out.
     reference = [*given] if unsafe else [*given, *own]
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
-    files = [*_files(root, chapters, reference, list(there.values()))]
+    files = [*_files(chapters, reference, list(there.values()))]
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     deadline = for_gradescope(work.deadline, work.roster) if work.deadline else None
     settings = {
@@ -66,7 +54,7 @@ def make_gradescope(
         "deadline": deadline_to_json(deadline) if deadline else None,
         "unsafe": unsafe,
     }
-    contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
+    contents = {file.relative_to(ROOT).as_posix(): file.read_bytes() for file in files}
     contents |= _hidden(work)
     contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
     contents[SETTINGS] = (json.dumps(settings) + "\n").encode()
@@ -96,34 +84,26 @@ def _refuse_other_zip(out: Path) -> None:
 
 
 def _files(
-    root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
+    chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Find the files of this repository that Gradescope needs in order to grade some chapters.
-
-    The solutions of the chapters in ``reference`` are included.
-    """
-    yield root / "pyproject.toml"
-    yield root / "autograder/locks/requirements.lock"
-    yield root / "LICENSE"
-    yield from (root / "autograder").rglob("*.py")
-    yield from (root / "autograder/reports/templates").iterdir()
-    yield from shared_by_checks(root)
+    """Find the files of this repository that grading needs, with solutions of ``reference``."""
+    for name in ("pyproject.toml", "autograder/locks/requirements.lock", "LICENSE"):
+        yield ROOT / name
+    yield from (ROOT / "autograder").rglob("*.py")
+    yield from (ROOT / "autograder/reports/templates").iterdir()
+    yield from shared_by_checks(ROOT)
     for chapter in chapters:
-        yield from (root / "tests" / chapter.name).glob("test_*.py")
-        yield from (root / "tests" / chapter.name).glob("*probes.py")
+        yield from (ROOT / "tests" / chapter.name).glob("test_*.py")
+        yield from (ROOT / "tests" / chapter.name).glob("*probes.py")
     for chapter in there:
         for name in ("chapter.toml", *chapter.complete):
-            yield root / "chapters" / chapter.name / name
+            yield ROOT / "chapters" / chapter.name / name
     for chapter in reference:
-        yield from (root / "solutions" / chapter.name).glob("*.py")
+        yield from (ROOT / "solutions" / chapter.name).glob("*.py")
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Read the instructor's hidden checks for the graded chapters.
-
-    Returns:
-        A dict that maps the path of each check file inside Gradescope's zip file to its contents.
-    """
+    """Read the instructor's hidden checks, by their paths in the zip."""
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters

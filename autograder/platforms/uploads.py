@@ -8,86 +8,78 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from autograder.files import replace_bytes, replace_table
 from autograder.manifest import Chapter
-from autograder.platforms.canvas import check_title, write_canvas
-from autograder.platforms.moodle import MOST, from_moodle, write_moodle, write_worksheet
 from autograder.reports.report import StudentReport
+from autograder.reports.texts import number
 from autograder.scores import possible, shown
-from autograder.submissions.class_list import ClassList
+from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.csv_rows import FORMULA, as_cell
 from autograder.submissions.exports import OF_MOODLE
 from autograder.submissions.moodle_worksheet import Worksheet
+from autograder.submissions.names import Names, key, letters, some
+from autograder.text.clean import clean_line
 
-SOME = 5  # the most names in a line
 CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment ends with its id
+OF_CANVAS = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
+# If the title of a column contains one of these words, Canvas ignores the column.
+NOT_IMPORTED = re.compile(r"(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
+OTHER_COLUMNS = (*OF_CANVAS, "LastName", "FirstName", "Integration ID", "Root Account")
+MOST_IN_MOODLE = 100.0  # Moodle does not import larger grades, unless the site allows it
+NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item
 
 
 @dataclass(frozen=True)
 class Column:
     """The gradebook column on Canvas or Moodle into which the grades are imported.
 
-    Attributes:
-        title: The title of the column. It may end with the id of an assignment, as in "Lab 1
-            (12345)".
-        points: What full points are worth on the platform. All grades are scaled accordingly, and
-            extra credit can make a grade larger.
+    ``points`` is what full points are worth there. All grades are scaled accordingly. The title may
+    end with the id of an assignment, as in "Lab 1 (12345)".
     """
 
     title: str = ""
     points: float | None = None
 
     def __post_init__(self) -> None:
-        if self.title:
-            check_title(self.title)
+        title = self.title
+        if title and (not title.strip() or clean_line(title) != title or FORMULA.search(title)):
+            raise ValueError(
+                f"--title must be one line of text, and not begin like a formula, got {title!r}"
+            )
+        if title in OTHER_COLUMNS or NOT_IMPORTED.search(title):
+            raise ValueError(
+                f"--title must not be the name of one of Canvas's own columns, got {title!r}"
+            )
         if self.points is not None and not 0 < self.points < float("inf"):
             raise ValueError(f"--points must be a positive number, got {self.points:g}")
 
 
 @dataclass(frozen=True)
-class _Grades:
-    """The grades for one of the files.
+class _Totals:
+    """The points of each student who has a grade, and the points possible without extra credit."""
 
-    Attributes:
-        file: The name of the file.
-        full: What full points are worth.
-        limit: The largest grade that the platform accepts. Larger grades are cut.
-        totals: The points of each student who has a grade.
-        most: The points that are possible without extra credit.
-    """
-
-    file: str
-    full: float
-    limit: float
-    totals: Mapping[str, float]
+    of: Mapping[str, float]
     most: float
 
-    @property
-    def scaled(self) -> dict[str, float]:
-        """The grade of each student."""
-        return {name: min(grade, self.limit) for name, grade in self._whole.items()}
+    def scaled(self, file: str, full: float, limit: float) -> tuple[dict[str, float], list[str]]:
+        """Scale the points for a file in which full points are worth ``full``, with notes.
 
-    @property
-    def lines(self) -> list[str]:
-        """What the instructor should know about these grades."""
+        Larger grades than ``limit`` are cut, because the platform does not accept them.
+        """
+        grades = {name: round(total * full / self.most, 2) for name, total in self.of.items()}
         lines = []
-        if self.full != self.most:
+        if full != self.most:
             lines.append(
-                f"{self.file}: rescaled from {shown(self.most)} points to {shown(self.full)}. "
-                "Choose other points with POINTS=."
+                f"{file}: rescaled from {shown(self.most)} points to {shown(full)}. Choose other "
+                "points with POINTS=."
             )
-        if over := sorted(name for name, grade in self._whole.items() if grade > self.limit):
-            best = max(self.totals.values())
-            points = math.floor(100 * self.limit * self.most / best) / 100
+        if over := sorted(name for name, grade in grades.items() if grade > limit):
+            points = math.floor(100 * limit * self.most / max(self.of.values())) / 100
             lines.append(
-                f"{self.file}: grades above {shown(self.limit)} were cut, because Moodle accepts "
-                f"no larger ones: {len(over)} ({_some(over)}). With POINTS={shown(points)}, no "
-                "grade is cut."
+                f"{file}: grades above {shown(limit)} were cut, because Moodle accepts no larger "
+                f"ones: {len(over)} ({some(over)}). With POINTS={shown(points)}, no grade is cut."
             )
-        return lines
-
-    @property
-    def _whole(self) -> dict[str, float]:
-        scale = self.full / self.most
-        return {name: round(total * scale, 2) for name, total in self.totals.items()}
+        return {name: min(grade, limit) for name, grade in grades.items()}, lines
 
 
 def write_uploads(
@@ -100,14 +92,16 @@ def write_uploads(
 ) -> tuple[list[Path], list[str]]:
     """Write the files from which an instructor can import grades into Canvas or Moodle.
 
-    These are canvas.csv and moodle.csv if the class has a roster, plus Moodle's own grading
+    These are canvas.csv and moodle.csv if the class has a roster, plus a copy of Moodle's grading
     worksheet if the instructor has saved it with the submissions.
 
     Returns:
         The paths of the files, and notes for the instructor.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
-    totals = {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}
+    totals = _Totals(
+        {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}, most
+    )
     title = column.title or "Chapters " + ", ".join(str(chapter.number) for chapter in chapters)
     paths: list[Path] = []
     lines: list[str] = []
@@ -116,23 +110,28 @@ def write_uploads(
             lines.append("Not in canvas.csv and moodle.csv: " + "; ".join(people.unmatched) + ".")
         paths += [folder / "canvas.csv", folder / "moodle.csv"]
         full = column.points or most
-        of_canvas = _Grades("canvas.csv", full, math.inf, totals, most)
-        write_canvas(paths[0], people, of_canvas.scaled, title, full)
-        full = min(column.points or MOST, MOST)
-        of_moodle = _Grades("moodle.csv", full, MOST, totals, most)
-        write_moodle(paths[1], people, of_moodle.scaled, CANVAS_ID.sub("", title))
-        lines += of_canvas.lines + of_moodle.lines
+        grades, notes = totals.scaled("canvas.csv", full, math.inf)
+        replace_table(paths[0], _for_canvas(people, grades, title, full))
+        lines += notes
+        full = min(column.points or MOST_IN_MOODLE, MOST_IN_MOODLE)
+        grades, notes = totals.scaled("moodle.csv", full, MOST_IN_MOODLE)
+        replace_table(paths[1], _for_moodle(people, grades, CANVAS_ID.sub("", title)))
+        lines += notes
     if worksheet:
         full = min(column.points or worksheet.most, worksheet.most)
-        grades = _Grades("moodle-worksheet.csv", full, worksheet.most, totals, most)
-        path = folder / grades.file
-        is_written, left_out = write_worksheet(path, worksheet, people, grades.scaled)
-        if is_written:
+        path = folder / "moodle-worksheet.csv"
+        grades, notes = totals.scaled(path.name, full, worksheet.most)
+        members = _members_in(worksheet, people)
+        filled = {n: grades[m.report] for n, m in members.items() if m.report in grades}
+        if filled:
             paths.append(path)
-            lines += grades.lines
+            replace_bytes(path, worksheet.filled(filled))
+            lines += notes
+        there = {*members.values()}
+        left_out = [m.shown for m in people.members if m.report in grades and m not in there]
         if left_out:
             lines.append(
-                f"Not in {worksheet.path.name} from Moodle: {_some(left_out)}. Make sure that it "
+                f"Not in {worksheet.path.name} from Moodle: {some(left_out)}. Make sure that it "
                 "is the worksheet of this assignment, downloaded after the last submission."
             )
         if worksheet.unread:
@@ -140,10 +139,10 @@ def write_uploads(
                 f"{worksheet.path.name}: {len(worksheet.unread)} submission times cannot be read, "
                 f"such as {worksheet.unread[0]!r}."
             )
-    elif from_moodle(people):
+    elif _from_moodle(people):
         lines.append(
             f"For grades in the Moodle assignment itself, download its grading worksheet, save it "
-            f"as {OF_MOODLE} in the folder with the submissions, and grade again with this seed."
+            f"as {OF_MOODLE} in the folder with the submissions, and grade again."
         )
     if paths and (waiting := sum(r.waiting > 0 for r in reports)):
         lines.append(
@@ -153,7 +152,89 @@ def write_uploads(
     return paths, lines
 
 
-def _some(names: Sequence[str]) -> str:
-    """List up to five names, and count the others."""
-    more = f"; and {len(names) - SOME} more" if len(names) > SOME else ""
-    return "; ".join(names[:SOME]) + more
+def _for_canvas(
+    people: ClassList, grades: Mapping[str, float], title: str, full: float
+) -> list[list[str]]:
+    """Make a table with a row for each student on the roster, and an empty cell for no grade.
+
+    Canvas recognizes a student by the ID or, if that is empty, by the SIS user ID, the login or the
+    name.
+    """
+    rows = [[*OF_CANVAS, title], ["    Points Possible", "", "", "", "", number(full)]]
+    for member in people.members:
+        if who := member.student:
+            known = [as_cell(who.name), _canvas_id(member, people), who.id, who.login or who.email]
+            rows.append([*known, "", number(grades.get(member.report))])
+    return rows
+
+
+def _canvas_id(member: Member, people: ClassList) -> str:
+    """Find a student's ID number in Canvas, or return "" if it is unknown.
+
+    The name of a submission through Canvas contains the number, in a group of only one of the
+    students. Otherwise the student's id on the roster is used if it is a number, but not if it is
+    the number of another student. Canvas would mistake the digits at the start of any other id for
+    one of its own IDs.
+    """
+    student = member.student
+    own = student.id if student else ""
+    export = member.submission.export if member.submission else None
+    if student and export and export.platform == "canvas" and export.number.isdecimal():
+        group = [m.student for m in people.members if m.report == member.report and m.student]
+        if len(group) == 1:
+            return export.number
+        if all(key(one.id) != key(export.number) for one in group):
+            # The ids on the roster are not those of Canvas.
+            named = [one for one in group if letters(export.name) in one.canvas_names]
+            return export.number if named == [student] else ""
+    others = {
+        other.submission.export.number
+        for other in people.members
+        if other.submission and other.submission.export and other.report != member.report
+    }
+    return own if re.fullmatch(r"[1-9][0-9]*", own) and own not in others else ""
+
+
+def _for_moodle(people: ClassList, grades: Mapping[str, float], title: str) -> list[list[str]]:
+    """Make a table with a row for each student on the roster.
+
+    Moodle stops the import at a student it does not know. If the cell that should identify a
+    student is empty, Moodle even gives the grade to the student in the row above. That is why the
+    columns for logins and e-mail addresses are written only if every student has one.
+    """
+    students = [(member, member.student) for member in people.members if member.student]
+    columns = {"ID number": [who.id for _, who in students]}
+    if all(who.login for _, who in students):
+        columns["Username"] = [who.login for _, who in students]
+    if all(who.email for _, who in students):
+        columns["Email address"] = [who.email for _, who in students]
+    columns["Full name"] = [as_cell(who.name) for _, who in students]
+    columns[title] = [number(grades.get(one.report)) or NO_GRADE for one, _ in students]
+    return [[*columns], *map(list, zip(*columns.values(), strict=True))]
+
+
+def _from_moodle(people: ClassList) -> dict[str, str]:
+    """Return the report of each submission from Moodle, by the number of its participant."""
+    exports = [(m.submission.export, m.report) for m in people.members if m.submission]
+    return {one.number: report for one, report in exports if one and one.platform == "moodle"}
+
+
+def _members_in(worksheet: Worksheet, people: ClassList) -> dict[str, Member]:
+    """Find the student in each row of a worksheet, by the participant's number.
+
+    Only a student who has uploaded something has a number in the class. The others of a group are
+    found by what the worksheet says about them. Students of whose group no submission is in this
+    worksheet are left out. Otherwise, the grades could get into the worksheet of another
+    assignment, where participants have other numbers.
+    """
+    reports = _from_moodle(people)
+    here = {reports[row.number] for row in worksheet.rows if row.number in reports}
+    names = Names((m, m.shown, m.student.names if m.student else ()) for m in people.members)
+    found: dict[str, Member] = {}
+    for row in worksheet.rows:
+        group = [one for one in people.members if one.report == reports.get(row.number)]
+        fits = [fit for name in (row.id_number, row.email, row.name) if (fit := names.all_of(name))]
+        named = [one for one in group or people.members if fits and all(one in fit for fit in fits)]
+        if group or (len(named) == 1 and named[0].report in here):
+            found[row.number] = [*named, *group][0]
+    return found

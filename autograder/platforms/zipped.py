@@ -6,15 +6,11 @@ import io
 import zipfile
 from collections.abc import Collection, Mapping
 
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # with the same date, equal files give equal bytes in the zip
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file
 
 
 def zipped(contents: Mapping[str, bytes], executable: Collection[str] = ()) -> bytes:
-    """Pack files into a zip, and return its bytes.
-
-    The files are sorted and all have the same date, so that packing them twice gives identical
-    bytes. Those in ``executable`` are marked as executable.
-    """
+    """Pack files into a zip, and return its bytes, which are the same for the same files."""
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:
         for name in sorted(contents):

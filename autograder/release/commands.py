@@ -9,16 +9,12 @@ from datetime import UTC, datetime
 from autograder.course.choose import work_of
 from autograder.course.late import clock
 from autograder.course.model import Course
-from autograder.course.reading import read_course
 from autograder.manifest import load_chapters
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the released solutions, and pages that compare them with the students' code.
-
-    Raises:
-        ValueError: A student may still hand in work, or the files cannot be released.
-    """
+    """Release what the arguments say, unless a student may still hand it in."""
+    from autograder.course.reading import read_course
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 
@@ -27,7 +23,7 @@ def run_release(arguments: argparse.Namespace) -> int:
         # Any mistake in the file is an error here, because it could hide a due date.
         course = read_course(arguments.course)
     work = work_of(arguments, handed_out=True)
-    exercises = [name for name in arguments.exercises.replace(",", " ").split() if name]
+    exercises = arguments.exercises.replace(",", " ").split()
     assigned = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
     if course:
         refuse_early(course, exercises or assigned, datetime.now(UTC))
@@ -43,12 +39,12 @@ def run_release(arguments: argparse.Namespace) -> int:
 def refuse_early(course: Course, released: Collection[str], now: datetime) -> None:
     """Raise ValueError if any student may still hand in work for one of these exercises.
 
-    This keeps students from copying the released solution. An exercise may belong to several
-    assignments.
+    An exercise may belong to several assignments.
     """
+    wanted = {name.lower() for name in released}
     for work in course.assignments:
         ids = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
-        both = [name for name in ids if name in released]
+        both = [name for name in ids if name.lower() in wanted]
         if work.deadline is None or not both:
             continue
         dues = [work.deadline.due, *work.deadline.extensions.values()]

@@ -16,22 +16,18 @@ from autograder.manifest import ROOT, Chapter
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return copies of the chapters that contain only the exercises to release.
-
-    If ``exercises`` is empty, all exercises are released. A chapter in which nothing is released is
-    left out.
+    """Return the chapters with only these exercises, or with all of them if there are none.
 
     Raises:
         ValueError: An exercise does not exist in any of the chapters.
     """
-    known = {e.id.lower(): e.id for chapter in chapters for e in chapter.exercises}
-    wanted = {known.get(name.lower(), "") for name in exercises}
+    known = {e.id.lower() for chapter in chapters for e in chapter.exercises}
+    wanted = {name.lower() for name in exercises} or known
     if unknown := [name for name in exercises if name.lower() not in known]:
         names = ", ".join(str(chapter.number) for chapter in chapters)
         raise ValueError(f"there is no exercise {unknown[0]!r} in chapter {names}")
     picked = [
-        replace(c, exercises=[e for e in c.exercises if not exercises or e.id in wanted])
-        for c in chapters
+        replace(c, exercises=[e for e in c.exercises if e.id.lower() in wanted]) for c in chapters
     ]
     return [chapter for chapter in picked if chapter.exercises]
 
@@ -51,29 +47,25 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the released solutions of a chapter into ``out``, and return the text of each module.
+    """Write a chapter's released modules, data files and model answers into ``out``/reference.
 
-    The files go into the folder reference/ in ``out``, together with the data files and the
-    released model answers of the chapter.
+    Return the text of each module.
     """
-    folder = out / "reference" / whole.name
+    folder, solution = out / "reference" / whole.name, root / "solutions" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
-    for name, text in modules.items():
+    texts = dict(modules)
+    if answers := _model_answers(chapter, solution / FILE):
+        texts[FILE] = answers
+    for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     for name in chapter.data_files:
-        shutil.copyfile(root / "solutions" / whole.name / name, folder / name)
-    if answers := _model_answers(chapter, root):
-        (folder / FILE).write_text(answers, encoding="utf-8", newline="\n")
+        shutil.copyfile(solution / name, folder / name)
     return modules
 
 
-def _model_answers(chapter: Chapter, root: Path) -> str:
-    """Return the released model answers to the written exercises, without the rubrics.
-
-    If no written exercise is released, return an empty string.
-    """
-    file = root / "solutions" / chapter.name / FILE
+def _model_answers(chapter: Chapter, file: Path) -> str:
+    """Return the released model answers without the rubrics, or "" if there are none."""
     written = {exercise.id for exercise in chapter.exercises if exercise.kind == "written"}
     if not written or not file.is_file():
         return ""

@@ -1,13 +1,10 @@
-"""Release the reference solution to students after the deadline.
-
-Each student can also get a page that shows the student's code next to the reference solution.
-"""
+"""Release the reference solution after the deadline, with pages that compare students' code."""
 
 from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from rich.progress import track
@@ -16,8 +13,7 @@ from autograder.diagnosis.given import has_reference
 from autograder.files import is_new
 from autograder.grader.class_folder import graded_folder
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.release.compare import Compared, Texts, compare_exercise, compare_others
-from autograder.release.pages import write_page
+from autograder.release.pages import Compared, Texts, compare_exercise, compare_others, write_page
 from autograder.release.reference import chosen, write_reference
 from autograder.reports.report import StudentReport
 from autograder.reports.results import read_results
@@ -41,15 +37,11 @@ def release(
     *,
     roster: Path | None = None,
 ) -> int:
-    """Write the reference solution of some chapters into a folder for students.
+    """Write the reference solution of some chapters, or of some exercises in them, for students.
 
-    If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
-    ``grades`` are given, each student also gets a page that compares the student's code with the
-    reference solution. Use the same ``roster`` as for grading, so that every submission is matched
-    with the right grade.
-
-    Returns:
-        The exit code 0.
+    If ``submissions`` and ``grades`` are given, each student also gets a page that compares the
+    student's code with the reference solution. The ``roster`` must be the one used for grading, so
+    that every submission is matched with the right grade.
 
     Raises:
         ValueError: ``out`` cannot be used, or an exercise, the reference solution, the submissions
@@ -58,12 +50,10 @@ def release(
     released = chosen(chapters, exercises)
     if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:
         raise ValueError(f"the reference of {missing[0]} is not in this folder")
-    _check_place(out, submissions, root)
+    _refuse_place(out, submissions, root)
     if submissions and not grades:
         raise ValueError("--submissions needs the --grades of the same class")
-    if grades and not submissions:
-        submissions = graded_folder(grades)
-    if grades and not submissions:
+    if grades and not submissions and not (submissions := graded_folder(grades)):
         raise ValueError(f"{grades} does not say which class it is about: name its --submissions")
     reports = read_results(grades) if grades else []
     people = read_class(submissions, roster) if submissions else ClassList([])
@@ -71,7 +61,6 @@ def release(
     _empty(out, submissions, found)
     whole = {chapter.name: chapter for chapter in chapters}
     texts = {c.name: write_reference(out, c, whole[c.name], root) for c in released}
-    lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]
     console = plain_console()
     of = {report.student: report for report in reports}
     pages = 0
@@ -83,26 +72,20 @@ def release(
             pages += 1
         else:
             notes.append(f"{one.student} has no page: {why}")
+    lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]
     replace_file(out / RECORD, "\n".join(lines) + "\n")
-    for note in notes:
-        console.print(note, markup=False, soft_wrap=True)
-    for line in lines:
-        console.print(f"Released of {line}", markup=False, soft_wrap=True)
+    notes += [f"Released of {line}" for line in lines]
     if reports:
-        console.print(f"{pages} of {len(found)} students have a page in {out / 'students'}")
+        notes.append(f"{pages} of {len(found)} students have a page in {out / 'students'}")
     else:
-        console.print("No class was compared. Name a graded one with --submissions and --grades.")
-    console.print(f"Reference: {out / 'reference'}", markup=False, soft_wrap=True)
+        notes.append("No class was compared. Name a graded one with --submissions and --grades.")
+    for note in [*notes, f"Reference: {out / 'reference'}"]:
+        console.print(note, markup=False, soft_wrap=True)
     return 0
 
 
-def _check_place(out: Path, submissions: Path | None, root: Path) -> None:
-    """Check that the released solutions may be written to the folder ``out``.
-
-    Raises:
-        ValueError: ``out`` contains other files, is inside the folder with the submissions, or is
-            inside the repository but not in its build folder.
-    """
+def _refuse_place(out: Path, submissions: Path | None, root: Path) -> None:
+    """Raise ValueError if ``out`` would get into a handout or a class, or has other files."""
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
         raise ValueError(
@@ -117,11 +100,7 @@ def _check_place(out: Path, submissions: Path | None, root: Path) -> None:
 
 
 def _empty(out: Path, submissions: Path | None, found: Sequence[Submission]) -> None:
-    """Delete an earlier release in ``out``, if its pages are about students of the same class.
-
-    Raises:
-        ValueError: The pages of other students would be lost.
-    """
+    """Delete an earlier release, or raise ValueError if pages of other students would be lost."""
     names = {file_name(one.student) for one in found}
     others = [path.stem for path in (out / "students").glob("*.html") if path.stem not in names]
     if others:
@@ -140,7 +119,7 @@ def _compare(
     submission: Submission,
     report: StudentReport | None,
     released: Sequence[Chapter],
-    reference: dict[str, dict[str, str]],
+    reference: Mapping[str, Texts],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
     """Compare a student's solved exercises with the reference solution, function by function.
@@ -149,45 +128,27 @@ def _compare(
         The comparisons, the ids of the released exercises that the student has not solved, and the
         reason to report if there are no comparisons.
     """
-    if report is None:
-        return [], [], "the work was not graded"
-    if submission.nothing:
-        return [], [], submission.nothing
-    own = _own_texts(submission, report, root)
-    if own is None:
-        return [], [], "the work has changed since it was graded. Grade it again first"
+    if report is None or submission.nothing:
+        return [], [], submission.nothing if report else "the work was not graded"
+    chapters = {chapter.name: chapter for chapter in load_chapters(root)}
+    with tempfile.TemporaryDirectory(prefix="release-") as folder:
+        staged = stage(submission.path, [*chapters.values()], Path(folder), root)
+        if staged.digest != report.submission:  # then the results may no longer be correct
+            return [], [], "the work has changed since it was graded. Grade it again first"
+        texts = {
+            path: (Path(folder) / path).read_text(encoding="utf-8-sig")
+            for path in staged.taken
+            if path.endswith(".py")
+        }
     passed = {exercise.id for exercise in report.exercises if exercise.status == "passed"}
     compared: list[Compared] = []
     left_out = []
     for chapter in released:
-        mine, theirs = own[chapter.name], reference[chapter.name]
+        start, theirs = f"{chapter.name}/", reference[chapter.name]
+        mine = {p.removeprefix(start): text for p, text in texts.items() if p.startswith(start)}
         solved = [exercise for exercise in chapter.exercises if exercise.id in passed]
         left_out += [e.id for e in chapter.exercises if e.edit and e.id not in passed]
         compared += [compare_exercise(exercise, mine, theirs) for exercise in solved]
         files = dict.fromkeys(f"{edit.split('.')[0]}.py" for e in solved for edit in e.edit)
-        whole = next(c for c in load_chapters(root) if c.name == chapter.name)
-        compared += compare_others(whole, files, mine, theirs)
+        compared += compare_others(chapters[chapter.name], files, mine, theirs)
     return compared, left_out, "no released exercise passed"
-
-
-def _own_texts(
-    submission: Submission, report: StudentReport, root: Path
-) -> dict[str, Texts] | None:
-    """Read the modules that a student submitted, grouped by chapter.
-
-    Return None if the submission has changed since ``report`` was written, because its results may
-    then no longer be correct.
-    """
-    chapters = load_chapters(root)
-    with tempfile.TemporaryDirectory(prefix="release-") as folder:
-        staged = stage(submission.path, chapters, Path(folder), root)
-        if staged.digest != report.submission:
-            return None
-        return {
-            chapter.name: {
-                name: path.read_text(encoding="utf-8-sig")
-                for name in chapter.edited_files
-                if (path := Path(folder) / chapter.name / name).exists()
-            }
-            for chapter in chapters
-        }

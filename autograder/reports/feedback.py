@@ -160,7 +160,7 @@ def write_index(
         "index.html",
         symbols=SYMBOLS,
         reports=[*zip(clean, links, strict=True)],
-        missing=people.missing,
+        missing=people.absent,
         unmatched=people.unmatched,
         nothing=[report for report in clean if report.nothing],
         changed=[(r, e.id) for r in clean for e in r.exercises if e.status == "changed"],

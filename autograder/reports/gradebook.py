@@ -5,14 +5,13 @@ The table has a row for each student and a column for each exercise. Any spreads
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from pathlib import Path
 
+from autograder.files import replace_table
 from autograder.manifest import Chapter
 from autograder.reports.report import StudentReport
-from autograder.reports.texts import number, replace_file
+from autograder.reports.texts import number
 from autograder.scores import possible
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.csv_rows import as_cell
@@ -66,11 +65,9 @@ def write_gradebook(
         for name in people.students_of(report.student) or [report.student]:
             status = _status(report, is_unmatched=name in people.unmatched)
             rows.append([*map(as_cell, (name, status)), *map(number, cells)])
-    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in people.missing]
-    text = io.StringIO(newline="")
-    csv.writer(text).writerows(rows)
+    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in people.absent]
     path = out / "gradebook.csv"
-    replace_file(path, text.getvalue())
+    replace_table(path, rows)
     return path
 
 

@@ -10,7 +10,8 @@ import io
 import keyword
 import math
 import tokenize
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 
 LONGEST = 100_000  # characters; the longest module of a chapter has about ten thousand
@@ -23,13 +24,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """One token of a student's code, such as a name or an operator, ready to be compared.
-
-    Attributes:
-        word: The text that comparisons use. Tokens are equal if their words are.
-        start: The position of the token's beginning in the file, as (line, column).
-        end: The position of the token's end in the file, as (line, column).
-    """
+    """A token with its place in the file, as (line, column). Equal words are equal code."""
 
     word: str
     start: tuple[int, int]
@@ -38,10 +33,7 @@ class Token:
 
 @dataclass(frozen=True)
 class Function:
-    """A function or method in a student's file, with the tokens of its body.
-
-    The code outside all functions is treated as a function with an empty name.
-    """
+    """The tokens in the body of a function, or of all code outside functions if it has no name."""
 
     name: str
     tokens: list[Token]
@@ -52,12 +44,12 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Split each function in a student's file into tokens, so that code can be compared.
+    """Split the body of each function in a student's file into tokens.
 
     Signatures are left out because they are given to the students. Comments and docstrings are left
     out because they do not change what the code does. All strings count as equal, and so do 2 and
-    2.0. ``known`` contains the engine's names, which all students use. The result lists a method
-    under a name such as Particle.mass, and a setter as Particle.mass.setter.
+    2.0. ``known`` contains the engine's names, which all students use. A method has a name such as
+    Particle.mass, and a setter Particle.mass.setter.
 
     Returns:
         The functions, and the line at which we had to stop reading (0 if the whole file was read).
@@ -66,54 +58,43 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
     found: dict[str, list[Token]] = {}
     scopes: list[tuple[int, str, bool]] = []  # depth, name, whether it is a function
     setter = ""
-    lines = _lines(text)
-    while True:
-        try:
-            depth, line = next(lines)
-        except StopIteration:
-            break
-        except (tokenize.TokenError, SyntaxError, ValueError) as error:
-            stopped = _line_of(error)
-            break
-        while scopes and depth <= scopes[-1][0]:
-            scopes.pop()
-        inside = bool(scopes) and scopes[-1][2]
-        words = [token.string for token in line[:-1] if token.string != "async"]
-        if not inside and words[:1] in (["def"], ["class"]):
-            scopes.append((depth, "".join(words[1:2]) + setter, words[0] == "def"))
-            setter = ""
-            line = _after_colon(line)
-        elif not inside and words[:1] == ["@"]:
-            setter = ".setter" if words[-2:] == [".", "setter"] else ""
-            continue
-        owner = ".".join(name for _, name, _ in scopes) if scopes and scopes[-1][2] else ""
-        found.setdefault(owner, []).extend(_tokens(line, known))
+    try:
+        for depth, line in _lines(text):
+            while scopes and depth <= scopes[-1][0]:
+                scopes.pop()
+            inside = bool(scopes) and scopes[-1][2]
+            words = [token.string for token in line[:-1] if token.string != "async"]
+            if not inside and words[:1] in (["def"], ["class"]):
+                scopes.append((depth, "".join(words[1:2]) + setter, words[0] == "def"))
+                setter = ""
+                line = _after_colon(line)
+            elif not inside and words[:1] == ["@"]:
+                setter = ".setter" if words[-2:] == [".", "setter"] else ""
+                continue
+            owner = ".".join(name for _, name, _ in scopes) if scopes and scopes[-1][2] else ""
+            found.setdefault(owner, []).extend(_tokens(line, known))
+    except (tokenize.TokenError, SyntaxError, ValueError) as error:
+        # The tokenizer gives the place as (line, column) or as (file, line, column, ...).
+        place = error.args[1] if len(error.args) > 1 else ()
+        numbers = place if isinstance(place, tuple) else ()
+        stopped = next((number for number in numbers if isinstance(number, int)), 1)
     return [Function(name, tokens) for name, tokens in found.items() if tokens], stopped
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names that comparisons of students' code do not replace.
+    """Yield the names that comparisons keep, since they are Python's or public in our own file.
 
-    These are the names in Python's builtins and math modules, and the public names in ``text``.
-    ``text`` is the content of one of our own Python files. Comparisons replace all other names, so
-    that renaming a variable does not hide a copy.
+    All other names are replaced, so that renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type == tokenize.NAME and not (
-            token.string.startswith("_") and not token.string.endswith("__")
-        ):
+        is_private = token.string.startswith("_") and not token.string.endswith("__")
+        if token.type == tokenize.NAME and not is_private:
             yield token.string
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Truncate a student's file if reading all of it would take too long.
-
-    This happens only if a line or the whole file is far too long.
-
-    Returns:
-        The text that remains, and the number of the first line removed (0 if none was removed).
-    """
+    """Cut a file at a line that would take too long, and return that line's number, or 0."""
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
         if len(line) > WIDEST or size + len(line) > LONGEST:
@@ -123,10 +104,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield the logical lines of a student's file, each with its indentation level.
-
-    Each line is a list of tokens, without comments and without the line breaks inside a statement.
-    """
+    """Yield the tokens of each logical line, without comments, with its indentation level."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -146,10 +124,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of one logical line of a student's code, for comparison with other code.
-
-    A docstring yields no tokens, because docstrings are ignored in comparisons.
-    """
+    """Yield the tokens of a logical line to compare. A docstring has none."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -159,7 +134,8 @@ def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
         elif token.type == tokenize.STRING:
             word = "'"
         elif token.type == tokenize.NUMBER:
-            word = _number(word)
+            with suppress(ValueError):  # 0x10, 1j
+                word = repr(float(word))
         elif token.type == tokenize.NAME and word not in ALWAYS_KNOWN:
             of_an_object = before is not None and before.string == "."
             called = after is not None and after.string == "("
@@ -168,19 +144,8 @@ def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
         yield Token(word, token.start, token.end)
 
 
-def _number(text: str) -> str:
-    try:
-        return repr(float(text))
-    except ValueError:
-        return text  # 0x10, 1j
-
-
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after the colon of a line that begins with def or class.
-
-    For ``def f(): return 1`` these are the tokens of ``return 1``. If the body begins on the next
-    line, the list is empty.
-    """
+    """Return the body of a def or class that is in one line with it, or no tokens."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -189,13 +154,3 @@ def _after_colon(line: _Line) -> _Line:
             rest = line[i + 1 :]
             return rest if len(rest) > 1 else []
     return []
-
-
-def _line_of(error: Exception) -> int:
-    """Return the line number in an error from Python's tokenizer, or 1 if it contains none.
-
-    The tokenizer raises such an error if it cannot read a student's file.
-    """
-    place = error.args[1] if len(error.args) > 1 else ()
-    numbers: Iterable[object] = place if isinstance(place, tuple) else ()
-    return next((number for number in numbers if isinstance(number, int)), 1)

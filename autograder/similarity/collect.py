@@ -1,7 +1,4 @@
-"""Read the code that each student of a class wrote, so that it can be compared.
-
-The files are copied from the submissions and checked in the same way as for grading.
-"""
+"""Read the code that each student of a class wrote, staged as for grading, to compare it."""
 
 from __future__ import annotations
 
@@ -24,29 +21,21 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 class Ground:
     """The rules for comparing students' code: which functions to compare, and what to ignore.
 
-    Attributes:
-        parts: Maps each function to its exercise, or to an empty string if it is not compared. A
-            key is a file and a function name, such as ("ch02_vectors/vector.py", "Vector3.dot").
-        known: The names of the engine, of Python's builtins and of the math module. All students
-            use these names, so comparisons do not replace them.
-        given: The hashes of the code in our stubs, complete modules and solutions. Comparisons
-            ignore this code.
-        small: The ids of the exercises that are too short to compare.
+    ``parts`` maps each function, such as ("ch02_vectors/vector.py", "Vector3.dot"), to its
+    exercise, or to "" if it is not compared.
     """
 
     chapters: list[Chapter]
     parts: dict[tuple[str, str], str]
-    known: frozenset[str]
-    given: set[int]
-    small: list[str]
+    known: frozenset[str]  # the names of the engine and of Python, which are not replaced
+    given: set[int]  # the hashes of code in our stubs, complete modules and solutions
+    small: list[str]  # the ids of the exercises that are too short to compare
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
     """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore.
 
-    The comparison ignores code that all students were given, and exercises that are not in
-    ``chapters``, because they are not assigned. It also ignores exercises that are so short that
-    all solutions look alike.
+    Exercises of these chapters that are not assigned are ignored too.
     """
     whole = {chapter.name: chapter for chapter in load_chapters(root)}
     known = frozenset(name for text in _our_files(root, [*whole]) for name in names_in(text))
@@ -57,7 +46,10 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
     parts: dict[tuple[str, str], str] = {}
     small = []
     for chapter in chapters:
-        sizes = _reference_sizes(chapter, known, root)
+        sizes = {}
+        for name, text in _texts(chapter, root / "solutions").items():
+            for function in read_functions(text, known)[0]:
+                sizes[name, function.name] = len(function.tokens)
         for exercise in whole[chapter.name].exercises:
             parts |= dict.fromkeys(_places(chapter, exercise), "")
         for exercise in chapter.exercises:
@@ -72,34 +64,23 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Read the code that each student of a class wrote, one student at a time.
-
-    Yield the code of each student, with notes on any files that could not be read.
-    """
+    """Yield the code of each student, with notes on any files that could not be read."""
     for submission in submissions:
         if submission.nothing:
             yield Work(submission.student, {}), [submission.nothing]
             continue
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
-            files = {
-                f"{chapter.name}/{name}": path.read_text(encoding="utf-8-sig")
-                for chapter in ground.chapters
-                for name in chapter.edited_files
-                if (path := Path(folder) / chapter.name / name).exists()
-            }
+            texts = [_texts(chapter, Path(folder)) for chapter in ground.chapters]
+        files = {name: text for of_chapter in texts for name, text in of_chapter.items()}
         work, notes = work_of(submission.student, files, ground)
-        yield work, [*staged.missing.values(), *notes]
+        yield work, [*staged.rejected.values(), *notes]
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Extract the code that a student wrote from the submitted files, and sort it by exercise.
+    """Sort the code in a student's files by exercise, with notes on code that cannot be read.
 
-    Code that all students were given is left out, and so are exercises that are too short to
-    compare.
-
-    Returns:
-        The student's code, and notes for the instructor on code that could not be read.
+    Code that all students were given is left out, and so are exercises that are not compared.
     """
     parts: dict[str, Part] = {}
     notes = []
@@ -123,28 +104,16 @@ def _places(chapter: Chapter, exercise: Exercise) -> list[tuple[str, str]]:
     return [(f"{chapter.name}/{module}.py", name) for module, name in edits]
 
 
-def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
-    """Yield the text of each Python file that we provide for the chapters named in ``chapters``.
+def _texts(chapter: Chapter, folder: Path) -> dict[str, str]:
+    """Read the modules of a chapter that students edit, as far as they are in a folder."""
+    names = [f"{chapter.name}/{name}" for name in chapter.edited_files]
+    there = [name for name in names if (folder / name).exists()]
+    return {name: (folder / name).read_text(encoding="utf-8-sig") for name in there}
 
-    These are our solutions, the stubs, and the modules that students use without changing them.
-    """
+
+def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
+    """Yield the text of each Python file that we provide for some chapters."""
     for folder in ("solutions", "chapters"):
         for name in chapters:
             for path in sorted((root / folder / name).glob("*.py")):
                 yield path.read_text(encoding="utf-8")
-
-
-def _reference_sizes(
-    chapter: Chapter, known: frozenset[str], root: Path
-) -> dict[tuple[str, str], int]:
-    """Count the tokens in each function of our solution to a chapter.
-
-    The counts show which exercises are too short to compare. In such an exercise, all students'
-    solutions look alike.
-    """
-    sizes = {}
-    for name in chapter.edited_files:
-        text = (root / "solutions" / chapter.name / name).read_text(encoding="utf-8")
-        for function in read_functions(text, known)[0]:
-            sizes[f"{chapter.name}/{name}", function.name] = len(function.tokens)
-    return sizes

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 import statistics
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -46,10 +46,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """A student's code for one exercise.
-
-    Code that belongs to no exercise is grouped by file instead.
-    """
+    """A student's code for one exercise, or the code in one file that belongs to no exercise."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -57,10 +54,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """All the code that one student handed in, sorted by exercise.
-
-    Code that belongs to no exercise is sorted by file.
-    """
+    """All the code that one student handed in."""
 
     student: str
     parts: Mapping[str, Part]
@@ -74,29 +68,18 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students and the similarity of their code, on a scale from 0 to 1.
-
-    Attributes:
-        identical: True if the compared code of both is the same, character for character.
-        surprise: How unusual the similarity is in the class. It is None if the class is too small
-            for such a measure.
-    """
+    """Two students and the similarity of their code, on a scale from 0 to 1."""
 
     one: Work
     other: Work
     similarity: float
-    identical: bool = False
-    surprise: float | None = None
+    identical: bool = False  # the compared code is the same, character for character
+    surprise: float | None = None  # how unusual this is in a class that is large enough
 
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that two students have in common in one exercise.
-
-    Code that belongs to no exercise is grouped by file instead. ``rarest`` is the number of
-    students who share the rarest fingerprint in that code. If the number is small, the match is
-    unlikely to be a coincidence.
-    """
+    """What two students have in common in one part. ``rarest`` students have the rarest of it."""
 
     name: str
     similarity: float
@@ -105,33 +88,45 @@ class Shared:
 
 
 class Comparison:
-    """The result of comparing the code of every pair of students in a class.
+    """The comparison of the code of every pair of students in a class.
 
-    The surprise of a pair says how unusual the similarity of their code is for the class.
-
-    Attributes:
-        pairs: All pairs of students. Identical pairs come first. Otherwise, the pairs are sorted by
-            decreasing surprise. If surprises could not be computed, they are sorted by decreasing
-            similarity instead.
-        line: The surprise from which a pair stands out, or None if there are no surprises.
-        measure: The measure of similarity that was used.
+    In ``pairs``, identical pairs come first. The others are sorted by decreasing surprise or, if
+    there are no surprises, by decreasing similarity. ``line`` is the surprise from which a pair
+    stands out, or None. ``holders`` counts the students who have a fingerprint in a part.
     """
 
-    def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
-        self.pairs = pairs
-        self.line = line
-        self.measure = measure
+    def __init__(self, works: list[Work]) -> None:
+        self.students = len(works)
+        parts = [(work.student, name, p) for work in works for name, p in work.parts.items()]
+        self.holders = Counter((name, value) for _, name, p in parts for value in p.fingerprints)
+        self._own = {(who, name): self._weight(name, p.fingerprints) for who, name, p in parts}
+        weights: dict[str, list[float]] = {}
+        for (_, name), weight in self._own.items():
+            weights.setdefault(name, []).append(weight)
+        self._usual = {name: statistics.median(values) for name, values in weights.items()}
+        codes = [(work, work.code) for work in works]
+        self.pairs = [
+            Pair(one, other, self._similarity(one, other), bool(code) and code == other_code)
+            for (one, code), (other, other_code) in combinations(codes, 2)
+        ]
+        self.line: float | None = None
+        excesses = _excesses(self.pairs)
+        if self.students >= FEWEST and (spread := _spread(excesses)):
+            middle, unit = spread
+            self.line = statistics.NormalDist().inv_cdf(1.0 - FALSE_ALARMS / len(self.pairs))
+            self.pairs = [
+                replace(pair, surprise=(excess - middle) / unit)
+                for pair, excess in zip(self.pairs, excesses, strict=True)
+            ]
+        self.pairs.sort(key=_rank)
 
     def stands_out(self, pair: Pair) -> bool:
         """Return True if two students' code is so similar that an instructor should read both.
 
-        That is the case if the similarity is far above what is usual in this class, or if the code
-        is identical. Identical code may have a low surprise if both students did only a part of the
-        exercises.
+        Identical code may have a low surprise if both students did only a part of the exercises.
         """
-        if self.line is None or pair.surprise is None:
-            return pair.identical
-        return pair.identical or pair.surprise >= self.line
+        is_high = self.line is not None and pair.surprise is not None and pair.surprise >= self.line
+        return pair.identical or is_high
 
     @property
     def identical(self) -> list[Pair]:
@@ -144,128 +139,68 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """List the code that two students share in each exercise, strongest evidence first.
+        """List the code that two students share in each part, strongest evidence first.
 
         Shared code is stronger evidence of copying if fewer other students have it.
         """
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
-            if similarity := self.measure.similarity_in(name, pair.one, pair.other):
-                rarest = min(self.measure.holders[name, value] for value in both)
+            if similarity := self._similarity_in(name, pair.one, pair.other):
+                rarest = min(self.holders[name, value] for value in both)
                 found.append(Shared(name, similarity, both, rarest))
-        return sorted(found, key=lambda s: (-self.measure.weight(s.name, s.fingerprints), s.name))
+        return sorted(found, key=lambda s: (-self._weight(s.name, s.fingerprints), s.name))
 
+    def _similarity(self, one: Work, other: Work) -> float:
+        """Return the weighted average over all parts. A part that only one student has counts 0.
 
-def compare(works: list[Work]) -> Comparison:
-    """Compare the code of each pair of students in a class, and rate how unusual each result is.
-
-    In a class of fewer than twelve students, there are too few pairs for such a rating. The pairs
-    are then only sorted by similarity.
-    """
-    measure = Measure(works)
-    codes = [(work, work.code) for work in works]
-    pairs = [
-        Pair(one, other, measure.similarity(one, other), bool(code) and code == other_code)
-        for (one, code), (other, other_code) in combinations(codes, 2)
-    ]
-    if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:
-        pairs.sort(key=lambda pair: (not pair.identical, -pair.similarity))
-        return Comparison(pairs, None, measure)
-    middle, unit = spread
-    judged = [
-        replace(pair, surprise=(excess - middle) / unit)
-        for pair, excess in zip(pairs, _excesses(pairs), strict=True)
-    ]
-    judged.sort(key=lambda pair: (not pair.identical, -(pair.surprise or 0.0)))
-    line = statistics.NormalDist().inv_cdf(1.0 - FALSE_ALARMS / len(pairs))
-    return Comparison(judged, line, measure)
-
-
-class Measure:
-    """Measures how similar two students' code is, on a scale from 0 to 1.
-
-    Code that only a few students have written counts more than code that many have written.
-    """
-
-    def __init__(self, works: list[Work]) -> None:
-        self.students = len(works)
-        self.holders: Counter[tuple[str, int]] = Counter()
-        for work in works:
-            for name, part in work.parts.items():
-                self.holders.update((name, value) for value in part.fingerprints)
-        totals: dict[str, list[float]] = {}
-        self.own: dict[tuple[str, str], float] = {}  # by student and part
-        for work in works:
-            for name, part in work.parts.items():
-                self.own[work.student, name] = self.weight(name, part.fingerprints)
-                totals.setdefault(name, []).append(self.own[work.student, name])
-        self.usual = {name: statistics.median(values) for name, values in totals.items()}
-
-    def similarity(self, one: Work, other: Work) -> float:
-        """Compute the average similarity of two students' code over all exercises, from 0 to 1.
-
-        If only one of the students has written code for an exercise, the similarity there is 0.
-        """
-        found = sum(
-            self.size(name) * self.similarity_in(name, one, other)
-            for name in one.parts.keys() & other.parts.keys()
-        )
-        sizes = [sum(map(self.size, w.parts)) for w in (one, other)]
-        return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
-
-    def size(self, name: str) -> float:
-        """Return the weight of an exercise in the average similarity of two students.
-
-        The weight is the square root of the exercise's typical size, so that a long exercise cannot
+        The weight of a part is the square root of its typical size, so that a long exercise cannot
         dominate the average.
         """
-        return math.sqrt(self.usual[name])
+        found = sum(
+            math.sqrt(self._usual[name]) * self._similarity_in(name, one, other)
+            for name in one.parts.keys() & other.parts.keys()
+        )
+        sizes = [sum(math.sqrt(self._usual[name]) for name in work.parts) for work in (one, other)]
+        return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
-    def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Compute the similarity of two students' code for a single exercise, from 0 to 1.
-
-        ``name`` is the exercise's id and title. For code that belongs to no exercise, it is a label
-        such as "Other code in ch02_vectors/vector.py".
-        """
+    def _similarity_in(self, name: str, one: Work, other: Work) -> float:
+        """Return the similarity of two students' code in a single part, from 0 to 1."""
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
-        sizes = [max(self.own[w.student, name], self.usual[name]) for w in (one, other)]
-        shared = self.weight(name, both)
+        sizes = [max(self._own[w.student, name], self._usual[name]) for w in (one, other)]
+        shared = self._weight(name, both)
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
-    def weight(self, name: str, values: set[int]) -> float:
-        """Compute the total weight of a set of fingerprints for one exercise.
-
-        A fingerprint weighs more if fewer students share it, because it is less likely to be a
-        coincidence.
-        """
+    def _weight(self, name: str, values: set[int]) -> float:
+        """Return the weight of fingerprints. It is larger if fewer students have them."""
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
-def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Yield the excess of each pair, which is its similarity minus the expected similarity.
+def _rank(pair: Pair) -> tuple[bool, float]:
+    measured = pair.similarity if pair.surprise is None else pair.surprise
+    return not pair.identical, -measured
 
-    The expected similarity is the average of the two students' usual similarities. A student's
-    usual similarity is the median of the student's similarities to everyone else in the class.
-    """
+
+def _excesses(pairs: list[Pair]) -> list[float]:
+    """Return the similarity of each pair minus what is usual for its two students."""
     of: dict[str, list[float]] = {}
     for pair in pairs:
         for work in (pair.one, pair.other):
             of.setdefault(work.student, []).append(pair.similarity)
     usual = {student: statistics.median(values) for student, values in of.items()}
-    for pair in pairs:
-        yield pair.similarity - (usual[pair.one.student] + usual[pair.other.student]) / 2.0
+    return [
+        pair.similarity - (usual[pair.one.student] + usual[pair.other.student]) / 2.0
+        for pair in pairs
+    ]
 
 
-def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Compute the median and the spread of ``values``, which contains one number per pair.
+def _spread(values: list[float]) -> tuple[float, float] | None:
+    """Return the median and the spread of the pairs' excesses, or None if all are equal.
 
     The spread is a standard deviation estimated from the upper half of the values, which has the
     longer tail. The estimate is robust against a few outliers, such as students who have copied.
-    The result is None if all values are equal.
     """
-    found = [*values]
-    deciles = statistics.quantiles(found, n=10, method="inclusive")
-    unit = (deciles[8] - deciles[4]) / UPPER_DECILE or statistics.pstdev(found)
+    deciles = statistics.quantiles(values, n=10, method="inclusive")
+    unit = (deciles[8] - deciles[4]) / UPPER_DECILE or statistics.pstdev(values)
     return (deciles[4], unit) if unit > 1e-9 else None

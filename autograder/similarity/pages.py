@@ -8,11 +8,9 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
 from autograder.manifest import Chapter
 from autograder.reports.pages import render
@@ -30,11 +28,7 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a student's code on a page that highlights code shared with another student.
-
-    ``kind`` is "rare" if few students have the same code, "common" if many do, and "" if the code
-    is not shared.
-    """
+    """A piece of code. Its kind is "rare" if few students share it, "common" if many, or ""."""
 
     text: str
     kind: str
@@ -42,10 +36,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A student's function, split into pieces so that shared code can be highlighted.
-
-    ``line`` is the line in the student's file at which the code begins.
-    """
+    """A student's function, with the line in the file at which its code begins."""
 
     name: str
     file: str
@@ -56,10 +47,9 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write an index of the most similar pairs of students, and a page about each of these pairs.
+    """Write an index of the most similar pairs, and a page about each of them.
 
-    The index lists the first 30 pairs, or more if more than 30 pairs stand out. Return the path of
-    the index.
+    Return the path of the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
@@ -72,11 +62,13 @@ def write_pages(
         old.unlink()
     for name, pair, shared in rows:
         _write_pair(out / name, comparison, pair, shared)
+    surprises = Counter(math.floor(p.surprise) for p in comparison.pairs if p.surprise is not None)
+    bins = range(min(surprises), max(surprises) + 1) if surprises else ()
     page = render(
         "similarity.html",
         TEMPLATES,
         rows=rows,
-        students=comparison.measure.students,
+        students=comparison.students,
         pairs=len(comparison.pairs),
         fewest=FEWEST,
         identical=len(comparison.identical),
@@ -85,17 +77,14 @@ def write_pages(
         chapters=chapters,
         small=small,
         notes=[clean(note) for note in notes],
-        bins=_histogram(comparison.pairs),
+        bins=[(surprise, surprises[surprise]) for surprise in bins],
     )
     replace_file(out / "index.html", page)
     return out / "index.html"
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Split a student's function into pieces, so that a web page can highlight the shared code.
-
-    ``kinds`` maps the index of each shared token to "rare" or "common".
-    """
+    """Split a function into pieces to highlight. ``kinds`` has the kinds of tokens, by index."""
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
     marks = [[""] * len(line) for line in lines]
@@ -126,33 +115,26 @@ def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
 
 
 def _write_pair(path: Path, comparison: Comparison, pair: Pair, shared: list[Shared]) -> None:
-    few = max(2, RARE * comparison.measure.students)
+    few = max(2, RARE * comparison.students)
     parts = []
     for part in shared:
-        rare = {f for f in part.fingerprints if comparison.measure.holders[part.name, f] <= few}
-        sides = [_sides(work.parts[part.name].passages, part, rare) for work in _works(pair)]
-        parts.append((part, sides))
+        rare = {f for f in part.fingerprints if comparison.holders[part.name, f] <= few}
+        works = (pair.one, pair.other)
+        parts.append((part, [_sides(w.parts[part.name].passages, part, rare) for w in works]))
     page = render(
         "pair.html",
         TEMPLATES,
         pair=pair,
         line=comparison.line,
         parts=parts,
-        students=comparison.measure.students,
+        students=comparison.students,
         few=math.floor(few),
     )
     replace_file(path, page)
 
 
-def _works(pair: Pair) -> tuple[Any, Any]:
-    return pair.one, pair.other
-
-
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Prepare a student's functions for the page that compares two students.
-
-    Code that the students share is marked. Functions without shared code are left out.
-    """
+    """Mark the shared code in a student's functions, and leave out those without any."""
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -162,12 +144,3 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
             name = clean(passage.name) or "outside of functions"
             sides.append(Side(name, passage.file, line, pieces_of(passage, kinds)))
     return sides
-
-
-def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count the pairs of students in each range of surprise, such as 2 to 3, for a histogram.
-
-    The surprise of a pair rates how unusual the similarity of the two students' code is.
-    """
-    counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
-    return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

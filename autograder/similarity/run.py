@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.console import Console
 from rich.progress import track
 
 from autograder.files import is_new
@@ -13,7 +12,7 @@ from autograder.grader.people import differences
 from autograder.manifest import ROOT, Chapter
 from autograder.reports.texts import replace_file
 from autograder.similarity.collect import collect, ground_of
-from autograder.similarity.compare import FEWEST, Comparison, Work, compare
+from autograder.similarity.compare import FEWEST, Comparison, Work
 from autograder.similarity.pages import write_pages
 from autograder.submissions.class_list import read_class
 from autograder.text.wrapping import plain_console
@@ -27,17 +26,12 @@ def similarity(
 ) -> int:
     """Compare the code of each pair of students in a class, and write pages about similar pairs.
 
-    The submissions are in ``folder``, and the pages go into ``out``. With a ``roster``, the pages
-    show the same names as the gradebook.
-
     Raises:
         ValueError: There are no submissions to compare, the roster contains a mistake, or ``out``
-            is inside ``folder``.
+            has other files or is inside ``folder``.
         OSError: A file of the repository cannot be read, or a page cannot be written.
     """
-    if out.resolve().is_relative_to(folder.resolve()):
-        raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
-    _refuse_other_files(out, folder)
+    _refuse_place(out, folder)
     people = read_class(folder, roster)
     submissions, notes = people.submissions, [*people.notes, *differences(people, [])]
     console = plain_console()
@@ -53,18 +47,21 @@ def similarity(
             works.append(work)
         else:
             notes.append(f"{work.student} was left out: there is no code to compare")
-    comparison = compare(works)
+    comparison = Comparison(works)
     replace_file(out / RECORD, f"{folder.resolve()}\n")
     index = write_pages(out, comparison, chapters, ground.small, notes)
-    for note in notes:
-        console.print(note, markup=False, soft_wrap=True)
-    _print_outstanding(console, comparison)
+    *identical, summary = _outstanding(comparison)
+    for line in [*notes, *identical]:
+        console.print(line, markup=False, soft_wrap=True)
+    console.print(summary)
     console.print(f"Read the code of each pair yourself: {index}", markup=False, soft_wrap=True)
     return 0
 
 
-def _refuse_other_files(out: Path, folder: Path) -> None:
+def _refuse_place(out: Path, folder: Path) -> None:
     """Raise ValueError if ``out`` has other files, or the pages about another class."""
+    if out.resolve().is_relative_to(folder.resolve()):
+        raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
     record = out / RECORD
     other = ""
     if record.is_file():
@@ -80,18 +77,15 @@ def _refuse_other_files(out: Path, folder: Path) -> None:
         )
 
 
-def _print_outstanding(console: Console, comparison: Comparison) -> None:
-    """Print the pairs whose code is identical, and then how many pairs stand out."""
+def _outstanding(comparison: Comparison) -> list[str]:
+    """Name the pairs whose code is identical, and say how many pairs stand out."""
     same = comparison.identical
-    for pair in same[:MOST_NAMED]:
-        line = f"identical: {pair.one.student} and {pair.other.student}"
-        console.print(line, markup=False, soft_wrap=True)
+    lines = [f"identical: {p.one.student} and {p.other.student}" for p in same[:MOST_NAMED]]
     if more := same[MOST_NAMED:]:
-        console.print(f"identical: {len(more)} more pairs, which the page lists")
+        lines.append(f"identical: {len(more)} more pairs, which the page lists")
     if comparison.line is None:
         words = "No other pair" if same else "No pair"
-        console.print(f"{words} can stand out without {FEWEST} students whose code differs.")
-        return
+        return [*lines, f"{words} can stand out without {FEWEST} students whose code differs."]
     of_all = f"{comparison.outstanding} of {len(comparison.pairs)} pairs stand out"
     of_these = ", counting those that are identical" if same else ""
-    console.print(f"{of_all}{of_these}. Similarity alone proves nothing.")
+    return [*lines, f"{of_all}{of_these}. Similarity alone proves nothing."]

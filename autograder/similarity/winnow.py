@@ -23,29 +23,19 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Hash every sequence of GRAM consecutive tokens in the code of a function.
-
-    The hashes are in the order of the code.
-    """
+    """Hash every sequence of GRAM consecutive tokens, in the order of the code."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
 def fingerprints(words: tuple[str, ...]) -> set[int]:
-    """Compute the fingerprints of a function by winnowing its hashes.
-
-    From every WINDOW neighboring hashes, the smallest is kept as a fingerprint.
-    """
+    """Compute the fingerprints of a function by winnowing its hashes."""
     found = hashes(words)
     windows = range(max(1, len(found) - WINDOW + 1)) if found else ()
     return {min(found[i : i + WINDOW]) for i in windows}
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Find the tokens of a student's function that belong to code shared with another student.
-
-    A token is included if it is part of a sequence whose hash is in ``shared``. Return the indices
-    of these tokens.
-    """
+    """Return the indices of the tokens in any sequence whose hash is in ``shared``."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

@@ -22,35 +22,38 @@ from autograder.submissions.roster import Student, read_roster
 
 @dataclass(frozen=True)
 class Member:
-    """A member of the class: a student on the roster, the author of a submission, or both.
+    """A member of the class: a student on the roster, the author of a submission, or both."""
 
-    Attributes:
-        shown: The student's name in all lists of students.
-        report: The name of the report on this student. Students of a group share one.
-        student: The entry on the roster, or None if there is none.
-        submission: The submission, or None if the student has not handed anything in.
-        known_as: All other names of the student.
-    """
-
-    shown: str
-    report: str
+    shown: str  # the name in all lists of students
+    report: str  # the name of the report, which students of a group share
     student: Student | None
     submission: Submission | None
-    known_as: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> list[str]:
+        """All names of the student on the roster, in the reports and on a platform."""
+        names = [self.shown, self.report]
+        if student := self.student:
+            names += [*student.names, student.group]
+        if submission := self.submission:
+            path, export, upload = submission.path, submission.export, submission.upload
+            names += [path.name, without_suffix(path)]
+            if export:
+                names += [export.student, export.name]
+                names += [export.number] if export.platform == "canvas" else []
+            if upload and len(upload.people) == 1:
+                names += upload.people[0]
+        return names
 
 
 @dataclass(frozen=True)
 class ClassList:
-    """All students of a class, from the roster and from the submissions.
-
-    Without a roster, the class consists of the students who have handed something in. ``notes``
-    tells the instructor what was not used, and ``gone`` has the names of earlier reports.
-    """
+    """All students of a class. Without a roster, they are those who have handed something in."""
 
     members: list[Member]
     has_roster: bool = False
-    notes: list[str] = field(default_factory=list)
-    gone: frozenset[str] = frozenset()
+    notes: list[str] = field(default_factory=list)  # on what was not used
+    gone: frozenset[str] = frozenset()  # the names of earlier reports
 
     @property
     def submissions(self) -> list[Submission]:
@@ -59,7 +62,7 @@ class ClassList:
         return [replace(found[report], student=report) for report in sorted(found)]
 
     @property
-    def missing(self) -> list[str]:
+    def absent(self) -> list[str]:
         """The names of the students on the class's roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
@@ -70,7 +73,7 @@ class ClassList:
 
     @cached_property
     def _names(self) -> Names[Member]:
-        return Names((m, m.shown, (m.shown, m.report, *m.known_as)) for m in self.members)
+        return Names((member, member.shown, member.names) for member in self.members)
 
     def members_of(self, name: str) -> list[Member]:
         """Return the student with this name, or all students of the group with this name.
@@ -124,7 +127,7 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         except ValueError as error:
             problems.append(str(error))
             continue
-        if entry.is_by_student or owners.are_listed(who):
+        if entry.is_by_student or any(isinstance(one, Student) for one in who):
             found.setdefault(who, []).append(entry)
         else:
             notes.append(f"{printable(entry.path.name)} was left out: {entry.problem}")
@@ -135,9 +138,16 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         except ValueError as error:
             problems.append(f"{owners.label(who)} {error}")
             continue
-        owner, upload = owners.lasting_name(who), uploads.of(chosen.path)
+        names = [f"id {one.id}" if isinstance(one, Student) else f"submission {one}" for one in who]
+        owner, upload = ", ".join(names), uploads.of(chosen.path)
         submissions[who] = replace(chosen, owner=owner, upload=upload)
-    problems += owners.in_two(found)
+    seen: dict[Student | str, Who] = {}
+    problems += [
+        f"{owners.label((one,))} is among the students of two submissions"
+        for who in found
+        for one in who
+        if seen.setdefault(one, who) != who
+    ]
     if problems:
         raise ValueError("\n".join(problems))
     if not submissions:
@@ -155,37 +165,30 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         ValueError: There are several submissions, and they are not uploads of one student, of which
             the last one counts.
     """
+
+    def order(entry: Entry) -> tuple[int, int]:
+        return entry.export.order if entry.export else (0, 0)
+
     usable = [entry for entry in entries if not entry.problem]
     uploaders = {entry.export and entry.export.student for entry in usable}
     rivals = usable  # nobody says which of these is the last one
     if len(uploaders) == 1 and None not in uploaders:
-        rivals = [entry for entry in usable if _order(entry) == max(map(_order, usable))]
-    if len(rivals) > 1 and (None in uploaders or not _are_copies(rivals)):
+        rivals = [entry for entry in usable if order(entry) == max(map(order, usable))]
+    # Moodle has the same files for each student of a team.
+    if rivals[1:] and (None in uploaders or len({contents(one.path) for one in rivals}) > 1):
         names = " and ".join(repr(entry.path.name) for entry in rivals)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
-    last = rivals[0] if rivals else max(entries, key=_order)
+    last = rivals[0] if rivals else max(entries, key=order)
+    shown = {entry: printable(entry.path.name) for entry in entries}
     notes = []
-    for entry in entries:
-        if entry is not last and usable:
-            name = printable(entry.path.name)
+    for entry in entries if usable else []:
+        if entry is not last:
             why = entry.problem or "it was uploaded earlier. Put all files into one zip"
             why = "it has the same files" if entry in rivals else why
-            notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
-    nothing = "; ".join(
-        f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"
-        for entry in ([] if usable else entries)
-    )
-    return Submission("", last.path, export=last.export, notes=tuple(notes), nothing=nothing)
-
-
-def _are_copies(entries: Sequence[Entry]) -> bool:
-    """Return True if all have the same files, as Moodle has those of a team for each student."""
-    first, *others = [contents(entry.path) for entry in entries]
-    return all(other == first for other in others)
-
-
-def _order(entry: Entry) -> tuple[int, int]:
-    return entry.export.order if entry.export else (0, 0)
+            notes.append(f"'{shown[last]}' was graded, and '{shown[entry]}' was not: {why}")
+    nothing = [f"'{shown[entry]}' cannot be graded: {entry.problem}" for entry in entries]
+    why_nothing = "" if usable else "; ".join(nothing)
+    return Submission("", last.path, export=last.export, notes=tuple(notes), nothing=why_nothing)
 
 
 def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Member]:
@@ -202,7 +205,10 @@ def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Memb
     for who in {**dict.fromkeys(owners.absent(submissions)), **submissions}:
         submission = submissions.get(who)
         names = [shown(one) for one in who]
-        report = owners.group_of(who, names)
+        report = ", ".join(names)
+        groups = {one.group for one in who if isinstance(one, Student)} - {""}
+        if len(who) > 1 and len(groups) == 1:
+            report = printable(f"{groups.pop()} ({report})")
         if (other := reports.setdefault(report, who)) != who:
             raise ValueError(
                 f"the reports on {owners.label(other)} and on {owners.label(who)} would both be "
@@ -210,21 +216,5 @@ def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Memb
             )
         for one, name in zip(who, names, strict=True):
             student = one if isinstance(one, Student) else None
-            known = _known_as(student, submission)
-            members.append(Member(name, report, student, submission, known))
+            members.append(Member(name, report, student, submission))
     return sorted(members, key=lambda member: member.shown)
-
-
-def _known_as(student: Student | None, submission: Submission | None) -> tuple[str, ...]:
-    """Return all names of a student on the roster, on the submission and on the platform."""
-    names = [*student.names, student.group] if student else []
-    if submission:
-        path = submission.path
-        names += [path.name, without_suffix(path)]
-        if export := submission.export:
-            names += [export.student, export.name]
-            names += [export.number] if export.platform == "canvas" else []
-        upload = submission.upload
-        if upload and len(upload.people) == 1:
-            names += upload.people[0]
-    return tuple(dict.fromkeys(filter(None, names)))

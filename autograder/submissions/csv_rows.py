@@ -1,8 +1,4 @@
-"""Read a CSV file written by a person or a spreadsheet, such as a roster or marks.csv.
-
-The line number of each row is kept for use in error messages. A cell that is written must not look
-like a formula to a spreadsheet.
-"""
+"""Read a CSV file written by a person or a spreadsheet, such as a roster or marks.csv."""
 
 from __future__ import annotations
 
@@ -21,10 +17,7 @@ FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 def as_cell(text: str) -> str:
-    """Convert text to a one-line CSV cell that no spreadsheet can interpret as a formula.
-
-    For example, the name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
-    """
+    """Return text as a line that no spreadsheet takes for a formula, such as '=1+1 for =1+1."""
     return FORMULA.sub(r"\1\2'", clean_line(text))
 
 
@@ -48,10 +41,7 @@ class Mistakes:
 
 @dataclass(frozen=True)
 class Table:
-    """The contents of a CSV file such as a roster, with the separator and the column names.
-
-    Column names are converted to lower case.
-    """
+    """The contents of a CSV file, with the names of its columns in lower case."""
 
     path: Path
     text: str
@@ -60,12 +50,11 @@ class Table:
     header: list[str]
 
     def rows(self, longest: str, mistakes: Mistakes) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows below the header of a CSV file, each with its first and last line number.
+        """Yield the rows below the header, each with its first and last line number.
 
         Blank rows are skipped, and missing cells at the end of a row are empty. A row with too many
-        cells is a mistake. The usual cause is a cell that contains a separator but is not in
-        quotes. ``longest`` is the message's name for this cell, such as "comment". A quote that is
-        never closed is a mistake too.
+        cells is a mistake, and so is a quote that is never closed. ``longest`` is what the message
+        calls the cell that probably contains a separator, such as "comment".
         """
         # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
@@ -88,9 +77,7 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a CSV file, such as a roster, with commas or semicolons between the cells.
-
-    Semicolons are common in files from European spreadsheets.
+    """Read a CSV file, with commas or, as in some countries, semicolons between the cells.
 
     Raises:
         ValueError: The file is not UTF-8. The message gives the line number.

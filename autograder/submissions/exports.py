@@ -1,7 +1,4 @@
-"""Parse the names of submissions that an instructor has downloaded from Canvas or Moodle.
-
-The platform puts the name of the student and the number of the upload into the file name.
-"""
+"""Parse the names that Canvas and Moodle give to downloaded submissions."""
 
 from __future__ import annotations
 
@@ -23,27 +20,18 @@ MOODLE = re.compile(
     r"(?P<name>.+)_(?P<id>[0-9]+)_assignsubmission_(?P<kind>[a-z]+)(?:_(?P<file>.*))?"
 )
 OF_MOODLE = "worksheet.csv"  # instructors save the grading worksheet under this name
-RESUBMITTED = re.compile(r"-([0-9]+)$")
+RESUBMITTED = re.compile(r"-([0-9]+)$")  # such as work-2, for a repeated upload of work
 
 
 @dataclass(frozen=True)
 class Exported:
-    """The parts of the name that Canvas or Moodle gives to a downloaded submission.
-
-    Attributes:
-        platform: The platform, "canvas" or "moodle".
-        name: The full name on Moodle. On Canvas, the last and first name without a space.
-        number: The user id on Canvas. On Moodle, a number that is valid for this assignment only.
-        late: True if Canvas marked the submission as late.
-        order: A sort key for several uploads by one student. A later upload has a larger key.
-        is_file: False for text that was typed into the platform.
-    """
+    """The parts of the name that Canvas or Moodle gives to a downloaded submission."""
 
     platform: Literal["canvas", "moodle"]
-    name: str
-    number: str
-    late: bool
-    order: tuple[int, int]
+    name: str  # the full name; on Canvas, the last and first name without a space
+    number: str  # of the user on Canvas; on Moodle, it is valid for this assignment only
+    late: bool  # Canvas marked the submission as late
+    order: tuple[int, int]  # a later upload by the same student has a larger one
     is_file: bool = True  # False for text that was typed into the platform
 
     @property
@@ -53,22 +41,21 @@ class Exported:
 
 
 def read_export(name: str) -> Exported | None:
-    """Parse the name that Canvas or Moodle has given to a student's submission.
+    """Parse the name of a submission without .zip, or return None if it is not a platform's.
 
-    ``name`` is the name without a final .zip. The result is None if the name does not have the
-    format of either platform. Other names may have the format of Canvas by chance.
+    Other names may have the format of Canvas by chance.
     """
-    if found := MOODLE.fullmatch(name):
-        order = 0, _resubmission(found["file"] or "")
+    found = MOODLE.fullmatch(name) or CANVAS.fullmatch(name)
+    if found is None:
+        return None
+    again = RESUBMITTED.search(found["file"] or "")
+    times = int(again[1]) if again else 0
+    if found.re is MOODLE:
         is_file = found["kind"] == "file"
-        return Exported("moodle", found["name"], found["id"], False, order, is_file)
-    if found := CANVAS.fullmatch(name):
-        order = int(found["upload"]), _resubmission(found["file"])
-        late = bool(found["late"] or found["too_late"])
-        if found["anonymous"]:
-            return Exported("canvas", "anon", found["anonymous"], late, order)
-        return Exported("canvas", found["name"], found["id"], late, order)
-    return None
+        return Exported("moodle", found["name"], found["id"], False, (0, times), is_file)
+    late, order = bool(found["late"] or found["too_late"]), (int(found["upload"]), times)
+    who = ("anon", found["anonymous"]) if found["anonymous"] else (found["name"], found["id"])
+    return Exported("canvas", *who, late, order)
 
 
 def without_suffix(path: Path) -> str:
@@ -91,12 +78,3 @@ def look_like_canvas(exports: Iterable[Exported | None]) -> bool:
     together = set().union(*names.values())
     are_people = len(together) > 1 or together == {"anon"} or len(seen) == 1
     return are_people and all(len(of_one) == 1 for of_one in names.values())
-
-
-def _resubmission(file: str) -> int:
-    """Return the number that a platform has added to the name of a repeated upload.
-
-    The number in work-2.zip is 2, for example. The result is 0 for a first upload.
-    """
-    found = RESUBMITTED.search(file)
-    return int(found[1]) if found else 0

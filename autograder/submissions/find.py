@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from autograder.submissions.exports import Exported, look_like_canvas, read_export
+from autograder.submissions.exports import MOODLE, Exported, look_like_canvas, read_export
 from autograder.submissions.platform_files import Upload
 from autograder.text.clean import visible
 
@@ -17,7 +17,7 @@ RECORD = "run.json"  # in a folder of reports; records the class, the seed and s
 LONGEST_NAME = 100  # bytes without the suffix; file systems allow 255 in all
 SILENT = (
     *("__pycache__", "__MACOSX", "README.md", "course.toml"),
-    *("marks.csv", "roster.csv", "roster-key.csv"),
+    *("marks.csv", "roster.csv"),
     *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
     "worksheet.csv",  # from Moodle
 )
@@ -34,18 +34,12 @@ BY_STUDENTS = re.compile(
 
 @dataclass(frozen=True)
 class Entry:
-    """A folder or file in the folder of a class.
-
-    Attributes:
-        name: The name without the suffix of a file, such as ann for ann.zip.
-        problem: Why it cannot be graded, such as "it is a symbolic link", or "".
-        export: The parsed name, if Canvas or Moodle gave it.
-    """
+    """A folder or file in the folder of a class."""
 
     path: Path
-    name: str
-    problem: str = ""
-    export: Exported | None = None
+    name: str  # without the suffix of a file, such as ann for ann.zip
+    problem: str = ""  # why it cannot be graded, such as "it is a symbolic link"
+    export: Exported | None = None  # the parsed name, if Canvas or Moodle gave it
 
     @property
     def is_by_student(self) -> bool:
@@ -55,27 +49,15 @@ class Entry:
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student, or a group of students, has handed in.
+    """What a student, or a group of students, has handed in: a folder or a zip."""
 
-    Attributes:
-        student: The name of the student or of the group in the reports.
-        path: The path of the folder or zip file.
-        owner: What the student or group is called in records, whatever the name of the report is.
-        export: The parsed name if Canvas or Moodle created it, otherwise None.
-        upload: What a platform's file says about it, or None.
-        notes: What the student and the instructor should know, such as other files that were not
-            used.
-        nothing: Why nothing of it can be graded, such as "'report.pdf' is neither a folder nor a
-            .zip file", or "".
-    """
-
-    student: str
+    student: str  # the name of the student or of the group in the reports
     path: Path
-    owner: str = ""
-    export: Exported | None = None
-    upload: Upload | None = None
-    notes: tuple[str, ...] = ()
-    nothing: str = ""
+    owner: str = ""  # their name in records, whatever the name of the report is
+    export: Exported | None = None  # the parsed name, if Canvas or Moodle gave it
+    upload: Upload | None = None  # what a platform's file says about it
+    notes: tuple[str, ...] = ()  # for the student too, such as on files that were not used
+    nothing: str = ""  # why nothing of it can be graded
 
     @property
     def late(self) -> bool:
@@ -86,12 +68,11 @@ class Submission:
 def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Entry]:
     """List what was handed in, without the instructor's own files, hidden files and caches.
 
-    Links are never followed. A name of Moodle's is recognized by itself. One of Canvas's counts as
-    such if all folders and zips look like one download, or if ``is_known`` says that the student is
-    on the roster.
+    A name of Moodle's is recognized by itself. One of Canvas's counts as such if all folders and
+    zips look like one download, or if ``is_known`` says that the student is on the roster.
 
     Raises:
-        ValueError: The path is not a folder.
+        ValueError: The path is not a folder, or has the work of one student.
         OSError: The folder cannot be read.
     """
     if not folder.exists():
@@ -106,9 +87,9 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
                 "the folder above it, which has a folder or a zip for each student"
             )
     entries = [_entry(path) for path in paths]
-    zips = [one for one in entries if not one.problem]
-    has_folders = any(one.path.is_dir() for one in zips)  # which Canvas does not have
-    is_download = look_like_canvas(one.export for one in zips) and not has_folders
+    usable = [one for one in entries if not one.problem]
+    has_folders = any(one.path.is_dir() for one in usable)  # which Canvas does not have
+    is_download = look_like_canvas(one.export for one in usable) and not has_folders
     return [
         one
         if not one.export or one.export.platform == "moodle" or is_download or is_known(one.export)
@@ -120,27 +101,28 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
 def file_name(student: str) -> str:
     """Return a safe file name for the reports on a student, without a suffix.
 
-    A short and harmless name is not changed. Otherwise, unsafe characters are replaced, and the
-    name is truncated. A hash of the original name is then appended, so that two students do not
-    share a file.
+    A short and harmless name is not changed. Otherwise, unsafe characters are replaced, the name is
+    truncated, and a hash is appended, so that two students never share a file.
     """
+    kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in student]
+    safe = re.sub(r"^\.", "_", "".join(kept))
     # A name that seems to end with a hash could equal the file name of another student.
-    harmless = _clean(student) == student and not HASHED.fullmatch(student)
+    harmless = safe == student and not HASHED.fullmatch(student)
     if harmless and 0 < len(student.encode()) <= LONGEST_NAME and not DEVICE.fullmatch(student):
         return student
     digest = hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:8]
-    cut = _clean(student).encode()[: LONGEST_NAME - len(digest) - 1]
+    cut = safe.encode()[: LONGEST_NAME - len(digest) - 1]
     return f"{cut.decode(errors='ignore')}-{digest}"
 
 
-def contents(path: Path) -> dict[str, str]:
-    """Return a hash of each file of a submission. Moodle has a copy for each student of a team."""
+def contents(path: Path) -> frozenset[tuple[str, str]]:
+    """Return the path and a hash of each file of a submission, which is a folder or a file."""
     files = {path} if path.is_file() else {file for file in path.rglob("*") if file.is_file()}
-    return {
-        file.relative_to(path).as_posix(): hashlib.sha256(file.read_bytes()).hexdigest()
+    return frozenset(
+        (file.relative_to(path).as_posix(), hashlib.sha256(file.read_bytes()).hexdigest())
         for file in files
         if not file.is_symlink()
-    }
+    )
 
 
 def printable(text: str) -> str:
@@ -149,6 +131,14 @@ def printable(text: str) -> str:
     Backslashes are doubled, so that different texts never look the same.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
+
+
+def is_skipped(name: str) -> bool:
+    """Return True if a name in the folder of a class is hidden, or that of an instructor's file.
+
+    In Moodle, the name of a student can begin with a dot too.
+    """
+    return name in SILENT or (name.startswith(".") and not MOODLE.fullmatch(name))
 
 
 def _entry(path: Path) -> Entry:
@@ -167,22 +157,3 @@ def _entry(path: Path) -> Entry:
     if export and not export.is_file:
         problem = "it is text that was typed into the platform"
     return Entry(path, name, problem, export)
-
-
-def is_skipped(name: str) -> bool:
-    """Return True if a name in the folder of a class is hidden, or that of an instructor's file.
-
-    In Moodle, the name of a student can begin with a dot too.
-    """
-    return name in SILENT or (name.startswith(".") and not _is_from_moodle(name))
-
-
-def _is_from_moodle(name: str) -> bool:
-    export = read_export(name)
-    return export is not None and export.platform == "moodle"
-
-
-def _clean(name: str) -> str:
-    """Replace each character in a student's name that could cause trouble in a file name."""
-    kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
-    return re.sub(r"^\.", "_", "".join(kept))

@@ -12,7 +12,7 @@ from autograder.accepted_files import HARMLESS
 from autograder.answers import FILE as ANSWERS
 from autograder.manifest import Chapter
 from autograder.submissions.find import printable
-from autograder.submissions.folders import Found, is_skipped
+from autograder.submissions.search import Found, is_skipped
 
 SCENES = "scenes"  # a folder of every handout, which has a links.py of its own
 MOST_PLACES = 3  # how many folders a message lists, if files of one name are in several
@@ -22,12 +22,9 @@ MOST_NAMES = 10  # how many of the other files are listed
 def misplaced(
     chapter: Chapter, file: str, found: Iterable[Found], chapters: Iterable[Chapter]
 ) -> str:
-    """Explain to a student that a missing file was found, but not in its chapter's folder.
+    """Say where else a missing file was found, and what to do, or return "" if it was not found.
 
     A file in the folder of one of the ``chapters`` that has a file of this name is not misplaced.
-
-    Returns:
-        A sentence that says where the file was found and what to do, or "" if it was not found.
     """
     at_home = {
         other.name for other in chapters if file in (*other.complete, *other.handed_in, ANSWERS)
@@ -53,10 +50,9 @@ def misplaced(
 
 
 def names_of_others(found: Sequence[Found], taken: Iterable[Found]) -> list[str]:
-    """List files and folders at the top of a submission from which nothing was taken.
+    """List some files and folders at the top of a submission from which nothing was taken.
 
-    The names of folders end with a slash. Of a zip in the submission, the contents are listed. At
-    most ten names are returned.
+    The names of folders end with a slash. Of a zip in the submission, the contents are listed.
     """
     zips = {one.place[0] for one in found if one.other and one.place}
     zips &= {one.file for one in found if one.other and not one.place}
@@ -69,9 +65,8 @@ def names_of_others(found: Sequence[Found], taken: Iterable[Found]) -> list[str]
 def _shown(place: tuple[str, ...]) -> str:
     if not place:
         return "at the top of what was handed in"
-    if all(HARMLESS.fullmatch(name) for name in place):
-        return f"in '{'/'.join(place)}'"
-    return "in another folder"
+    harmless = all(HARMLESS.fullmatch(name) for name in place)
+    return f"in '{'/'.join(place)}'" if harmless else "in another folder"
 
 
 def _top(file: Found, zips: set[str]) -> str:

@@ -18,9 +18,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from dateparser.date import DateDataParser
+
 from autograder.submissions.csv_rows import read_csv
 from autograder.submissions.exports import OF_MOODLE
-from autograder.submissions.moodle_times import read_times
 
 IDENTIFIER = re.compile(r"(.*\D)([0-9]+)")  # such as Participant 12345 or Teilnehmer/in12345
 NUMBER = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
@@ -28,6 +29,7 @@ EMAIL = re.compile(r"\S+@\S+")
 ID_NUMBER = re.compile(r"(?=\S*\d)[^\s@+]+")
 TIME = re.compile(r"-|.*\d{4}.*\d\s*[:.h]\s*\d\d.*|.*\d\s*[:.h]\s*\d\d.*\d{4}.*")
 NO_TIME = "-"
+YEARS = range(2000, 2100)  # others are of another calendar, such as the Thai one
 EXPECTED = (
     "Save the grading worksheet there as Moodle wrote it, with the columns of the identifier, "
     "the grade, the maximum grade and the times of the last changes. The assignment must be graded "
@@ -37,19 +39,13 @@ EXPECTED = (
 
 @dataclass(frozen=True)
 class Participant:
-    """A row of a Moodle worksheet: a participant of the assignment.
+    """A row of a Moodle worksheet. What it does not show is "".
 
-    Attributes:
-        number: The participant's number, which is valid for this assignment only. The names of
-            downloaded submissions contain it too.
-        name: The full name, or "" if the worksheet is anonymous.
-        email: The e-mail address, or "" if the worksheet does not show it.
-        id_number: The ID number, or "" if the worksheet does not show it.
-        submitted: When the participant handed in, in the time zone of the instructor's Moodle. It
-            is None if nothing was handed in or if the time cannot be read.
+    The time of the submission is in the time zone of the instructor's Moodle. It is None if nothing
+    was handed in, or if it cannot be read.
     """
 
-    number: str
+    number: str  # for this assignment only; it is in the names of downloaded submissions
     name: str
     email: str
     id_number: str
@@ -58,24 +54,14 @@ class Participant:
 
 @dataclass(frozen=True)
 class Worksheet:
-    """A grading worksheet from Moodle.
-
-    Attributes:
-        path: The path of the file.
-        rows: The participants, in the order of the file.
-        most: The maximum grade of the assignment.
-        unread: The submission times that cannot be read, as Moodle wrote them.
-        lines: The cells of every line, starting with the header.
-        grade: The position of the column for the grades. The maximum grade is in the next column.
-        separator: The character between the cells.
-    """
+    """A grading worksheet from Moodle."""
 
     path: Path
     rows: list[Participant]
-    most: float
-    unread: list[str]
-    lines: list[list[str]]
-    grade: int
+    most: float  # the maximum grade of the assignment
+    unread: list[str]  # the submission times that cannot be read
+    lines: list[list[str]]  # the cells of every line, starting with the header
+    grade: int  # the column for the grades, which is before that of the maximum grade
     separator: str
 
     def filled(self, grades: Mapping[str, float]) -> bytes:
@@ -112,53 +98,36 @@ def read_worksheet(path: Path) -> Worksheet:
         OSError: The file cannot be read.
     """
     table = read_csv(path)
-    source = io.StringIO(table.text, newline="")
+    reader = csv.reader(io.StringIO(table.text, newline=""), delimiter=table.separator, strict=True)
+    is_none = f"{path} is not a worksheet from Moodle"
     try:
-        lines = [
-            line for line in csv.reader(source, delimiter=table.separator, strict=True) if line
-        ]
+        lines = [line for line in reader if line]
     except csv.Error as error:
-        raise ValueError(f"{path} is not a worksheet from Moodle: {error}. {EXPECTED}") from error
+        raise ValueError(f"{is_none}: {error}. {EXPECTED}") from error
     if len(lines) < 2 or len({len(line) for line in lines}) > 1:
         raise ValueError(
-            f"{path} is not a worksheet from Moodle: below its header, it must have a row of the "
-            f"same length for each participant. {EXPECTED}"
+            f"{is_none}: below its header, it must have a row of the same length for each "
+            f"participant. {EXPECTED}"
         )
-    columns = [[line[place].strip() for line in lines[1:]] for place in range(len(lines[0]))]
-    numbers = _numbers(path, columns[0])
+    columns = [[cell.strip() for cell in column] for column in zip(*lines[1:], strict=True)]
+    # All identifiers begin with the same word, which is the translation of "Participant".
+    found = [IDENTIFIER.fullmatch(cell) for cell in columns[0]]
+    if len({one and one[1] for one in found}) > 1 or None in found:
+        raise ValueError(
+            f"{is_none}: its first column must have identifiers, such as 'Participant 12345', got "
+            f"{columns[0][0]!r}. {EXPECTED}"
+        )
+    numbers = [one[2] for one in found if one]
+    if len({*numbers}) < len(numbers):
+        raise ValueError(f"{path}: a participant appears twice. {EXPECTED}")
     grade, times = _places(path, columns)
     names, emails, ids = _known(columns[1:grade])
     submitted = columns[times[0]] if len(times) > 1 else [NO_TIME] * len(numbers)
-    read = read_times(submitted)
-    return Worksheet(
-        path=path,
-        rows=[*map(Participant, numbers, names, emails, ids, read)],
-        most=_number(columns[grade + 1][0]),
-        unread=[
-            text for text, at in zip(submitted, read, strict=True) if not at and text != NO_TIME
-        ],
-        lines=lines,
-        grade=grade,
-        separator=table.separator,
-    )
-
-
-def _numbers(path: Path, column: Sequence[str]) -> list[str]:
-    """Find the participants' numbers at the ends of the identifiers.
-
-    All identifiers begin with the same word, which is the translation of "Participant".
-    """
-    found = [IDENTIFIER.fullmatch(cell) for cell in column]
-    parts = [one.groups() for one in found if one]
-    words, numbers = {word for word, _ in parts}, [number for _, number in parts]
-    if len(numbers) < len(column) or len(words) > 1:
-        raise ValueError(
-            f"{path} is not a worksheet from Moodle: its first column must have identifiers, such "
-            f"as 'Participant 12345', got {column[0]!r}. {EXPECTED}"
-        )
-    if len({*numbers}) < len(numbers):
-        raise ValueError(f"{path}: a participant appears twice. {EXPECTED}")
-    return numbers
+    read = _read_times(submitted)
+    unread = [text for text, at in zip(submitted, read, strict=True) if not at and text != NO_TIME]
+    rows = [*map(Participant, numbers, names, emails, ids, read)]
+    most = _number(columns[grade + 1][0])
+    return Worksheet(path, rows, most, unread, lines, grade, table.separator)
 
 
 def _places(path: Path, columns: Sequence[Sequence[str]]) -> tuple[int, list[int]]:
@@ -187,12 +156,12 @@ def _places(path: Path, columns: Sequence[Sequence[str]]) -> tuple[int, list[int
 
 
 def _known(columns: Sequence[list[str]]) -> tuple[list[str], list[str], list[str]]:
-    """Find what a worksheet says about its participants: names, e-mail addresses and ID numbers.
+    """Find the names, the e-mail addresses and the ID numbers in a worksheet, or "" for each.
 
     ``columns`` are those between the identifiers and the grades. The names come first, but if the
     participants are anonymous, the status does, which most of them share. The ID numbers are just
     before the e-mail addresses. Without e-mail addresses, the ID numbers are found only if no other
-    column looks the same. What is not found is "".
+    column looks the same.
     """
     unknown = [""] * len(columns[0])
     names, others = columns[0], columns[1:]
@@ -202,13 +171,13 @@ def _known(columns: Sequence[list[str]]) -> tuple[list[str], list[str], list[str
     emails = next((cells for cells in others if any(cells) and _fits(EMAIL, cells)), unknown)
     if any(emails):
         others = others[: others.index(emails)][-1:]
-    ids = [cells for cells in others if any(cells) and _fits(ID_NUMBER, cells) and _differ(cells)]
+    ids = [
+        cells
+        for cells in others
+        if any(cells) and _fits(ID_NUMBER, cells)
+        if all(not cell or cells.count(cell) == 1 for cell in cells)
+    ]
     return names, emails, ids[0] if len(ids) == 1 else unknown
-
-
-def _differ(cells: Sequence[str]) -> bool:
-    filled = [cell for cell in cells if cell]
-    return len({*filled}) == len(filled)
 
 
 def _number(cell: str) -> float:
@@ -218,3 +187,23 @@ def _number(cell: str) -> float:
 def _fits(pattern: re.Pattern[str], cells: Sequence[str], *, empty: bool = True) -> bool:
     """Check that every cell matches a pattern. With ``empty``, a cell may also be empty."""
     return all((empty and not cell) or pattern.fullmatch(cell) for cell in cells)
+
+
+def _read_times(cells: Sequence[str]) -> list[datetime | None]:
+    """Read times such as "Friday, 23 October 2026, 8:15 PM", in any of many languages.
+
+    The result is None for a cell that is not a time, for one whose day and month are both numbers
+    that could be the other, and for a year of another calendar.
+    """
+    readers = [
+        DateDataParser(
+            settings={"STRICT_PARSING": True, "PARSERS": ["absolute-time"], "DATE_ORDER": order}
+        )
+        for order in ("DMY", "MDY")
+    ]
+    times: list[datetime | None] = []
+    for cell in cells:
+        found = {reader.get_date_data(cell).date_obj for reader in readers} if cell else set()
+        at = found.pop() if len(found) == 1 else None
+        times.append(at.replace(tzinfo=None) if at and at.year in YEARS else None)
+    return times

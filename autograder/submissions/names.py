@@ -15,6 +15,7 @@ from autograder.submissions.csv_rows import as_cell
 
 T = TypeVar("T", bound=Hashable)
 MOST_SUGGESTED = 3
+MOST_LISTED = 5
 
 
 class UnknownNameError(ValueError):
@@ -24,8 +25,7 @@ class UnknownNameError(ValueError):
 class Names(Generic[T]):
     """All names of some students: full names, ids, e-mail addresses, logins and folders.
 
-    ``people`` has for each student an object that stands for the student, a label for error
-    messages, and the names.
+    ``people`` has for each student an object, a label for error messages, and the names.
     """
 
     def __init__(self, people: Iterable[tuple[T, str, Sequence[str]]]) -> None:
@@ -59,31 +59,29 @@ class Names(Generic[T]):
         if found:
             labels = " and ".join(self.labels[who] for who in found)
             return ValueError(f"{text!r} could be {labels}. Write the id or the email")
-        return UnknownNameError(f"there is no student {text!r}. {self._nearest(text)}".strip())
-
-    def _nearest(self, text: str) -> str:
         words = {*_plain(text).split()}
         close = difflib.get_close_matches(_plain(text), self._plain, 2 * MOST_SUGGESTED, 0.7)
         close += [each for each in self._plain if words and words <= {*each.split()}]
-        labels = [*dict.fromkeys(self.labels[self._plain[each]] for each in close)]
-        return f"Did you mean {' or '.join(labels[:MOST_SUGGESTED])}?" if labels else ""
+        labels = " or ".join(
+            [*dict.fromkeys(self.labels[self._plain[each]] for each in close)][:MOST_SUGGESTED]
+        )
+        meant = f". Did you mean {labels}?" if labels else "."
+        return UnknownNameError(f"there is no student {text!r}{meant}")
 
 
 def some(names: Sequence[str]) -> str:
-    """List the first five names of a message that could be long."""
-    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
+    """List up to five names, and count the others."""
+    more = len(names) - MOST_LISTED
+    return "; ".join(names[:MOST_LISTED]) + (f"; and {more} more" if more > 0 else "")
 
 
 def key(text: str) -> str:
-    """Normalize a student's id, e-mail address or login, so that it can be compared.
-
-    Comparisons then ignore case, and treat the two encodings of an accented letter as equal.
-    """
+    """Return an id, e-mail address or login without differences of case and Unicode encoding."""
     return _exact(text).casefold()
 
 
 def letters(name: str) -> str:
-    """Reduce a student's name to its letters and digits, in lower case, so that it can be compared.
+    """Return only the letters and digits of a name, in lower case.
 
     Platforms drop all other characters from the names of the files that students upload. Marks that
     belong to a letter stay, because many scripts write vowels in this way.

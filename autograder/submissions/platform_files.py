@@ -1,4 +1,4 @@
-"""Read who handed in and when from the files of a platform that accompany the submissions.
+"""Read who handed in and when from a platform's files that accompany the submissions.
 
 They are submission_metadata.yml of Gradescope, grades.csv of GitHub Classroom, and worksheet.csv of
 Moodle.
@@ -6,9 +6,7 @@ Moodle.
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -27,18 +25,11 @@ IDENTIFIER = "roster_identifier"
 
 @dataclass(frozen=True)
 class Upload:
-    """What a platform's file says about one submission.
+    """What a platform's file says about one submission."""
 
-    Attributes:
-        source: The platform.
-        people: The students who handed in together. Each has all names that the platform knows,
-            the surest first.
-        at: The time of the submission, or None if it is unknown. Moodle names no time zone.
-    """
-
-    source: str
-    people: tuple[tuple[str, ...], ...] = ()
-    at: datetime | None = None
+    source: str  # the platform
+    people: tuple[tuple[str, ...], ...] = ()  # all names of each student, the surest first
+    at: datetime | None = None  # when it was handed in; Moodle names no time zone
 
     @property
     def together(self) -> str:
@@ -55,9 +46,8 @@ class Uploads:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        of_github, of_gradescope = folder / OF_GITHUB, folder / OF_GRADESCOPE
-        self._by_name = _of_github(of_github) | dict(_of_gradescope(of_gradescope))
-        self._by_number = _of_moodle(folder)
+        self._by_name = _of_github(folder / OF_GITHUB) | _of_gradescope(folder / OF_GRADESCOPE)
+        self._by_number = _of_moodle(folder / OF_MOODLE)
 
     def of(self, path: Path) -> Upload | None:
         """Return what is known about the submission at this path."""
@@ -100,48 +90,44 @@ class Uploads:
         return lines
 
 
-def _of_moodle(folder: Path) -> dict[str, Upload]:
+def _of_moodle(path: Path) -> dict[str, Upload]:
     """Read the participants of Moodle's worksheet. The keys are their numbers."""
-    if not (folder / OF_MOODLE).is_file():
+    if not path.is_file():
         return {}
     # Only here, since Gradescope's own machine lacks the library that reads the times.
     from autograder.submissions.moodle_worksheet import read_worksheet
 
-    return {
-        row.number: Upload(
-            "Moodle",
-            tuple(filter(None, [tuple(filter(None, [row.id_number, row.email, row.name]))])),
-            row.submitted,
-        )
-        for row in read_worksheet(folder / OF_MOODLE).rows
-    }
+    found = {}
+    for row in read_worksheet(path).rows:
+        names = tuple(filter(None, [row.id_number, row.email, row.name]))
+        found[row.number] = Upload("Moodle", (names,) if names else (), row.submitted)
+    return found
 
 
-def _of_gradescope(path: Path) -> Iterator[tuple[str, Upload]]:
+def _of_gradescope(path: Path) -> dict[str, Upload]:
     if not path.is_file():
-        return
+        return {}
     import yaml  # type: ignore[import-untyped] # only here, since Gradescope's own machine lacks it
 
-    with _readable(path):
-        try:
-            data = yaml.safe_load(path.read_text(encoding="utf-8"))
-        except yaml.YAMLError as error:
-            raise ValueError(str(error)) from error
+    try:
+        data = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        raise ValueError(f"{path} is not valid YAML: {error}") from error
     if not isinstance(data, dict) or not all(isinstance(about, dict) for about in data.values()):
         raise ValueError(f"{path} is not the file of this name in an export from Gradescope")
+    found = {}
     for name, about in data.items():
         said = about.get(":submitters")
         people = [_names_of(one) for one in said] if isinstance(said, list) else []
-        upload = Upload("Gradescope", tuple(filter(None, people)), _time(about.get(":created_at")))
-        yield str(name), upload
+        at = _time(about.get(":created_at"))
+        found[str(name)] = Upload("Gradescope", tuple(filter(None, people)), at)
+    return found
 
 
 def _names_of(submitter: Any) -> tuple[str, ...]:
     """Return the id, the e-mail address and the name of a submitter, as far as they are known."""
-    if not isinstance(submitter, dict):
-        return ()
-    values = [submitter.get(name) for name in (":sid", ":email", ":name")]
-    return tuple(str(value) for value in values if value)
+    known = submitter if isinstance(submitter, dict) else {}
+    return tuple(str(known[name]) for name in (":sid", ":email", ":name") if known.get(name))
 
 
 def _of_github(path: Path) -> dict[str, Upload]:
@@ -159,33 +145,18 @@ def _of_github(path: Path) -> dict[str, Upload]:
     for _, _, cells in table.rows("cell", mistakes):
         row = dict(zip(table.header, cells, strict=True))
         if name := row[REPOSITORY]:
-            at = _time(row.get(SUBMITTED))
-            identifier = row.get(IDENTIFIER)
-            people = ((identifier,),) if identifier else ()
-            if before := found.get(name):
-                at = max(filter(None, (before.at, at)), default=None)
-                people = (*before.people, *people)
-            found[name] = Upload("GitHub Classroom", tuple(dict.fromkeys(people)), at)
+            before = found.get(name, Upload(""))
+            at = max(filter(None, (before.at, _time(row.get(SUBMITTED)))), default=None)
+            who = row.get(IDENTIFIER)
+            people = dict.fromkeys([*before.people, *([(who,)] if who else [])])
+            found[name] = Upload("GitHub Classroom", tuple(people), at)
     mistakes.raise_any()
     return found
 
 
 def _time(value: Any) -> datetime | None:
-    """Parse a submission time from a platform, or return None if the value is not a time.
-
-    A time without a time zone is taken to be in UTC, which is what platforms use.
-    """
+    """Parse a time, in UTC if it names no time zone, or return None if it is not a time."""
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
     except ValueError:
         return None
-
-
-@contextmanager
-def _readable(path: Path) -> Iterator[None]:
-    """Return a context manager that adds the path of a file to errors about invalid CSV or YAML."""
-    try:
-        yield
-    except (csv.Error, ValueError, RecursionError) as error:
-        kind = "YAML" if path.suffix == ".yml" else "CSV"
-        raise ValueError(f"{path} is not valid {kind}: {error}") from error

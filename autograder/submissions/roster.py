@@ -1,7 +1,4 @@
-"""Read the roster of a class, which lists its students.
-
-The roster is a CSV file with the columns id, name, email and login, and perhaps group.
-"""
+"""Read the roster of a class, a CSV file with the columns id, name, email, login and group."""
 
 from __future__ import annotations
 
@@ -21,11 +18,7 @@ UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a st
 
 @dataclass(frozen=True)
 class Student:
-    """A student on the roster of a class.
-
-    ``line`` is the number of the student's line in the file. The ``email`` and the ``login`` may be
-    empty. Students who have the same ``group`` hand in together. Without a group, it is empty.
-    """
+    """A student in one line of the roster. Students who have the same group hand in together."""
 
     id: str
     name: str
@@ -50,10 +43,9 @@ class Student:
 
 
 def read_roster(path: Path) -> list[Student]:
-    """Read the list of students from the roster of a class, which is a CSV file.
+    """Read the students on a roster, in its order.
 
-    The columns may be in any order, separated by commas or semicolons. Other columns are ignored.
-    The students are returned in the order of the file.
+    The columns may be in any order, group may be missing, and other columns are ignored.
 
     Raises:
         ValueError: The roster contains mistakes. The message lists all of them with their lines.
@@ -67,11 +59,8 @@ def read_roster(path: Path) -> list[Student]:
     mistakes = Mistakes(path)
     for line, _, cells in table.rows("cell", mistakes):
         if other in cells[0] and not any(cells[1:]):
-            mistakes.add(
-                line,
-                f"cells must be separated by {table.separator!r}, as in the header, "
-                f"got {cells[0]!r}",
-            )
+            wanted = f"cells must be separated by {table.separator!r}, as in the header"
+            mistakes.add(line, f"{wanted}, got {cells[0]!r}")
             continue
         values = {name: clean_line(cells[place]).strip() for name, place in places.items()}
         for name in ("id", "name"):
@@ -81,15 +70,11 @@ def read_roster(path: Path) -> list[Student]:
             value = values[name]
             # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
-                mistakes.add(
-                    line, f"the {name} must not begin like a spreadsheet formula, got {value!r}"
-                )
+                words = f"the {name} must not begin like a spreadsheet formula, got {value!r}"
+                mistakes.add(line, words)
             if ROUNDED.fullmatch(value):
-                mistakes.add(
-                    line,
-                    f"a spreadsheet has rounded the {name}, got {value!r}. Format its column as "
-                    "text, and write it again",
-                )
+                words = f"a spreadsheet has rounded the {name}, got {value!r}. Format its column as"
+                mistakes.add(line, f"{words} text, and write it again")
             before = lines.setdefault((name, key(value)), line) if value else line
             if before != line:
                 words = f"the {name} {value!r} is already in line {before}. Give each student one"
@@ -102,11 +87,7 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def _places(table: Table) -> dict[str, int]:
-    """Find the position of every column in the header of a roster. Only group may be missing.
-
-    Raises:
-        ValueError: A column is missing, or appears twice.
-    """
+    """Find the position of every column, or raise ValueError if one is missing or appears twice."""
     for name in (*COLUMNS, GROUP):
         count = table.header.count(name)
         if count > 1 or (count == 0 and name != GROUP):

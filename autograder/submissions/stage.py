@@ -6,15 +6,12 @@ The grader imports only these copies, and never any other file of the submission
 from __future__ import annotations
 
 import hashlib
-import itertools
-import stat
 from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.accepted_files import (
     LARGEST_FILE,
     NotTakenError,
-    cause,
     check_text,
     module_of,
     rejection,
@@ -23,51 +20,41 @@ from autograder.accepted_files import (
 from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.find import printable
-from autograder.submissions.folders import Found, refuse, refuse_all, search_folder
 from autograder.submissions.misplaced import misplaced, names_of_others
-from autograder.submissions.zips import search_zip, search_zips_in
+from autograder.submissions.search import Found, refuse, refuse_all, search
 
 
 @dataclass(frozen=True)
 class Staged:
-    """The result of copying the files to be graded from a student's submission.
+    """The result of copying the files to be graded from a student's submission."""
 
-    Attributes:
-        missing: The rejected modules, such as ch02_vectors.vector, each with the reason.
-        misplaced: Those of them whose files were found in the wrong folder.
-        taken: The files that were copied, such as ch02_vectors/vector.py.
-        others: The names of some files and folders at the top of the submission from which nothing
-            was taken, such as report.pdf.
-        notes: Notes for the instructor. They may quote the names of files and folders, but nothing
-            else that the student wrote.
-        refused: Why nothing of the submission could be read, such as a damaged zip, or "".
-        digest: A hash of everything that was accepted or rejected. Submissions with the same digest
-            get the same grade.
-    """
-
-    missing: dict[str, str]
-    misplaced: list[str]
-    taken: list[str]
-    others: list[str]
-    notes: list[str]
-    digest: str
-    refused: str = ""
+    rejected: dict[str, str]  # modules such as ch02_vectors.vector, each with the reason
+    misplaced: list[str]  # those of them whose files were found in the wrong folder
+    taken: list[str]  # files such as ch02_vectors/vector.py
+    others: list[str]  # names at the top of the submission from which nothing was taken
+    notes: list[str]  # for the instructor; they may quote names of files, but nothing else
+    digest: str  # of everything accepted or rejected; with the same one, the grade is the same
+    refused: str = ""  # why nothing of the submission could be read, such as a damaged zip
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Assemble the engine to be graded, and write it to the folder ``box``.
+    """Write the student's files, and our copies of the modules that students do not edit, to a box.
 
-    The engine consists of the student's files and of our copies of the modules that students do not
-    edit. A missing file is not replaced with a stub or our solution, because neither would be the
-    student's work. The submission is a folder or a zip file, and its contents are not trusted. The
-    result lists any problems.
+    A missing file is not replaced with a stub or our solution, because neither would be the
+    student's work.
 
     Raises:
         OSError: The folder cannot be written, or a file of the repository cannot be read.
     """
-    found, notes, refused = _search(submission, chapters)
+    wanted = {chapter.name: chapter.handed_in for chapter in chapters}
+    refused = ""
+    try:
+        found, notes = search(submission, wanted)
+    except NotTakenError as error:
+        refused = str(error)
+        found, notes = refuse_all(wanted, refused), [f"nothing was taken: {refused}"]
     everywhere = load_chapters(root)
-    missing: dict[str, str] = {}
+    rejected: dict[str, str] = {}
     elsewhere: list[str] = []
     taken: dict[str, Found] = {}
     readable = False
@@ -96,14 +83,14 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 except NotTakenError as error:
                     reason = rejection(chapter.name, name, error)
             if reason:
-                missing[module] = reason
+                rejected[module] = reason
             if file or reason:
-                sizes = f"{chapter.name}/{name}\0{reason}\0{len(content)}\0"
-                digest.update(sizes.encode() + content)
-    if missing and not (readable or elsewhere):
-        refused = refused or "; ".join(notes) or next(iter(missing.values()))
+                digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode())
+                digest.update(content)
+    if rejected and not (readable or elsewhere):
+        refused = refused or "; ".join(notes) or next(iter(rejected.values()))
     return Staged(
-        missing,
+        rejected,
         elsewhere,
         [*taken],
         names_of_others(found, taken.values()),
@@ -113,37 +100,11 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     )
 
 
-def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str], str]:
-    """Find the files of all chapters in a student's submission, with notes on any problems.
-
-    The last result is the reason if nothing at all was read, or "". The submission may be a
-    folder, a zip file, or a folder with zips in it.
-    """
-    wanted = {chapter.name: chapter.handed_in for chapter in chapters}
-    try:
-        mode = submission.lstat().st_mode
-        if stat.S_ISLNK(mode):
-            raise NotTakenError("the submission is a symbolic link")
-        if not stat.S_ISDIR(mode):
-            return *search_zip(submission, wanted), ""
-        found, notes = search_folder(submission, wanted)
-        inside, more = search_zips_in(submission, wanted)
-        return found + inside, notes + more, ""
-    except OSError as error:
-        refused = NotTakenError(f"the submission cannot be read: {cause(error)}")
-    except NotTakenError as error:
-        refused = error
-    everything = [refuse_all((name,), files, str(refused)) for name, files in wanted.items()]
-    return list(itertools.chain(*everything)), [f"nothing was taken: {refused}"], str(refused)
-
-
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Choose one folder for a chapter in a submission, and return the files in it with notes.
+    """Choose the folder of a chapter in a submission, and return the files in it with notes.
 
-    If there are several folders, the least deeply nested one is chosen. Ties are broken by name. A
-    folder inside stubs/ is the last choice, because a handout keeps the original stubs there. A
-    note tells the instructor which of several folders was chosen. A file that the student has
-    renamed is rejected, and the reason gives its new name.
+    The least deeply nested one is chosen, and then the first by name, but one in stubs/ last,
+    because a handout keeps the original stubs there.
     """
     all_of_it = [file for file in found if file.place[-1:] == (chapter.name,)]
     mine = [file for file in all_of_it if not file.other]
@@ -166,7 +127,6 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _is_stub(file: Found) -> bool:
-    """Return True if a file is one of the original stubs that every handout keeps in stubs/."""
     return KEPT in file.place[:-1]
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import errno
 import hashlib
-import json
 import shutil
 import unicodedata
 import zipfile
@@ -16,16 +15,15 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import msgspec
 from rich.console import Console
 from rich.progress import track
 
 from autograder.accepted_files import NotTakenError
 from autograder.alone import alone
-from autograder.files import is_new
-from autograder.records import from_json, to_json
-from autograder.reports.texts import replace_file
+from autograder.files import is_new, replace_bytes
 from autograder.submissions.find import SILENT, is_skipped, printable
-from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
+from autograder.submissions.zips import is_folder, is_unsafe, open_zip, path_in_zip, read_entry
 from autograder.text.wrapping import plain_console
 
 MARKER = ".unpacked.json"
@@ -38,33 +36,17 @@ MOST_IN_ALL = 2_000_000_000
 MOST_FILES = 100_000
 # If one of these errors occurs, a name in the zip is to blame and not this machine.
 NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EILSEQ, errno.EINVAL)
+# The parts of a path, and its entry, or None if it is only known that the first part is there.
+File = tuple[list[str], zipfile.ZipInfo | None]
 
 
 @dataclass(frozen=True)
 class Unpacked:
-    """A record of the submissions that were unpacked from a zip.
-
-    Attributes:
-        zip: A hash of the zip, which shows whether the zip has changed since it was unpacked.
-        names: The names of the submissions.
-        notes: The reasons why files were skipped.
-    """
+    """A record of what was unpacked: a hash of the zip, the submissions, and notes on the rest."""
 
     zip: str
     names: list[str]
     notes: list[str]
-
-
-@dataclass(frozen=True)
-class _File:
-    """A file in a zip that contains the submissions of all students.
-
-    ``parts`` contains the parts of the file's path. The first part is the name of the submission.
-    Without an ``entry``, it is only known that there is a submission of this name.
-    """
-
-    parts: list[str]
-    entry: zipfile.ZipInfo | None
 
 
 def class_folder(path: Path) -> Path:
@@ -111,17 +93,14 @@ def refuse_newer_zip(folder: Path) -> None:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Unpack the zip at ``path`` into ``folder``.
-
-    If an earlier version of the zip was unpacked there, its submissions are deleted first.
-    """
+    """Unpack a zip, after deleting the submissions from an earlier version of it."""
     try:
-        file = zipfile.ZipFile(path)
-    except UNREADABLE as error:
-        raise ValueError(f"{path} cannot be unpacked: {DAMAGED}") from error
+        file = open_zip(path)
+    except NotTakenError as error:
+        raise ValueError(f"{path} cannot be unpacked: {error}") from error
     with file:
         files, notes = _plan(path, file)
-        names = sorted({one.parts[0] for one in files})
+        names = sorted({parts[0] for parts, _ in files})
         folder.mkdir(exist_ok=True)
         there = [*folder.iterdir()]
         for one in there:
@@ -140,24 +119,20 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:
             if one.name in before.names:
-                _remove(one)
+                shutil.rmtree(one) if one.is_dir() and not one.is_symlink() else one.unlink()
         _write_marker(folder, Unpacked("", names, []))
         silent = not console.is_terminal
         shown = track(files, "unpacking", console=console, transient=True, disable=silent)
-        notes += _write(folder, file, shown)
-    unpacked = Unpacked(digest, names, notes)
+        unpacked = Unpacked(digest, names, notes + _write(folder, file, shown))
     _write_marker(folder, unpacked)
     return unpacked
 
 
-def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Decide which files of a zip to write to disk.
-
-    Return these files, and notes on the files that are left out.
-    """
+def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[File], list[str]]:
+    """Decide which files of a zip to write to disk, with notes on the files that are left out."""
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
-    files: list[_File] = []
+    files: list[File] = []
     notes: list[str] = []
     for entry in file.infolist():
         name = path_in_zip(entry)
@@ -165,13 +140,10 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
         if is_unsafe(name) or not _is_text(name):
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
             if parts[1:] and not is_unsafe(parts[0]) and _is_text(parts[0]):
-                files.append(_File(parts[:1], None))
-        elif is_skipped(parts[0]):
-            continue
-        elif any(part.startswith(".") or part in SILENT for part in parts[1:]):
-            files.append(_File(parts[:1], None))
-        else:
-            files.append(_File(parts, entry))
+                files.append((parts[:1], None))
+        elif not is_skipped(parts[0]):
+            is_left_out = any(part.startswith(".") or part in SILENT for part in parts[1:])
+            files.append((parts, None if is_left_out or is_folder(entry) else entry))
     return files, notes
 
 
@@ -180,28 +152,26 @@ def _is_text(name: str) -> bool:
     return all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
 
 
-def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Extract the students' files from a zip into ``folder``.
+def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[File]) -> list[str]:
+    """Extract zips and the types of files that students hand in, and return notes on the rest.
 
-    Only zips and the types of files that students hand in are extracted. Other files at the top of
-    a submission, such as a PDF, become empty files, so that it is known that they were handed in.
-    Return notes on the files that were rejected.
+    Other files at the top of a submission, such as a PDF, become empty files, so that it is known
+    that they were handed in.
     """
     notes: list[str] = []
     sizes: Counter[str] = Counter()
-    for one in files:
-        student = one.parts[0]
-        target = folder.joinpath(*one.parts)
+    for parts, entry in files:
+        student, target = parts[0], folder.joinpath(*parts)
         try:
-            if len(one.parts) > 1 or one.entry is None or one.entry.is_dir():
+            if parts[1:] or entry is None:
                 (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
-            if one.entry is None or one.entry.is_dir():
+            if entry is None:
                 continue
             if not target.name.lower().endswith(COUNTS):
-                if len(one.parts) <= 2:
+                if len(parts) <= 2:
                     target.touch(exist_ok=False)
                 continue
-            content = read_entry(file, one.entry, LARGEST_FILE)
+            content = read_entry(file, entry, LARGEST_FILE)
             sizes[student] += len(content)
             if sizes[student] > MOST_OF_ONE:
                 raise NotTakenError(f"its student uploaded more than {MOST_OF_ONE:,} bytes")
@@ -211,13 +181,13 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
             with target.open("xb") as out:  # does not follow a link or overwrite another file
                 out.write(content)
         except NotTakenError as error:
-            if len(one.parts) == 1:
+            if not parts[1:]:
                 target.touch(exist_ok=True)
-            notes.append(f"{'/'.join(one.parts)} was left out: {error}")
+            notes.append(f"{'/'.join(parts)} was left out: {error}")
         except OSError as error:
             if error.errno not in NAMES:
                 raise
-            notes.append(f"{'/'.join(one.parts)} was left out: {error.strerror}")
+            notes.append(f"{'/'.join(parts)} was left out: {error.strerror}")
     return notes
 
 
@@ -225,9 +195,8 @@ def _read_marker(folder: Path) -> Unpacked:
     if is_new(folder, folder / MARKER):
         return Unpacked("", [], [])
     try:
-        data = json.loads((folder / MARKER).read_text(encoding="utf-8"))
-        return from_json(Unpacked, data)
-    except (OSError, ValueError) as error:
+        return msgspec.json.decode((folder / MARKER).read_bytes(), type=Unpacked)
+    except (OSError, msgspec.DecodeError) as error:
         raise ValueError(
             f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
             "folder instead, or move it elsewhere"
@@ -235,15 +204,7 @@ def _read_marker(folder: Path) -> Unpacked:
 
 
 def _write_marker(folder: Path, unpacked: Unpacked) -> None:
-    text = json.dumps(to_json(unpacked), indent=1)
-    replace_file(folder / MARKER, text + "\n")
-
-
-def _remove(path: Path) -> None:
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
+    replace_bytes(folder / MARKER, msgspec.json.encode(unpacked))
 
 
 def _digest(path: Path) -> str:

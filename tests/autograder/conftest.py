@@ -1,10 +1,16 @@
 """What holds before any of these tests is read, and the class that most tests of grading use."""
 
+from __future__ import annotations
+
 import signal
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
+
+if TYPE_CHECKING:
+    from small_class import SmallClass
 
 settings.register_profile("long", max_examples=3000)
 
@@ -27,3 +33,13 @@ def submissions(tmp_path: Path) -> Path:
     from small_class import make_class
 
     return make_class(tmp_path / "class")
+
+
+@pytest.fixture
+def small(
+    tmp_path: Path, submissions: Path, root: Path, capsys: pytest.CaptureFixture[str]
+) -> SmallClass:
+    """Return the class above, with its repository and a place for its grades."""
+    from small_class import SmallClass
+
+    return SmallClass(tmp_path, submissions, root, capsys)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 
-from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.class_run import print_class
+from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -26,7 +26,7 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
     Raises:
         ValueError: Ada's work, the second right solution, loses a point.
     """
-    assignment, once = Assignment(load_chapters(), "1", Level()), OnceForAll()
+    assignment, once = Conditions(load_chapters(), "1", Level()), OnceForAll()
     reports = [
         grade_submission(assignment, Submission(student, ROOT / "sample_class" / student), once)
         for student in students

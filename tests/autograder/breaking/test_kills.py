@@ -27,11 +27,12 @@ RESUMED = 0.3  # of the kills are followed by a whole run
 GRADE = """
 import sys
 from pathlib import Path
+from autograder.course.model import Work
 from autograder.grader import cohort
 from autograder.manifest import load_chapters
 folder, out, root = map(Path, sys.argv[1:])
-options = cohort.ClassOptions(root=root, seed="1", jobs=2, unsafe=True)
-sys.exit(cohort.grade(folder, out, load_chapters(root), options))
+options = cohort.ClassOptions(root=root, jobs=2, unsafe=True)
+sys.exit(cohort.grade(folder, out, Work("", load_chapters(root), seed="1"), options))
 """
 UNPACK = """
 import sys

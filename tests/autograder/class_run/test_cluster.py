@@ -24,7 +24,7 @@ from typing import Any
 import pytest
 
 from autograder.grader import cluster as over_cluster
-from autograder.grader.assignment import Assignment
+from autograder.grader.conditions import Conditions
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -86,10 +86,7 @@ def submissions(tmp_path: Path) -> Path:
 
 
 def all_but_seconds(out: Path) -> dict[str, str]:
-    """Return every file of a run, without what differs between two runs on one machine as well.
-
-    These are the seconds taken, and addresses in memory, which pytest shows of a function.
-    """
+    """Return every file of a run, without what differs between two runs on one machine as well."""
     texts = {path: path.read_text(encoding="utf-8") for path in out.rglob("*") if path.is_file()}
     changing = r'0x[0-9a-f]+|"(seconds|execution_time)": [\d.]+'
     return {str(path.relative_to(out)): re.sub(changing, "", text) for path, text in texts.items()}
@@ -151,13 +148,12 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     assert "1 of 2 reports" in said
     assert said.count("/2 slow") == 1
     assert _becomes_true(lambda: not folder.exists()), "nothing is left of it on its machine"
+    slow = landed["slow"]
+    told = {message_of(check) for e in slow["exercises"] for check in e["checks"]}
     if allowed_failures:
-        assert status == 0
-        assert landed["slow"]["score"] == 2.0
+        assert (status, slow["score"]) == (0, 2.0)
     else:
-        assert status == 1
-        assert landed["slow"]["status"] == "error, retry"
-        told = {message_of(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
+        assert (status, slow["status"]) == (1, "error, retry")
         assert told == {"every worker that tried to grade it died; workers lost: 1"}
 
 
@@ -240,17 +236,16 @@ def test_a_worker_of_another_version_is_refused(
 def test_a_worker_without_the_repository_is_refused_whenever_it_comes(
     without_workers: Any, submissions: Path, root: Path, tmp_path: Path
 ) -> None:
-    assignment = Assignment(load_chapters(root), "1", WALL, root=root)
+    conditions = Conditions(load_chapters(root), "1", WALL, root=root)
+    everyone = read_class(submissions).submissions
     with (
         _worker_in(tmp_path, without_workers) as address,
         distributed.Client(address, set_as_default=False) as client,
     ):
         with pytest.raises(ValueError, match=r"worker tcp://\S+ cannot load .*; start it in a"):
             grade(submissions, tmp_path / "out", root, cluster=address)
-        with pytest.raises(
-            ValueError, match=r"a worker that joined later cannot load .*; start it"
-        ):
-            list(over_cluster.grade_over(client, assignment, read_class(submissions).submissions))
+        with pytest.raises(ValueError, match=r"that joined later cannot load .*; start it"):
+            list(over_cluster.grade_over(client, conditions, everyone))
 
 
 @contextmanager
@@ -271,91 +266,66 @@ def _worker_in(folder: Path, cluster: Any) -> Iterator[str]:
     assert _becomes_true(lambda: not cluster.scheduler.workers)
 
 
-def test_other_walls_are_refused(
-    cluster: Any, submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_worker_refuses_what_differs_and_never_runs_code_as_root_without_a_wall(
+    root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    here = probe.best_level()
-    monkeypatch.setattr(probe, "best_level", lambda: replace(WALL, bubblewrap=not here.bubblewrap))
-    with pytest.raises(ValueError, match=r"cannot grade for this machine: .*(another|no) sandbox"):
-        grade(submissions, tmp_path / "out", root, cluster=cluster.scheduler_address)
-
-
-@pytest.fixture
-def work(root: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[over_cluster.Work]:
-    """What a worker is told by a machine with a wall; and it has one itself."""
     over_cluster._level.cache_clear()
     monkeypatch.setattr(probe, "best_level", lambda: WALL)
-    yield over_cluster.Work.of(Assignment(load_chapters(root), "1", WALL, root=root))
-    over_cluster._level.cache_clear()
-
-
-def test_a_worker_without_a_wall_never_runs_code_as_root(
-    work: over_cluster.Work, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(probe, "best_level", Level)
-    monkeypatch.setattr(os, "geteuid", lambda: 0)
-    trusting = replace(work, assignment=replace(work.assignment, level=Level()))
-    with pytest.raises(ValueError, match="never runs as root"):
-        over_cluster.check_worker(trusting)
-
-
-def test_a_worker_tells_what_differs(
-    work: over_cluster.Work, root: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    job = over_cluster.Job.of(Conditions(load_chapters(root), "1", WALL, root=root))
+    over_cluster.check_worker(job)
     checks = root / "tests/ch90_small/test_small.py"
     checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
     monkeypatch.setattr(platform, "python_version", lambda: "3.99.0")
-    differences = (
-        rf"Python 3\.99\.0 instead of {re.escape(work.key.python)}; another version of tests/"
-    )
+    differences = rf"3\.99\.0 instead of {re.escape(job.key.python)}; another version of tests/"
     with pytest.raises(ValueError, match=differences):
-        over_cluster.check_worker(work)
+        over_cluster.check_worker(job)
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    for best, wanted, words in (
+        (replace(WALL, bubblewrap=True), WALL, "another sandbox"),
+        (Level(), Level(), "never runs as root"),
+    ):
+        over_cluster._level.cache_clear()
+        monkeypatch.setattr(probe, "best_level", lambda best=best: best)
+        with pytest.raises(ValueError, match=words):
+            over_cluster.check_worker(
+                replace(job, conditions=replace(job.conditions, level=wanted))
+            )
+    over_cluster._level.cache_clear()
 
 
-def test_a_cluster_without_workers_is_told(
+def test_a_cluster_that_cannot_grade_is_told(
     without_workers: Any,
     submissions: Path,
     root: Path,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(over_cluster, "WORKERS_WITHIN", 0.2)
-    with pytest.raises(ValueError, match=r"had no worker within 0\.2 seconds; start it in"):
-        grade(submissions, tmp_path / "out", root, cluster=without_workers.scheduler_address)
-
-
-@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "nowhere://host:1"])
-def test_an_address_that_nobody_answers_at_is_told(
-    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, address: str
-) -> None:
     monkeypatch.setattr(over_cluster, "CONNECTED_WITHIN", 0.5)
-    with pytest.raises(ValueError, match=f"--cluster must be the address .* got '{address}'"):
-        grade(submissions, tmp_path / "out", root, cluster=address)
+    monkeypatch.setattr(over_cluster, "WORKERS_WITHIN", 0.2)
+    here = without_workers.scheduler_address
+    for address, options, words in (
+        (here, {}, r"had no worker within 0\.2 seconds; start it in"),
+        (here, {"jobs": 2}, "--jobs is for this machine"),
+        ("tcp://127.0.0.1:1", {}, "--cluster must be the address .* got 'tcp://127.0.0.1:1'"),
+        ("nowhere://host:1", {}, "--cluster must be the address .* got 'nowhere://host:1'"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            grade(submissions, tmp_path / "out", root, cluster=address, **options)
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ValueError, match=r"needs Dask, .* autograder/make_venv\.py everything"):
+        grade(submissions, tmp_path / "out", root, cluster=here)
 
 
 def test_a_scheduler_that_goes_away_is_told(submissions: Path, root: Path) -> None:
-    assignment = Assignment(load_chapters(root), "1", WALL, root=root)
+    conditions = Conditions(load_chapters(root), "1", WALL, root=root)
+    everyone = read_class(submissions).submissions
     with (
         start_cluster(0) as going,
         distributed.Client(going.scheduler_address, set_as_default=False) as client,
         ThreadPoolExecutor(1) as pool,
     ):
-        arriving = over_cluster.grade_over(client, assignment, read_class(submissions).submissions)
-        waiting = pool.submit(list, arriving)
+        waiting = pool.submit(list, over_cluster.grade_over(client, conditions, everyone))
         assert _becomes_true(lambda: len(going.scheduler.tasks) == 4)
         going.close()
         with pytest.raises(ConnectionError, match="the scheduler of the cluster is gone"):
             waiting.result(PATIENCE)
-
-
-def test_that_dask_is_not_installed_is_told(
-    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(ValueError, match=r"needs Dask, .* autograder/make_venv\.py everything"):
-        grade(submissions, tmp_path / "out", root, cluster="tcp://127.0.0.1:1")
-
-
-def test_jobs_are_not_a_clusters(submissions: Path, root: Path, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="--jobs is for this machine"):
-        grade(submissions, tmp_path / "out", root, jobs=2, cluster="tcp://127.0.0.1:1")

@@ -1,12 +1,7 @@
-"""A run over a class: side by side, and taken up again after it was interrupted.
-
-Run against a chapter of four checks.
-"""
+"""A run over a class of the small chapter, and the next run into the same folder."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import os
 import shutil
@@ -20,102 +15,69 @@ from typing import Any
 
 import pytest
 
-from autograder.grader import cohort, grading
+from autograder.grader import grading
 from autograder.grader.class_folder import only_run
-from autograder.grader.cohort import ClassOptions
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapter
 from copies import copy_tree
-from small import MANIFEST, RIGHT, WRITTEN, hand_in
-from small_class import HALF, everything_in, grade, results, scores
+from small import MANIFEST, RIGHT, WRITTEN
+from small_class import HALF, SmallClass, everything_in, grade, results
 from typed import typed
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
-def test_folders_and_zips_are_graded_alike(
-    submissions: Path, root: Path, tmp_path: Path, jobs: int
-) -> None:
-    assert grade(submissions, tmp_path / "out", root, jobs=jobs) == 0
-    assert scores(tmp_path / "out") == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
-    with (tmp_path / "out/gradebook.csv").open(encoding="utf-8", newline="") as file:
-        rows = {row["student"]: row for row in csv.DictReader(file)}
-    assert {name: row["score"] for name, row in rows.items()} == {
-        "points possible": "6",
-        "ann": "6",
-        "bob": "5",
-        "cem": "6",
-    }
+def test_folders_and_zips_are_graded_alike(small: SmallClass, jobs: int) -> None:
+    assert small.grade(jobs=jobs) == 0
+    assert small.scores() == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
+    rows = {row["student"]: row["score"] for row in small.table("gradebook.csv")}
+    assert rows == {"points possible": "6", "ann": "6", "bob": "5", "cem": "6"}
     for name in ("feedback/ann.html", "index.html", "gradescope/cem/results.json"):
-        assert (tmp_path / "out" / name).stat().st_size > 0
+        assert (small.out / name).stat().st_size > 0
 
 
-def test_what_is_complete_is_not_graded_again(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    out = tmp_path / "out"
-    grade(submissions, out, root)
-    first = results(out)
-    (submissions / "bob/ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
-    hand_in(submissions, "dee", HALF)
-    capsys.readouterr()
-    grade(submissions, out, root)
-    assert "2 of 4 reports were kept from an earlier run." in capsys.readouterr().out
-    second = results(out)
+def test_the_next_run_keeps_the_seed_and_grades_only_what_is_new(small: SmallClass) -> None:
+    small.grade(None)
+    first = small.results()
+    seed = first["ann"]["seed"]
+    assert json.loads(small.text("run.json")) == {
+        **{"seed": seed, "roster": False, "checks": False, "folder": str(small.folder)},
+        **{"assignment": "", "chapters": [90], "given": []},
+    }
+    small.write("bob/ch90_small/small.py", RIGHT)
+    small.hand_in("dee", HALF)
+    small.printed()
+    small.grade(None)
+    assert "2 of 4 reports were kept from an earlier run." in small.printed()
+    second = small.results()
     assert first["ann"] == second["ann"], "down to the seconds that it took"
-    assert scores(out) == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
+    assert small.scores() == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
+    assert {report["seed"] for report in second.values()} == {seed}
+    grade(small.folder, small.place / "other", small.root, None)
+    assert results(small.place / "other")["ann"]["seed"] != seed, "a new folder draws a seed"
 
 
 @pytest.mark.parametrize("change", ["seed", "checks", "complete module", "error", "cut off"])
-def test_what_no_longer_holds_is_graded_again(
-    submissions: Path, root: Path, tmp_path: Path, change: str
-) -> None:
-    out = tmp_path / "out"
-    grade(submissions, out, root)
-    path = out / "results/bob.json"
-    report = results(out)["bob"] | {"seconds": -1}
+def test_what_no_longer_holds_is_graded_again(small: SmallClass, change: str) -> None:
+    small.grade()
+    path = small.out / "results/bob.json"
+    report = small.results()["bob"] | {"seconds": -1}
     seed = "1"
     match change:
         case "seed":
             seed = "2"
         case "checks":
-            checks = root / "tests/ch90_small/test_small.py"
+            checks = small.root / "tests/ch90_small/test_small.py"
             checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
         case "complete module":
-            (root / "chapters/ch90_small/given.py").write_text("x = 1\n", encoding="utf-8")
+            (small.root / "chapters/ch90_small/given.py").write_text("x = 1\n", encoding="utf-8")
         case "error":
             report["status"] = "error, retry"
     text = json.dumps(report)
     path.write_text(text[:-20] if change == "cut off" else text, encoding="utf-8")
-    grade(submissions, out, root, seed)
-    assert results(out)["bob"]["seconds"] > 0
-    assert results(out)["bob"]["seed"] == seed
-
-
-def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
-    seeds = []
-    for _ in range(2):
-        grade(submissions, out, root, None)
-        seeds.append(results(out)["ann"]["seed"])
-    assert seeds[0] != seeds[1], "the first run was finished"
-    state = json.loads((out / "run.json").read_text(encoding="utf-8"))
-    assert state == {
-        **{"seed": seeds[1], "finished": True, "roster": False, "assignment": ""},
-        **{
-            "folder": str(submissions),
-            "chapters": [90],
-            "given": [],
-            "anonymous": False,
-            "checks": False,
-        },
-    }
-    (out / "run.json").write_text(json.dumps(state | {"finished": False}), encoding="utf-8")
-    before = results(out)
-    grade(submissions, out, root, None)
-    assert results(out) == before
+    small.grade(seed)
+    assert small.results()["bob"]["seconds"] > 0
+    assert small.results()["bob"]["seed"] == seed
 
 
 def test_a_run_that_is_interrupted_stops_at_once_and_leaves_what_is_complete(
@@ -166,88 +128,59 @@ def _command(path: Path) -> str:
         return ""
 
 
-def test_reports_of_others_are_moved_aside_and_not_lost(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    out = tmp_path / "out"
-    grade(submissions, out, root)
-    shutil.rmtree(submissions / "bob")
-    grade(submissions, out, root)
-    assert sorted(scores(out)) == ["ann", "cem"]
-    assert "bob" not in everything_in(out / "feedback") + (out / "index.html").read_text(
-        encoding="utf-8"
-    )
+def test_reports_of_others_are_moved_aside_and_not_lost(small: SmallClass) -> None:
+    small.grade()
+    shutil.rmtree(small.folder / "bob")
+    small.grade()
+    assert sorted(small.scores()) == ["ann", "cem"]
+    assert "bob" not in everything_in(small.out / "feedback")
+    assert "bob" not in small.text("index.html")
     for name in ("results/bob.json", "feedback/bob.html", "gradescope/bob/results.json"):
-        assert not (out / name).exists()
-        assert (out / "earlier" / name).exists()
-    assert "Reports of students outside this class: 1, moved to " in capsys.readouterr().out
+        assert not (small.out / name).exists()
+        assert (small.out / "earlier" / name).exists()
+    assert "Reports of students outside this class: 1, moved to " in small.printed()
 
 
-def test_a_submission_without_a_chapter_is_nothing_to_grade(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (submissions / "dee/chapter 90").mkdir(parents=True)
-    grade(submissions, tmp_path / "out", root)
-    screen = " ".join(capsys.readouterr().out.split())
-    report = results(tmp_path / "out")["dee"]
-    why = "no folder of a chapter was found, at most three levels down"
-    assert (report["status"], report["nothing"]) == ("nothing to grade", why)
-    how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
-    assert report["notes"] == [how]
-    assert f"Handed in, nothing to grade: 1. dee: {why}" in screen
-
-
-def test_a_zip_of_files_without_their_folder_is_explained_to_everybody(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with zipfile.ZipFile(submissions / "dee.zip", "w") as zipped:
+def test_what_has_nothing_to_grade_is_explained_to_everybody_and_no_zero(small: SmallClass) -> None:
+    (small.folder / "eve/chapter 90").mkdir(parents=True)
+    with zipfile.ZipFile(small.folder / "dee.zip", "w") as zipped:
         zipped.writestr("small.py", RIGHT)
-    (root / "chapters/ch91_other").mkdir()  # it has a file of this name too, but is not graded
-    other = MANIFEST.replace("90.1", "91.1")
-    (root / "chapters/ch91_other/chapter.toml").write_text(other, encoding="utf-8")
-    out = tmp_path / "out"
-    graded = [load_chapter(root / "chapters/ch90_small")]
-    cohort.grade(submissions, out, graded, ClassOptions(seed="1", root=root, unsafe=True))
-    why = "small.py was found at the top of what was handed in, and not in a folder ch90_small. "
-    why += "Put it into a folder ch90_small and hand in again"
-    assert results(out)["dee"]["nothing"] == f"'dee.zip': {why}"
-    assert scores(out)["dee"] is None, "which is no zero"
-    for name in ("feedback/dee.html", "gradescope/dee/results.json"):
-        assert why in (out / name).read_text(encoding="utf-8")
-    assert f"dee: 'dee.zip': {why}" in " ".join(capsys.readouterr().out.split())
+    # Another chapter has a file of this name too, but is not graded.
+    other = small.root / "chapters/ch91_other"
+    other.mkdir()
+    text = MANIFEST.replace("90.1", "91.1")
+    (other / "chapter.toml").write_text(text, encoding="utf-8")
+    graded = [load_chapter(small.root / "chapters/ch90_small")]
+    small.grade(chapters=graded)
+    of_dee = (
+        "'dee.zip': small.py was found at the top of what was handed in, and not in a folder "
+        "ch90_small. Put it into a folder ch90_small and hand in again"
+    )
+    of_eve = "no folder of a chapter was found, at most three levels down"
+    screen = small.printed()
+    for student, why in (("dee", of_dee), ("eve", of_eve)):
+        report = small.results()[student]
+        assert (report["status"], report["nothing"]) == ("nothing to grade", why)
+        assert small.scores()[student] is None, "which is no zero"
+        for name in (f"feedback/{student}.html", f"gradescope/{student}/results.json"):
+            text = small.text(name)
+            assert why.partition(": ")[2] in text
+            assert "ch90_small/" in text, "what to hand in"
+        assert f"{student}: {why}" in screen
+    how = "Hand in a folder or a zip file that contains folders of chapters: ch90_small/small.py"
+    assert small.results()["eve"]["notes"] == [how]
 
 
-@pytest.mark.parametrize(
-    ("place", "complaint"),
-    [
-        (".", "must not be the folder of the class"),
-        ("ann/grades", "must not be inside the submission"),
-    ],
-)
-def test_reports_do_not_go_where_submissions_are(
-    submissions: Path, root: Path, place: str, complaint: str
-) -> None:
-    with pytest.raises(ValueError, match=complaint):
-        grade(submissions, submissions / place, root)
-
-
-def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    with only_run(out), pytest.raises(ValueError, match="another run is grading into"):
-        grade(submissions, out, root)
-    assert grade(submissions, out, root) == 0
-
-
-def test_the_reports_may_lie_in_the_folder_of_the_class(submissions: Path, root: Path) -> None:
-    for _ in range(2):
-        assert grade(submissions, submissions / "grades", root) == 0
-    assert sorted(scores(submissions / "grades")) == ["ann", "bob", "cem"]
+def test_two_runs_do_not_share_a_folder(small: SmallClass) -> None:
+    with only_run(small.out), pytest.raises(ValueError, match="another run is grading into"):
+        small.grade()
+    assert small.grade() == 0
 
 
 def test_after_an_error_the_same_command_grades_that_student_alone(
-    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    small: SmallClass, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    out, real = tmp_path / "out", grading.stage
+    real = grading.stage
 
     def fails(path: Path, *arguments: Any) -> Any:
         if path.name == "bob":
@@ -256,57 +189,48 @@ def test_after_an_error_the_same_command_grades_that_student_alone(
 
     with monkeypatch.context() as context:
         context.setattr(grading, "stage", fails)
-        assert grade(submissions, out, root, None) == 1
-    before = results(out)
+        assert small.grade(None) == 1
+    before = small.results()
     assert before["bob"]["status"] == "error, retry"
-    assert grade(submissions, out, root, None) == 0
-    after = results(out)
+    assert small.grade(None) == 0
+    after = small.results()
     assert (after["ann"], after["cem"]) == (before["ann"], before["cem"])
     assert after["bob"]["score"] == 5.0
 
 
-def test_marks_of_a_person_are_merged_on_every_run(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    manifest = root / "chapters/ch90_small/chapter.toml"
+def test_marks_of_a_person_are_merged_on_every_run(small: SmallClass) -> None:
+    manifest = small.root / "chapters/ch90_small/chapter.toml"
     manifest.write_text(manifest.read_text(encoding="utf-8") + WRITTEN, encoding="utf-8")
-    out = tmp_path / "out"
-    grade(submissions, out, root)
-    assert results(out)["bob"]["waiting"] == 3
+    small.grade()
+    assert small.results()["bob"]["waiting"] == 3
     marks = "student,exercise,points,comment\nbob,90.2,2.5,well argued\n"
-    (submissions / "marks.csv").write_text(marks, encoding="utf-8")
-    seconds = results(out)["bob"]["seconds"]
-    grade(submissions, out, root)
-    bob = results(out)["bob"]
+    small.write("marks.csv", marks)
+    seconds = small.results()["bob"]["seconds"]
+    small.grade()
+    bob = small.results()["bob"]
     assert (bob["by_hand"], bob["waiting"], bob["seconds"]) == (2.5, 0, seconds)
-    assert "well argued" in (out / "feedback/bob.html").read_text(encoding="utf-8")
-    row = next(csv.DictReader(io.StringIO(_row_of(out, "bob"))))
-    assert row["90.2"] == "2.5"
-    (submissions / "marks.csv").write_text(marks.replace("2.5", "4"), encoding="utf-8")
+    assert "well argued" in small.text("feedback/bob.html")
+    assert {row["student"]: row["90.2"] for row in small.table("gradebook.csv")}["bob"] == "2.5"
+    small.write("marks.csv", marks.replace("2.5", "4"))
     with pytest.raises(ValueError, match=r"marks\.csv"):
-        grade(submissions, out, root)
-
-
-def _row_of(out: Path, student: str) -> str:
-    lines = (out / "gradebook.csv").read_text(encoding="utf-8").splitlines()
-    return "\n".join([lines[0], *(line for line in lines if line.startswith(student))])
+        small.grade()
 
 
 def test_without_a_wall_only_the_sample_class_is_graded(
-    submissions: Path, monkeypatch: pytest.MonkeyPatch
+    small: SmallClass, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(probe, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     with pytest.raises(ValueError, match=r"no sandbox for submissions .* add --unsafe-no-sandbox"):
-        probe.choose_level(submissions, unsafe=False)
+        probe.choose_level(small.folder, unsafe=False)
     assert not probe.choose_level(ROOT / "sample_class", unsafe=False).is_sandbox
-    assert not probe.choose_level(submissions, unsafe=True).is_sandbox
+    assert not probe.choose_level(small.folder, unsafe=True).is_sandbox
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     with pytest.raises(ValueError, match="without one, student code never runs as root"):
-        probe.choose_level(submissions, unsafe=True)
+        probe.choose_level(small.folder, unsafe=True)
     wall = Level(landlock=True, seccomp=True)
     monkeypatch.setattr(probe, "best_level", lambda: wall)
-    assert probe.choose_level(submissions, unsafe=False) == wall
+    assert probe.choose_level(small.folder, unsafe=False) == wall
 
 
 def test_the_command_takes_every_option(tmp_path: Path) -> None:

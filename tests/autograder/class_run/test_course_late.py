@@ -6,15 +6,14 @@ import math
 import random
 from datetime import UTC, datetime, timedelta, timezone
 from pathlib import Path
-from typing import Any
 from zoneinfo import ZoneInfo
 
 import pytest
 
 from autograder.course.dates import deadline_from_json, deadline_to_json
 from autograder.course.late import HandedIn, days_late, deduction, late_of
+from autograder.course.lateness import for_gradescope, late_on_gradescope, lateness
 from autograder.course.model import Deadline, LatePolicy
-from autograder.course.of_class import for_gradescope, late_on_gradescope, lateness
 from autograder.course.times import times_of
 from autograder.reports.marks import Mark, apply_marks
 from autograder.submissions.class_list import ClassList, read_class
@@ -98,32 +97,23 @@ def test_the_penalty_is_apart_from_the_points_and_never_more_than_they_are() -> 
     assert (failed.earned, failed.penalty, failed.total) == (None, 0, None)
 
 
-def test_an_extension_moves_the_due_date_of_one_student() -> None:
+def test_the_words_say_why_there_is_a_penalty_or_none() -> None:
     longer = datetime(2026, 10, 25, 23, 59, tzinfo=BERLIN)
-    deadline = Deadline(FALL, FIVE)
-    said = HandedIn("times.csv", longer)
-    assert late_of(deadline, [longer], said, 10).days == 0
-    assert "due 2026-10-25 23:59 CET (extended)" in late_of(deadline, [longer], said, 10).words
-    bob = late_of(deadline, [], said, 10)
-    assert (bob.days, bob.deduction) == (2, 10)
-    assert bob.words == (
+    deadline, at = Deadline(FALL, FIVE), HandedIn("times.csv", longer)
+    unclear = HandedIn("Canvas", late=True)
+    for granted, said, days, cost, words in (
+        ([longer], at, 0, 0, "It was due 2026-10-25 23:59 CET (extended)."),
+        ([], at, 2, 10, "Each day or part of a day costs 5 points. Here that is 10 points."),
+        ([], None, None, 0, "The submission time is unknown, so there is no penalty."),
+        ([], unclear, None, 0, "late, but not by how much, so there is no penalty."),
+    ):
+        late = late_of(deadline, granted, said, 10)
+        assert (late.days, late.deduction) == (days, cost)
+        assert words in late.words
+    assert late_of(deadline, [], at, 10).words.startswith(
         "It was due 2026-10-23 23:59 CEST. It was handed in 2026-10-25 23:59 CET, according to "
-        "times.csv. That is 2 days late. Each day or part of a day costs 5 points. Here that is "
-        "10 points."
+        "times.csv. That is 2 days late. "
     )
-
-
-@pytest.mark.parametrize(
-    ("said", "words"),
-    [
-        (None, "The submission time is unknown, so there is no penalty."),
-        (HandedIn("Canvas", late=True), "late, but not by how much, so there is no penalty."),
-    ],
-)
-def test_without_a_time_there_is_no_penalty_and_the_words_say_so(said: Any, words: str) -> None:
-    late = late_of(Deadline(FALL, FIVE), [], said, 10)
-    assert (late.days, late.deduction) == (None, 0)
-    assert late.words.endswith(words)
 
 
 EXPORT = """\

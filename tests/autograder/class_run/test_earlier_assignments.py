@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from pathlib import Path
 
 import pytest
 
 from autograder.course.model import Work
 from autograder.course.reading import read_course
-from autograder.grader.cohort import ClassOptions
-from autograder.grader.cohort import grade as grade_class
-from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT
-from autograder.platforms.grade_one import grade_one
-from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from copies import copy_tree
 from small import RIGHT, hand_in
-from small_class import everything_in, results, scores
-from small_class import grade as grade_chapters
+from small_class import SmallClass, on_gradescope
 
 COURSE = """
 [[assignment]]
@@ -61,55 +54,42 @@ def submissions(tmp_path: Path) -> Path:
 
 
 def test_the_exercise_that_blocks_others_is_named_first_and_earns_nothing(
-    submissions: Path,
-    root: Path,
-    tmp_path: Path,
-    lab3: Work,
-    capsys: pytest.CaptureFixture[str],
+    small: SmallClass, lab3: Work
 ) -> None:
-    out = tmp_path / "out"
-    options = ClassOptions(seed="1", root=root, unsafe=True, earlier=lab3.earlier)
-    assert grade_class(submissions, out, lab3.chapters, options) == 0
-    assert scores(out) == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
-    causes = {student: report.get("causes") for student, report in results(out).items()}
+    assert small.grade(work=lab3) == 0
+    assert small.scores() == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
+    causes = {student: report.get("causes") for student, report in small.results().items()}
     assert causes["ann"] is None
     assert causes["cem"] is None, "90.1 passes, so it does not matter"
     assert causes["bob"] is not None
-    page = (out / "feedback/bob.html").read_text(encoding="utf-8")
+    page = small.text("feedback/bob.html")
     assert f'">B90.1 of lab1</a> {ADVICE.partition("lab1 ")[2]}' in page
     assert "double must double" in page
-    said = json.loads((out / "gradescope/bob/results.json").read_text(encoding="utf-8"))
+    said = json.loads(small.text("gradescope/bob/results.json"))
     assert ADVICE in said["output"]
     assert said["score"] == 1
-    screen = " ".join(capsys.readouterr().out.split())
+    screen = small.printed()
     assert "B90.1 of lab1: double must double" in screen
-    assert "B90.1" not in (out / "gradebook.csv").read_text(encoding="utf-8")
-    assert '<span class="id">B90.1</span> Double' in (out / "index.html").read_text(
-        encoding="utf-8"
-    )
+    assert "B90.1" not in small.text("gradebook.csv")
+    assert '<span class="id">B90.1</span> Double' in small.text("index.html")
 
 
-def test_whole_chapters_have_no_earlier_assignments(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    grade_chapters(submissions, tmp_path / "out", root)
-    assert not any("causes" in report for report in results(tmp_path / "out").values())
-    assert "earlier assignment" not in everything_in(tmp_path / "out")
-    assert "Fix <a" in (tmp_path / "out/feedback/bob.html").read_text(encoding="utf-8")
+def test_whole_chapters_have_no_earlier_assignments(small: SmallClass) -> None:
+    small.grade()
+    assert not any("causes" in report for report in small.results().values())
+    assert "earlier assignment" not in small.everything()
+    assert "Fix <a" in (small.place / "out/feedback/bob.html").read_text(encoding="utf-8")
 
 
 def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
     (tmp_path / "course.toml").write_text(VECTORS, encoding="utf-8")
     lab3 = read_course(tmp_path / "course.toml").assignments[1]
-    make_gradescope(lab3, tmp_path / "a.zip", unsafe=not best_level().is_sandbox)
-    with zipfile.ZipFile(tmp_path / "a.zip") as file:
-        file.extractall(tmp_path / "source")
-    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "submission/ch02_vectors")
-    vector = tmp_path / "submission/ch02_vectors/vector.py"
+    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "ada/ch02_vectors")
+    vector = tmp_path / "ada/ch02_vectors/vector.py"
     right = vector.read_text(encoding="utf-8")
     wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
     assert wrong != right
     vector.write_text(wrong, encoding="utf-8")
-    results = gradescope_results(grade_one(tmp_path, tmp_path / "source"))
+    results = gradescope_results(on_gradescope(lab3, tmp_path, tmp_path / "ada"))
     assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results.output
     assert [(test.number, test.max_score) for test in results.tests] == [("B2.10", 4), ("B2.9", 0)]

@@ -14,9 +14,7 @@ import pytest
 
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.grader import cohort
-from autograder.grader.assignment import Assignment, OnceForAll
-from autograder.grader.cohort import ClassOptions
+from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.grading import grade_submission
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
@@ -25,6 +23,7 @@ from autograder.records import to_json
 from autograder.submissions.find import Submission
 from copies import copy_tree
 from graded import message_of, points_of
+from small_class import grade, results
 from typed import typed
 
 CHAPTERS = load_chapters()[:2]
@@ -32,6 +31,7 @@ CHAPTER = CHAPTERS[0]
 EXERCISES = [exercise for chapter in CHAPTERS for exercise in chapter.exercises]
 POSSIBLE = points_of(*CHAPTERS)
 TABLE = (ROOT / "sample_class/README.md").read_text(encoding="utf-8").partition("<!-- sample")[2]
+FAILS = "autograder.grader.conditions.run_checks"
 
 
 @pytest.fixture(scope="module")
@@ -45,32 +45,11 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
 
 
 def result(out: Path, student: str) -> dict[str, Any]:
-    text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
-    report: dict[str, Any] = json.loads(text)
-    return report
+    return dict(json.loads((out / "results" / f"{student}.json").read_text(encoding="utf-8")))
 
 
 def messages(report: dict[str, Any]) -> str:
     return "\n".join(message_of(c) for e in report["exercises"] for c in e["checks"])
-
-
-def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
-    students = {path.name for path in (ROOT / "sample_class").iterdir() if path.is_dir()}
-    assert {path.stem for path in (graded[0] / "results").iterdir()} == students
-    for student in students:
-        report = result(graded[0], student)
-        assert report["student"] == student
-        if student == "eli":  # whose folder is empty
-            continue
-        assert report["seed"] == "1"
-        assert report["isolation"] == str(probe.best_level())
-        assert report["points"] == POSSIBLE
-        assert [e["id"] for e in report["exercises"]] == [e.id for e in EXERCISES]
-        earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
-        assert report["score"] == pytest.approx(earned, abs=0.01)
-        for exercise in report["exercises"]:
-            for check in exercise["checks"]:
-                assert (message_of(check) == "") == (check["status"] == "passed")
 
 
 @pytest.mark.parametrize(
@@ -82,38 +61,27 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         ("dina", 0, 0, "'(' was never closed"),
         ("finn", 5, 20, "within 3 seconds"),
         ("gwen", 3, 15, "SystemExit: clear is not done yet"),
+        ("hana", 0, POSSIBLE, ""),
     ],
 )
-def test_each_student_gets_what_the_work_is_worth(
+def test_each_student_gets_what_the_work_is_worth_in_the_promised_form(
     graded: tuple[Path, str], student: str, low: float, high: float, words: str
 ) -> None:
     report = result(graded[0], student)
     assert low <= report["score"] <= high
     assert words in messages(report)
-    assert report["status"] == "graded"
-
-
-def test_an_empty_folder_is_handed_in_but_nothing_to_grade(graded: tuple[Path, str]) -> None:
-    report = result(graded[0], "eli")
-    assert (report["status"], report["score"], report["exercises"]) == (
-        "nothing to grade",
-        None,
-        [],
-    )
-    why = "no folder of a chapter was found, at most three levels down"
-    assert report["nothing"] == why
-    assert f"Handed in, nothing to grade: 1.\n  eli: {why}\n" in graded[1]
-    page = (graded[0] / "feedback/eli.html").read_text(encoding="utf-8")
-    assert "Handed in, but there is nothing to grade:" in page
-    assert "ch02_vectors/" in page, "what to hand in"
-
-
-def test_written_answers_wait_for_a_person(graded: tuple[Path, str]) -> None:
-    waiting = [e for e in result(graded[0], "ada")["exercises"] if e["status"] == "waiting"]
+    assert (report["student"], report["status"], report["seed"]) == (student, "graded", "1")
+    assert report["isolation"] == str(probe.best_level())
+    assert report["points"] == POSSIBLE
+    assert [e["id"] for e in report["exercises"]] == [e.id for e in EXERCISES]
+    earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
+    assert report["score"] == pytest.approx(earned, abs=0.01)
+    for exercise in report["exercises"]:
+        for check in exercise["checks"]:
+            assert (message_of(check) == "") == (check["status"] == "passed")
+    waiting = [e for e in report["exercises"] if e["status"] == "waiting"]
     written = [exercise.id for exercise in EXERCISES if exercise.kind == "written"]
-    assert [(e["id"], e["score"], e["checks"]) for e in waiting] == [
-        (name, None, []) for name in written
-    ]
+    assert [(e["id"], e["score"], e["checks"]) for e in waiting] == [(n, None, []) for n in written]
 
 
 def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
@@ -126,24 +94,24 @@ def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
     assert header == ["student", "status", *scores, *ids]
     assert possible[0] == "points possible"
     assert possible[2] == str(POSSIBLE)
-    assert [row[0] for row in rows] == ["ada", "ben", "cleo", "dina", "eli", "finn", "gwen", "hana"]
-    (eli,) = [row for row in rows if row[0] == "eli"]
-    assert eli[1].startswith("handed in, nothing to grade: no folder of a chapter")
-    assert {*eli[2:]} == {"", "0"}, "nothing waits, and there are no points"
+    students = [path.name for path in (ROOT / "sample_class").iterdir() if path.is_dir()]
+    assert [row[0] for row in rows] == sorted(students)
     for row in rows:
-        if row != eli:
-            assert float(row[2]) == result(graded[0], row[0])["score"]
         assert row[header.index("2.3")] == ""
+        if row[0] == "eli":
+            assert row[1].startswith("handed in, nothing to grade: no folder of a chapter")
+            assert {*row[2:]} == {"", "0"}, "nothing waits, and there are no points"
+        else:
+            assert float(row[2]) == result(graded[0], row[0])["score"]
 
 
 def test_the_screen_shows_the_class_and_how_it_was_isolated(graded: tuple[Path, str]) -> None:
     screen = graded[1]
     assert re.search(rf"ada +{POSSIBLE}/{POSSIBLE} +{POSSIBLE} +(\d+)/\1 +graded *\n", screen)
     assert re.search("graded +B2.5: Your method creates a new vector", screen), "physics first"
-    assert "cleo" in screen
-    assert "You follow the book's listing" in screen
+    for words in ("cleo", "You follow the book's listing", "gradebook.csv"):
+        assert words in screen
     assert f"Seed 1. Isolation: {probe.best_level()}" in screen
-    assert "gradebook.csv" in screen
 
 
 def test_the_table_in_the_readme_is_what_the_command_prints(graded: tuple[Path, str]) -> None:
@@ -168,17 +136,16 @@ def cells(line: str) -> list[str]:
     return re.split(" {2,}", line.strip())
 
 
-def grade(submissions: Path, out: Path) -> int:
-    return cohort.grade(submissions, out, [CHAPTER], ClassOptions(seed="1", unsafe=True))
-
-
 def grade_one(
-    path: Path, chapters: list[Chapter], given: Sequence[Chapter] = (), root: Path = ROOT
+    path: Path,
+    chapters: list[Chapter],
+    given: Sequence[Chapter] = (),
+    root: Path = ROOT,
+    once: OnceForAll | None = None,
 ) -> dict[str, Any]:
     """Return the report of one submission, graded without a wall."""
-    wanted = Assignment(chapters, "1", Level(), given, root=root)
-    report: dict[str, Any] = to_json(grade_submission(wanted, Submission(path.name, path)))
-    return report
+    conditions = Conditions(chapters, "1", Level(), given, root=root)
+    return dict(to_json(grade_submission(conditions, Submission(path.name, path), once)))
 
 
 def states(report: dict[str, Any], key: str = "status") -> set[Any]:
@@ -186,18 +153,16 @@ def states(report: dict[str, Any], key: str = "status") -> set[Any]:
 
 
 def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fails(*_: object, **__: object) -> None:
         raise GraderError("the disk is full")
 
-    monkeypatch.setattr("autograder.grader.assignment.run_checks", fails)
-    for student in ("ann", "bob"):
-        copy_tree(ROOT / "chapters/ch02_vectors", tmp_path / "class" / student / "ch02_vectors")
-    assert grade(tmp_path / "class", tmp_path / "out") == 1
-    report = result(tmp_path / "out", "bob")
+    monkeypatch.setattr(FAILS, fails)
+    assert grade(submissions, tmp_path / "out", root) == 1
+    report = results(tmp_path / "out")["bob"]
     assert report["status"] == "error, retry"
-    assert {e["score"] for e in report["exercises"]} == {None}
+    assert states(report, "score") == {None}
     assert "the disk is full" in messages(report)
     rows = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8").splitlines()
     assert rows[2].startswith('ann,"error, retry",,')
@@ -206,23 +171,16 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
 def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    runs = []
+    runs, once = [], OnceForAll()
 
     def counted(chapter: Chapter, *arguments: Any, **more: Any) -> list[Verdict]:
         runs.append(chapter.number)
         return run_checks(chapter, *arguments, **more)
 
-    monkeypatch.setattr("autograder.grader.assignment.run_checks", counted)
-    assignment, once = Assignment(CHAPTERS, "1", Level()), OnceForAll()
-
-    def graded(student: str) -> dict[str, Any]:
-        submission = Submission(student, tmp_path / student)
-        report: dict[str, Any] = to_json(grade_submission(assignment, submission, once))
-        return report
-
+    monkeypatch.setattr(FAILS, counted)
     for student in ("ann", "bob"):
         copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
-        report = graded(student)
+        report = grade_one(tmp_path / student, CHAPTERS, once=once)
         assert report["score"] == report["score_on_given"] == points_of(CHAPTER)
         later = [e for e in report["exercises"] if e["chapter"] == 3]
         assert {e["status"] for e in later} == {"failed", "blocked"}
@@ -230,17 +188,16 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.
     once = OnceForAll()
-    earlier = tmp_path / "ann/ch02_vectors/vector.py"
-    earlier.write_bytes(b"\xff")
-    report = graded("ann")
+    (tmp_path / "ann/ch02_vectors/vector.py").write_bytes(b"\xff")
+    report = grade_one(tmp_path / "ann", CHAPTERS, once=once)
     assert "ch02_vectors/vector.py was rejected" in messages(report)
-    report = graded("bob")
+    report = grade_one(tmp_path / "bob", CHAPTERS, once=once)
     assert "was rejected" not in messages(report)
     runs.clear()
     refused = tmp_path / "bob/ch03_laws_of_motion/particle.py"
     refused.parent.mkdir()
     refused.write_bytes(b"\xff")
-    report = graded("bob")
+    report = grade_one(tmp_path / "bob", CHAPTERS, once=once)
     assert "ch03_laws_of_motion/particle.py was rejected" in messages(report)
     assert runs[:2] == [2, 3]
 
@@ -251,10 +208,7 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
     for folder in ("chapters", "tests"):
         copy_tree(ROOT / folder, root / folder)
     shutil.copyfile(ROOT / "pyproject.toml", root / "pyproject.toml")
-    for file in ("vector.py", "exercises.py"):
-        shutil.copyfile(
-            ROOT / "solutions/ch02_vectors" / file, root / "chapters/ch02_vectors" / file
-        )
+    copy_tree(ROOT / "solutions/ch02_vectors", root / "chapters/ch02_vectors")
     own = tmp_path / "eli/ch02_vectors"
     own.mkdir(parents=True)
     (own / "exercises.py").touch()  # and no vector.py
@@ -271,24 +225,23 @@ def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None
     assert states(grade_one(tmp_path / "max", CHAPTERS[1:])) == {"passed"}
 
 
-def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(tmp_path: Path) -> None:
-    copy_tree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
-    given, graded = CHAPTERS
-    assert states(grade_one(tmp_path / "max", [graded], [given])) == {"passed"}
-
-
-@pytest.mark.parametrize("unusable", ["vector.py", "ch02_vectors/vector.py"])
-def test_a_file_that_cannot_be_used_does_not_matter_where_the_reference_replaces_it(
+@pytest.mark.parametrize("unusable", ["", "vector.py", "ch02_vectors/vector.py"])
+def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(
     tmp_path: Path, unusable: str
 ) -> None:
-    """The first file is in the wrong folder, and the second one is not UTF-8."""
+    """A file does not matter that is in the wrong folder, or is not UTF-8, where ours replaces it.
+
+    Without the given chapter it does, and the failures are inherited from it.
+    """
     copy_tree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
-    (tmp_path / "max" / unusable).parent.mkdir(exist_ok=True)
-    (tmp_path / "max" / unusable).write_bytes(b"\xff")
+    if unusable:
+        (tmp_path / "max" / unusable).parent.mkdir(exist_ok=True)
+        (tmp_path / "max" / unusable).write_bytes(b"\xff")
     given, graded = CHAPTERS
     assert states(grade_one(tmp_path / "max", [graded], [given])) == {"passed"}
-    report = grade_one(tmp_path / "max", [graded])
-    assert "inherited" in states(report)
-    assert report["score_on_given"] == points_of(graded)
-    words = {"vector.py": "was found at the top of"}.get(unusable, "was rejected")
-    assert f"{unusable} {words}" in messages(report)
+    if unusable:
+        report = grade_one(tmp_path / "max", [graded])
+        assert "inherited" in states(report)
+        assert report["score_on_given"] == points_of(graded)
+        words = {"vector.py": "was found at the top of"}.get(unusable, "was rejected")
+        assert f"{unusable} {words}" in messages(report)

@@ -9,8 +9,8 @@ import pytest
 
 from autograder.course.model import Deadline, LatePolicy
 from autograder.platforms.uploads import Column
-from small import RIGHT, hand_in, make_root
-from small_class import HALF, grade, results, table
+from small import RIGHT, hand_in
+from small_class import HALF, SmallClass
 
 ROSTER = """id,name,email,login,group
 1,Ann Lee,ann@x.org,al,team 1
@@ -21,11 +21,6 @@ ROSTER = """id,name,email,login,group
 6,Fay Ng,fay@x.org,fn,team 3
 """
 DUE = datetime(2026, 10, 23, tzinfo=UTC)
-
-
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    return make_root(tmp_path / "root")
 
 
 @pytest.fixture
@@ -44,23 +39,20 @@ def submissions(tmp_path: Path) -> Path:
     return tmp_path / "class"
 
 
-def test_each_member_has_the_grade_of_the_group(
-    root: Path, roster: Path, submissions: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    out = tmp_path / "out"
+def test_each_member_has_the_grade_of_the_group(small: SmallClass, roster: Path) -> None:
     extended = {"Di Ahn": DUE.replace(day=26)}  # who is in team 2
     deadline = Deadline(DUE, LatePolicy(1, "points"), extended)
     options = {"roster": roster, "deadline": deadline, "column": Column("Lab 1", 6)}
-    assert grade(submissions, out, root, **options) == 0
+    assert small.grade(**options) == 0
     groups = ["Eve Moss", "team 1 (Ann Lee, Bo Ek)", "team 2 (Cy Oz, Di Ahn)"]
-    assert sorted(results(out)) == groups
-    assert len([*(out / "feedback").iterdir()]) == 3
+    assert sorted(small.results()) == groups
+    assert len([*(small.out / "feedback").iterdir()]) == 3
     wanted = {"1": 4.0, "2": 4.0, "3": 5.0, "4": 5.0, "5": 6.0, "6": None}  # team 1 is late
-    canvas = {row["SIS User ID"]: row["Lab 1"] for row in table(out / "canvas.csv")[1:]}
+    canvas = {row["SIS User ID"]: row["Lab 1"] for row in small.table("canvas.csv")[1:]}
     assert {i: float(g) if g else None for i, g in canvas.items()} == wanted
-    moodle = {row["ID number"]: row["Lab 1"] for row in table(out / "moodle.csv")}
+    moodle = {row["ID number"]: row["Lab 1"] for row in small.table("moodle.csv")}
     assert {i: None if g == "-" else float(g) for i, g in moodle.items()} == wanted
-    book = {row["student"]: (row["status"], row["total"]) for row in table(out / "gradebook.csv")}
+    book = {row["student"]: (row["status"], row["total"]) for row in small.table("gradebook.csv")}
     assert book.pop("points possible")
     assert book == {
         "Ann Lee": ("graded", "4"),
@@ -70,27 +62,15 @@ def test_each_member_has_the_grade_of_the_group(
         "Eve Moss": ("graded", "6"),
         "Fay Ng": ("nothing handed in", ""),
     }
-    page = (out / "feedback/team 1 (Ann Lee, Bo Ek).html").read_text(encoding="utf-8")
+    page = small.text("feedback/team 1 (Ann Lee, Bo Ek).html")
     assert "Feedback for <bdi>team 1 (Ann Lee, Bo Ek)</bdi>" in page
-    mail = {row["name"]: Path(row["file"]).stem for row in table(out / "mail.csv")}
+    mail = {row["name"]: Path(row["file"]).stem for row in small.table("mail.csv")}
     assert mail == {
         **dict.fromkeys(["Ann Lee", "Bo Ek"], groups[1]),
         **dict.fromkeys(["Cy Oz", "Di Ahn"], groups[2]),
         "Eve Moss": "Eve Moss",
     }
-    capsys.readouterr()
-    assert grade(submissions, out, root, student="Ann Lee", why="asked", seed=None, **options) == 0
-    assert "1/1 team 1 (Ann Lee, Bo Ek)" in capsys.readouterr().out
-    assert len(table(out / "gradebook.csv")) == 7
-
-
-def test_a_group_has_one_code_and_its_members_have_their_own(
-    root: Path, roster: Path, submissions: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
-    assert grade(submissions, out, root, roster=roster, anonymous=True) == 0
-    key = {row["name"]: row["code"] for row in table(tmp_path / "roster-key.csv")}
-    assert key["team 1 (Ann Lee, Bo Ek)"] in results(out)
-    book = {row["student"]: row["score"] for row in table(out / "gradebook.csv")}
-    assert book[key["Ann Lee"]] == book[key["Bo Ek"]] == "6"
-    assert len({*key.values()}) == len(key)
+    small.printed()
+    assert small.grade(student="Ann Lee", why="asked", seed=None, **options) == 0
+    assert "1/1 team 1 (Ann Lee, Bo Ek)" in small.printed()
+    assert len(small.table("gradebook.csv")) == 7

@@ -1,4 +1,4 @@
-"""An instructor's term with a class: from a class list to a file that Canvas imports."""
+"""An instructor's term with a class of 40: from a class list to a file that Canvas imports."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ late = {{ points_per_day = 1, cap = 2 }}
 seed = "7"
 """
 # How many students hand in what, and what it is worth: without a file there is no grade at all.
-KINDS = {"right": 5, "late": 3, "partial": 3, "wrong": 1, "misnamed": 1}
-KINDS |= {"hostile": 1, "empty": 2, "missing": 3}
+KINDS = {"right": 20, "late": 3, "partial": 6, "wrong": 2, "misnamed": 2}
+KINDS |= {"hostile": 1, "empty": 3, "missing": 3}
 GRADED = sum(KINDS.values()) - KINDS["missing"] + 1  # and one who is not on the roster
 # A student's total is the sum of the exercises, less the penalty: 2 points for two days.
 WORTH = {"right": 10.0, "late": 8.0, "partial": 5.0}

@@ -5,7 +5,6 @@ Both find the student by the name of the file alone, so the tests repeat their r
 
 from __future__ import annotations
 
-import csv
 import io
 import re
 import zipfile
@@ -17,10 +16,11 @@ from autograder.platforms.give_back import give_back
 from autograder.reports.feedback import write_feedback
 from autograder.reports.report import StudentReport
 from autograder.submissions.class_list import ClassList
-from autograder.submissions.codes import with_codes
+from autograder.submissions.find import file_name
 from autograder.submissions.roster import Student
 from graded import failed_run, report_of
 from listed import listed
+from small_class import table
 
 FROM_MOODLE = [
     "Ann Lee_12_assignsubmission_file",
@@ -44,7 +44,7 @@ ANONYMOUS = {"x3f9q": 79, "a1b2c": 80}
 def written(out: Path, people: ClassList, reports: list[StudentReport]) -> list[Path]:
     for report in reports:
         write_feedback(out, report)
-    return give_back(out, out, people, reports)
+    return give_back(out, people, reports)
 
 
 def give_back_to(out: Path, *names: str) -> Path:
@@ -111,29 +111,19 @@ def test_moodle_finds_each_participant(tmp_path: Path) -> None:
 def test_canvas_finds_each_upload(tmp_path: Path) -> None:
     path = give_back_to(tmp_path, *FROM_CANVAS)
     assert path.name == "feedback-canvas.zip"
+    assert all(name.endswith(".zip") for name in files_in(path))
     found = {canvas_finds(name): content for name, content in files_in(path).items()}
     assert {*found} == {*FROM_CANVAS.values()}
     for name, upload in FROM_CANVAS.items():
         export = listed(name).submissions[0].export
         assert export
         page = (tmp_path / f"feedback/{export.student}.html").read_bytes()
-        assert files_in(io.BytesIO(found[upload])) == {"feedback.html": page}
+        assert files_in(io.BytesIO(found[upload])) == {"feedback.html": page}, "a zip, as uploaded"
 
 
-def test_a_file_for_canvas_is_a_zip_like_the_upload_whose_name_it_gets(tmp_path: Path) -> None:
-    """Canvas shows it under the display_name of the student's own upload."""
-    for name, content in files_in(give_back_to(tmp_path, *FROM_CANVAS)).items():
-        assert name.endswith(".zip")
-        assert zipfile.is_zipfile(io.BytesIO(content))
-
-
-def test_nothing_is_written_for_a_class_from_elsewhere(tmp_path: Path) -> None:
-    people = listed("ann", "bob")
-    assert written(tmp_path, people, [report_of("ann"), report_of("bob")]) == []
-    assert [path.name for path in tmp_path.iterdir()] == ["feedback"]
-
-
-def test_students_whose_grading_failed_get_no_page(tmp_path: Path) -> None:
+def test_only_pages_of_graded_students_from_a_platform_are_given_back(tmp_path: Path) -> None:
+    reports = [report_of("ann"), report_of("bob")]
+    assert written(tmp_path, listed("ann", "bob"), reports) == []
     people = listed(*FROM_MOODLE[:3])
     reports = [report_of("Ann Lee_12"), failed_run("Bo O'Neill_13")]
     (path,) = written(tmp_path, people, reports)
@@ -159,23 +149,16 @@ def test_mail_csv_says_who_gets_which_page(tmp_path: Path) -> None:
         Student("78", "=1+1", "", "", 3),
         Student("79", "Cy", "cy@x.org", "", 4),  # handed nothing in
     ]
-    coded = with_codes(listed("77", "78", "zoe", roster=roster), tmp_path / "key.csv")
-    codes = {one.path.name: one.student for one in coded.submissions}
-    reports = [report_of(code) for code in codes.values()]
-    for report in reports:
-        write_feedback(tmp_path / "out", report)
-    assert give_back(tmp_path / "named", tmp_path / "out", coded, reports) == [
-        tmp_path / "named/mail.csv"
-    ]
-    with (tmp_path / "named/mail.csv").open(encoding="utf-8", newline="") as file:
-        rows = sorted(csv.DictReader(file), key=lambda row: row["name"], reverse=True)
-    assert rows == [
-        {"name": "Ann Lee", "email": "ann@x.org", "file": rows[0]["file"]},
-        {"name": "'=1+1", "email": "", "file": rows[1]["file"]},
-    ]
-    assert [Path(row["file"]) for row in rows] == [
-        tmp_path / f"out/feedback/{codes[number]}.html" for number in ("77", "78")
-    ]
+    people = listed("77", "78", "zoe", roster=roster)
+    reports = [report_of(one.student) for one in people.submissions]
+    assert written(tmp_path, people, reports) == [tmp_path / "mail.csv"]
+    rows = {row.pop("name"): row for row in table(tmp_path / "mail.csv")}
+    assert {name: row["email"] for name, row in rows.items()} == {
+        "Ann Lee": "ann@x.org",
+        "'=1+1": "",
+    }
+    for name, report in (("Ann Lee", "Ann Lee"), ("'=1+1", "=1+1")):
+        assert rows[name]["file"] == str(tmp_path / f"feedback/{file_name(report)}.html")
 
 
 def test_a_page_needs_no_other_file(tmp_path: Path) -> None:

@@ -42,13 +42,10 @@ def test_an_error_of_the_grader_is_no_number_and_a_zero_is_one(tmp_path: Path) -
     assert eli == ["eli", "graded", "0", "0", "", "3", "0", "0", "0", "", "0"]
 
 
-def test_an_exercise_that_a_report_does_not_have_is_empty(tmp_path: Path) -> None:
-    report = report_of(exercises=report_of().exercises[3:])
-    assert rows(tmp_path, report)[2][7:] == ["", "", "", "0"]
-
-
-def test_large_points_keep_their_digits(tmp_path: Path) -> None:
-    assert rows(tmp_path, report_of(score=1234567.25))[2][2] == "1234567.25"
+def test_missing_exercises_are_empty_and_large_points_keep_their_digits(tmp_path: Path) -> None:
+    report = report_of(exercises=report_of().exercises[3:], score=1234567.25)
+    cells = rows(tmp_path, report)[2]
+    assert (cells[2], cells[7:]) == ("1234567.25", ["", "", "", "0"])
 
 
 @pytest.mark.parametrize(

@@ -16,9 +16,7 @@ from autograder.analysis.class_page import write_class_page
 from autograder.analysis.discrimination import FEWEST, discrimination
 from autograder.analysis.mistakes import mistakes_of
 from autograder.message import Kind, Message
-from autograder.release.compare import Code, Compared, Pair
-from autograder.release.counts import Counts
-from autograder.release.pages import write_page
+from autograder.release.pages import Compared, Pair, write_page
 from autograder.reports.report import CheckReport, StudentReport
 from graded import CHAPTERS, SHOUT, check, failed_run, hostile, report_of, with_exercise
 
@@ -152,8 +150,7 @@ def test_the_page_shows_the_class_without_names(tmp_path: Path) -> None:
 def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
-    code = Code(f"return self.x  # {SHOUT}", Counts(1, 0, 0))
-    pair = Pair("Vector3.dot", code, None)
+    pair = Pair("Vector3.dot", f"return self.x  # {SHOUT}", None)
     everybody = [*class_of_twenty(), failed_run(), hostile()]
     narrow, wide = (360, "dark"), (1280, "light")
     for path, size in (

@@ -10,12 +10,10 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT, load_chapters
-from autograder.release.counts import Counts, count
 from autograder.release.reference import chosen, released_module
 from autograder.release.run import release
 from autograder.reports.report import StudentReport
 from autograder.reports.results import write_result
-from autograder.similarity.code import read_functions
 from autograder.submissions.stage import stage
 from graded import SHOUT, report_of
 from small import RIGHT, hand_in
@@ -38,26 +36,6 @@ def double(x):
 def quadruple(x):
     return 3 * x
 '''
-COUNTED = '''
-def work(self, items):
-    """Say Vector3(1, 2) in a docstring."""
-    if (len(items) > 2):  # a(1)
-        raise errors.BadError(f"got {items}")
-
-    total = Vector3()
-    for item in items:
-        total += item.scaled(
-            2)
-    def inner(x): return (x)
-    return engine._Pair(total, make()(3))
-'''
-
-
-def test_what_is_written_in_a_body_is_counted() -> None:
-    (function,) = read_functions(COUNTED)[0]
-    # if, raise, total, for, +=, its second line, def, return; len, Vector3, scaled, _Pair, make and
-    # what it returns; Vector3 and _Pair.
-    assert count(function) == Counts(lines=8, calls=6, objects=2)
 
 
 def graded(folder: Path, grades: Path, student: str, root: Path, *passed: str) -> None:
@@ -95,9 +73,12 @@ def test_a_student_sees_what_passed_beside_the_reference(
     assert (out / "reference/ch90_small/small.py").read_text(encoding="utf-8") == RIGHT
     (page,) = (out / "students").iterdir()
     text = page.read_text(encoding="utf-8")
-    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in text.split("<tr>")]
-    assert ["double", "1", "1", "1", "0", "0", "0"] in rows
-    assert ["helper", "1", "–", "0", "–", "0", "–"] in rows  # noqa: RUF001
+    assert re.findall("<h[23].*?>(.*?)</h[23]>", text) == [
+        "B90.1 Double",
+        *("double, yours", "double, reference"),
+        "Other functions in small.py",
+        *("helper, yours", "helper, reference"),
+    ]
     assert "<pre>return helper(x)</pre>" in text
     assert "<pre>return x + x</pre>" in text
     assert "not every check of your own solution passes: 90.1." in text
@@ -203,7 +184,7 @@ def test_an_assignment_is_released_after_its_last_due_date(tmp_path: Path) -> No
         (["--assignment", "lab1", "--exercises", "2.3"], "lab2 is due"),
         (["--assignment", "lab1", "--exercises", "B2.1,2.3"], "2.3 must wait"),
         (["2"], "lab2 is due"),  # without an assignment, the course file still counts
-        (["2", "--exercises", "B2.3"], "lab3 is due"),
+        (["2", "--exercises", "b2.3"], "lab3 is due"),
         (["--assignment", "lab1"], ""),
         (["2", "--exercises", "B2.1,B2.2"], ""),
     ],

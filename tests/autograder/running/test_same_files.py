@@ -59,7 +59,7 @@ def test_check_rejects_what_the_grader_rejects(change: str, tmp_path: Path) -> N
     assert {verdict.status for verdict in run(root)} == {"passed"}
     changed(change, file)
     staged = stage(tmp_path / "ann", chapters, tmp_path / "box", root)
-    why = staged.missing["ch90_small.small"]
+    why = staged.rejected["ch90_small.small"]
     assert why.startswith("ch90_small/small.py was rejected: ")
     for verdict in run(root):
         assert verdict.status in ("failed", "blocked")
@@ -72,7 +72,7 @@ def test_scenes_plots_and_recordings_reject_what_the_grader_rejects(
 ) -> None:
     copy_tree(ROOT / "solutions", tmp_path / "ann")
     changed(change, tmp_path / "ann" / VECTOR)
-    why = stage(tmp_path / "ann", load_chapters()[:1], tmp_path / "box").missing[
+    why = stage(tmp_path / "ann", load_chapters()[:1], tmp_path / "box").rejected[
         "ch02_vectors.vector"
     ]
     load = '{"kind": "load", "scene": "one-spring", "values": {}, "peer": ""}\n'
@@ -116,7 +116,7 @@ def test_rejected_data_have_the_same_verdict_and_reason_at_home(
     changed(change, root / "ann/ch90_small/data.csv")
     (chapter,) = load_chapters(root)
     staged = stage(root / "ann", [chapter], root / "box", root)
-    why = staged.missing["ch90_small.data.csv"]
+    why = staged.rejected["ch90_small.data.csv"]
     behind = replace(
         behind_walls(), missing={"ch90_small.data.csv": Message(why, kind=Kind.BROKEN)}
     )

@@ -10,7 +10,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters
 from autograder.similarity.code import LONGEST, read_functions
 from autograder.similarity.collect import Ground, collect, ground_of, work_of
-from autograder.similarity.compare import FEWEST, Part, Passage, Work, compare
+from autograder.similarity.compare import FEWEST, Comparison, Part, Passage, Work
 from autograder.similarity.winnow import fingerprints
 from autograder.submissions.class_list import read_class
 from staging import LINK, VECTOR
@@ -55,14 +55,11 @@ def test_what_a_copy_is_hidden_by_makes_no_difference(other: str) -> None:
     assert prints_of(other) == prints_of(LENGTH) != set()
 
 
-def test_reordered_statements_share_most() -> None:
+def test_reordered_statements_share_most_and_another_formula_little() -> None:
     one = [f"self.{c} = self.{c} + v.{c} * (scale - 1)" for c in "xyz"]
     sources = ["def f(self, v):\n    " + "\n    ".join(lines) for lines in (one, one[::-1])]
     first, second = map(prints_of, sources)
     assert len(first & second) > 0.6 * len(first)
-
-
-def test_another_formula_shares_little() -> None:
     other = "def length(v, scale):\n    return 0.5 * scale * math.sqrt(sum(c * c for c in v))\n"
     assert prints_of(other).isdisjoint(prints_of(LENGTH))
 
@@ -72,20 +69,17 @@ def test_functions_have_the_names_of_the_manifest() -> None:
         "import math\n\nclass A(object):\n    n = 1\n\n    @property\n    def mass(self):\n"
         "        return self.m\n\n    @mass.setter\n    def mass(self, m):\n        self.m = m\n\n"
         "    def one(self): return 1\n\n\nasync def two():\n    def inner():\n        pass\n\n\n"
-        "def three(a, b={1: 2}): return a[b:]\n"
+        "def three(a, b={1: 2}): return a[b:]\n\n\n"
+        "def text(a):\n    raise ValueError(f'a {a!r:>{9}} b' 'c', a)\n"
     )
     functions, _ = read_functions(source)
     names = {function.name: " ".join(function.words) for function in functions}
-    assert list(names) == ["", "A.mass", "A.mass.setter", "A.one", "two", "three"]
+    assert list(names) == ["", "A.mass", "A.mass.setter", "A.one", "two", "three", "text"]
     assert names["A.mass.setter"] == "self . ~m = ~m ;"
     assert names["A.one"] == "return 1.0 ;"
     assert names["two"] == "def ~inner ( ) : ; pass ;"
     assert names["three"] == "return ~a [ ~b : ] ;"
-
-
-def test_a_text_with_values_in_it_is_one_word_on_every_python() -> None:
-    (function,), _ = read_functions("def f(a):\n    raise ValueError(f'a {a!r:>{9}} b' 'c', a)\n")
-    assert " ".join(function.words) == "raise ~ValueError ( ' ' , ~a ) ;"
+    assert names["text"] == "raise ~ValueError ( ' ' , ~a ) ;", "on every Python"
 
 
 @pytest.mark.parametrize(
@@ -136,7 +130,7 @@ def test_stubs_given_code_and_the_reference_do_not_count(folder: str, ground: Gr
     assert work_of("ann", files, ground) == (Work("ann", {}), [])
 
 
-def test_exercises_that_are_too_small_are_left_out(ground: Ground) -> None:
+def test_exercises_that_are_too_small_are_left_out_and_helpers_are_not(ground: Ground) -> None:
     body = "    return sum(p * q for p, q in zip(v, v, strict=True)) + sum(v) - sum(v)\n"
     for small in (True, False):
         exercise = next(
@@ -148,12 +142,8 @@ def test_exercises_that_are_too_small_are_left_out(ground: Ground) -> None:
         source = f"def {exercise.edit[0].removeprefix('exercises.')}(v):\n{body}"
         work, _ = work_of("ann", {"ch02_vectors/exercises.py": source}, ground)
         assert [*work.parts] == ([] if small else [f"{exercise.id} {exercise.title}"])
-
-
-def test_helpers_that_a_student_has_added_are_compared_too(ground: Ground) -> None:
-    source = "def _mine(v):\n    return [p * q for p, q in zip(v, v, strict=True)] + [*v] * 3\n"
-    work, _ = work_of("ann", {"ch02_vectors/vector.py": source}, ground)
-    assert [*work.parts] == ["Other code in ch02_vectors/vector.py"]
+    work, _ = work_of("ann", {VECTOR: f"def _added(v):\n{body}"}, ground)
+    assert [*work.parts] == [f"Other code in {VECTOR}"]
 
 
 def test_submissions_are_staged_and_never_run(tmp_path: Path, ground: Ground) -> None:
@@ -186,7 +176,7 @@ def lonely_class(size: int) -> list[Work]:
 def test_what_many_have_written_counts_less() -> None:
     same = [made(f"s{i}", a={1, 2, 3}, b={100 + i, 200 + i}) for i in range(20)]
     pair = [made("x", a={1, 2, 3}, b={7, 8, 9}), made("y", a={1, 2, 3}, b={7, 8, 9})]
-    comparison = compare([*same, *pair])
+    comparison = Comparison([*same, *pair])
     first, *others = comparison.pairs
     assert (first.one.student, first.other.student) == ("x", "y")
     assert max(other.similarity for other in others) < 0.1 < first.similarity
@@ -197,7 +187,7 @@ def test_a_pair_that_shares_everything_stands_out_and_one_exercise_alone_does_no
     students = lonely_class(30)
     students[3] = Work("s3", students[5].parts)
     students[8] = Work("s8", {**students[8].parts, "e4": students[9].parts["e4"]})
-    comparison = compare(students)
+    comparison = Comparison(students)
     assert comparison.outstanding == 1
     assert {comparison.pairs[0].one.student, comparison.pairs[0].other.student} == {"s3", "s5"}
 
@@ -211,7 +201,7 @@ def test_identical_code_stands_out_before_code_that_is_more_surprising() -> None
         passage = Passage(VECTOR, "length", function.tokens, text)
         part = Part([passage], students[8].parts["e4"].fingerprints)
         students[30 + i] = Work(f"t{i}", {**students[30 + i].parts, "e4": part})
-    for comparison in (compare(students), compare(students[-FEWEST + 1 :])):
+    for comparison in (Comparison(students), Comparison(students[-FEWEST + 1 :])):
         first, *others = comparison.pairs
         assert (first.one.student, first.other.student) == ("t0", "t1")
         assert comparison.identical == [first]
@@ -219,23 +209,19 @@ def test_identical_code_stands_out_before_code_that_is_more_surprising() -> None
         surprises = [pair.surprise for pair in others]
         measured = surprises if comparison.line else [pair.similarity for pair in others]
         assert measured == sorted(measured, key=lambda value: value or 0.0, reverse=True)
-    first, second, *_ = compare(students).pairs
+    first, second, *_ = Comparison(students).pairs
     assert {second.one.student, second.other.student} == {"s3", "s5"}
     assert first.surprise < second.surprise  # type: ignore[operator]
 
 
-def test_a_small_class_has_no_surprise() -> None:
-    for size in (0, 1, 2, FEWEST - 1):
-        comparison = compare(lonely_class(size))
+def test_a_small_class_or_one_that_shares_nothing_has_no_surprise() -> None:
+    sharing_nothing = [made(f"s{i}", a={i}) for i in range(FEWEST)]
+    for works in (*map(lonely_class, (0, 1, 2, FEWEST - 1)), sharing_nothing):
+        comparison = Comparison(works)
         assert comparison.line is None
         assert comparison.outstanding == 0
         assert all(pair.surprise is None for pair in comparison.pairs)
         similarities = [pair.similarity for pair in comparison.pairs]
         assert similarities == sorted(similarities, reverse=True)
-    assert compare(lonely_class(FEWEST)).line is not None
-
-
-def test_a_class_that_shares_nothing_at_all_has_no_surprise() -> None:
-    comparison = compare([made(f"s{i}", a={i}) for i in range(FEWEST)])
-    assert comparison.line is None
-    assert {pair.similarity for pair in comparison.pairs} == {0.0}
+    assert {*similarities} == {0.0}
+    assert Comparison(lonely_class(FEWEST)).line is not None

@@ -15,7 +15,7 @@ import browser as browsers
 from autograder.manifest import ROOT, select_chapters
 from autograder.similarity import run
 from autograder.similarity.collect import ground_of, work_of
-from autograder.similarity.compare import compare
+from autograder.similarity.compare import Comparison
 from copied_class import Files, copied_class
 from graded import NASTY, SHOUT
 from typed import typed
@@ -48,7 +48,7 @@ def test_nine_of_ten_copies_are_found_at_one_false_pair_or_fewer(numbers: str, s
     ground = ground_of(chapters)
     students, copies = copied_class(chapters, seed)
     works = [work_of(f"{i:02}", files, ground)[0] for i, files in enumerate(students)]
-    comparison = compare(works)
+    comparison = Comparison(works)
     pairs = [(int(p.one.student), int(p.other.student)) for p in comparison.pairs]
     found = pairs[: comparison.outstanding]
     assert len({*found} & {*copies}) >= 9

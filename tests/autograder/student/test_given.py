@@ -14,7 +14,7 @@ import pytest
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import explained_on_given, mark_inherited, run_on_given, with_given
-from autograder.grader.assignment import Assignment
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.handouts.handout import make_handout
 from autograder.isolation.sandbox import Level
@@ -203,7 +203,7 @@ def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
 
     monkeypatch.setattr("autograder.grader.grading.run_on_given", fails)
     hana = Submission("hana", ROOT / "sample_class/hana")
-    report = grade_submission(Assignment([CH03], "1", Level()), hana)
+    report = grade_submission(Conditions([CH03], "1", Level()), hana)
     assert report.status == "error, retry"
     assert (report.score or 0.0) > 0
     assert report.score_on_given is None

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Point
-from autograder.grader.cohort import ClassOptions, grade
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
@@ -22,6 +21,7 @@ from autograder.scores import results_of
 from graded import CHAPTERS, SHOUT, class_of, report_of, with_exercise
 from small import MANIFEST, make_root
 from small import RIGHT as SMALL
+from small_class import grade
 from walls import behind_walls
 
 AXES = ["evaluations", "error of the result"]
@@ -92,9 +92,7 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
     hidden.mkdir(parents=True)
     (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
     out = tmp_path / "out"
-    chapter = load_chapter(root / "chapters/ch90_small")
-    options = ClassOptions(seed="1", unsafe=True, root=root, hidden=tmp_path / "hidden")
-    grade(tmp_path / "class", out, [chapter], options)
+    grade(tmp_path / "class", out, root, hidden=tmp_path / "hidden")
 
     def charts(student: str) -> list[Any]:
         text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")

@@ -55,7 +55,7 @@ def test_edited_files_are_taken_byte_for_byte_and_nothing_else(hand_in: HandIn) 
         VECTOR: "# Å\r\nx = 1".encode(),
         EXERCISES: b"",
         "ch03_laws_of_motion/particle.py": b"\xef\xbb\xbfthis is no Python (",
-        "ch03_laws_of_motion/exercises.py": run,
+        "ch03_laws_of_motion/exercises.py": run + b"#" * (LARGEST_FILE - len(run)),
     }
     others = {
         "ch02_vectors/arguments.py": run,  # complete: ours is taken
@@ -70,13 +70,6 @@ def test_edited_files_are_taken_byte_for_byte_and_nothing_else(hand_in: HandIn) 
     assert not Path("ran.txt").exists()
 
 
-@pytest.mark.parametrize("files", [{}, {"readme.txt": CODE}])
-def test_of_nothing_there_are_neither_stubs_nor_solutions(
-    hand_in: HandIn, files: dict[str, bytes]
-) -> None:
-    assert boxed(hand_in(files)) == NOTHING
-
-
 def test_complete_modules_come_from_the_root_that_is_given(tmp_path: Path) -> None:
     for chapter in CHAPTERS:
         make_folder(tmp_path, {f"chapters/{chapter.name}/{name}": b"" for name in chapter.complete})
@@ -86,86 +79,75 @@ def test_complete_modules_come_from_the_root_that_is_given(tmp_path: Path) -> No
 def test_only_the_chapters_that_are_asked_for_are_staged(hand_in: HandIn) -> None:
     submission = hand_in({VECTOR: CODE, "ch03_laws_of_motion/particle.py": b"\0"})
     box = submission.parent / "box"
-    assert stage(submission, CHAPTERS[:1], box).missing == {}
+    assert stage(submission, CHAPTERS[:1], box).rejected == {}
     assert [path.name for path in box.iterdir()] == ["ch02_vectors"]
 
 
-@pytest.mark.parametrize("name", ["vector (1).py", "Vector.py", "vectors.py", "vector_.py"])
-@pytest.mark.parametrize("beside", [{}, {EXERCISES: CODE}])
-def test_a_file_under_a_similar_name_is_named(
-    hand_in: HandIn, name: str, beside: dict[str, bytes]
-) -> None:
-    submission = hand_in({f"ch02_vectors/{name}": CODE, **beside})
+def in_ch02(place: str, name: str = "vector.py") -> dict[str, bytes]:
+    return {place.replace("*", "ch02_vectors") + "/" + name: CODE}
+
+
+def renamed_to(
+    name: str, beside: dict[str, bytes] | None = None
+) -> tuple[dict[str, bytes], Outcome]:
+    others = beside or {}
     why = f"its name is '{name}', so rename it to vector.py"
-    assert boxed(submission) == (beside, {VECTOR: why}, [])
+    return others | in_ch02("*", name), (others, {VECTOR: why}, [])
 
 
-@pytest.mark.parametrize("name", ["vector.txt", "my_helpers.py", "vector\x1b.py", "._vector.py.py"])
-def test_a_file_under_another_name_is_not_named(hand_in: HandIn, name: str) -> None:
-    assert boxed(hand_in({f"ch02_vectors/{name}": CODE})) == NOTHING
-
-
-@pytest.mark.parametrize("place", ["*", "a/*", "a/b/*", "[x] Ångström\n/$(b)/*"])
-def test_a_chapter_may_stand_three_levels_down(hand_in: HandIn, place: str) -> None:
-    assert boxed(hand_in({place.replace("*", "ch02_vectors") + "/vector.py": CODE})) == TAKEN
-
-
-@pytest.mark.parametrize(
-    "place", ["a/b/c/*", ".hidden/*", "a/.git/*", "__MACOSX/*", "a/b/c/d", ".hidden"]
-)
-def test_elsewhere_nothing_is_searched(hand_in: HandIn, place: str) -> None:
-    assert boxed(hand_in({place.replace("*", "ch02_vectors") + "/vector.py": CODE})) == NOTHING
-
-
-@pytest.mark.parametrize(
-    ("places", "taken"),
-    [("b a/b", "b"), ("b a", "a"), ("a/a b", "b"), ("z a/a b/a", "z"), ("b/a a/z", "a/z")],
-)
-def test_the_shallowest_folder_counts_and_then_the_first_by_name(
-    hand_in: HandIn, places: str, taken: str
-) -> None:
-    files = {f"{place}/{VECTOR}": place.encode() for place in places.split()}
-    count = len(files)
+def several(places: str, taken: str) -> tuple[dict[str, bytes], Outcome]:
+    others = [place for place in places.split() if place != taken]
     # The other files of a folder that does not count are not taken either.
-    files |= {f"{place}/{EXERCISES}": CODE for place in places.split() if place != taken}
-    note = f"there are {count} folders called ch02_vectors: '{taken}/ch02_vectors' was used"
-    assert boxed(hand_in(files)) == ({VECTOR: taken.encode()}, {}, [note])
+    files = {f"{place}/{name}": CODE for place in others for name in (VECTOR, EXERCISES)}
+    path = f"{taken}/ch02_vectors"
+    note = f"there are {len(others) + 1} folders called ch02_vectors: '{path}' was used"
+    return {**files, f"{taken}/{VECTOR}": b"taken"}, ({VECTOR: b"taken"}, {}, [note])
 
 
-def test_the_stubs_that_a_hand_out_keeps_are_not_what_was_handed_in(hand_in: HandIn) -> None:
-    made = hand_in({f"stubs/{VECTOR}": b"stub", f"work/chapters/{VECTOR}": CODE})
-    assert boxed(made) == TAKEN
+def bad(content: bytes, why: str) -> tuple[dict[str, bytes], Outcome]:
+    return {VECTOR: content, EXERCISES: CODE}, ({EXERCISES: CODE}, {VECTOR: why}, [])
 
 
-def test_each_chapter_has_its_own_folder_and_one_without_edited_files_does_not_count(
-    hand_in: HandIn,
-) -> None:
-    """As when a zip is unpacked into a folder of its own name."""
-    damping = "ch03_laws_of_motion/damping.py"
-    made = hand_in(
-        {"ch02_vectors/x.txt": b"", f"ch02_vectors/{VECTOR}": b"2", f"b/{damping}": b"3"}
-    )
-    assert boxed(made) == ({VECTOR: b"2", damping: b"3"}, {}, [])
+DAMPING = "ch03_laws_of_motion/damping.py"
 
 
 @pytest.mark.parametrize(
-    ("content", "why"),
+    ("files", "outcome"),
     [
-        (b"#" * LARGEST_FILE, None),
-        (b"#" * (LARGEST_FILE + 1), TOO_LARGE),
-        (b"x = 1\0", "it contains NUL bytes: save it as UTF-8 in your editor"),
-        (b"x = '\xe9'", NO_UTF8),
-        ("x = 1".encode("utf-16"), NO_UTF8),
-        (b"x = '\xed\xa0\x80'", NO_UTF8),
+        # Neither stubs nor solutions are taken for what is not there.
+        *((files, NOTHING) for files in ({}, {"readme.txt": CODE})),
+        *(
+            (in_ch02("*", n), NOTHING)
+            for n in ("vector.txt", "my_helpers.py", "vector\x1b.py", "._vector.py.py")
+        ),
+        # A chapter may be three levels down, but nowhere else.
+        *((in_ch02(at), TAKEN) for at in ("*", "a/*", "a/b/*", "[x] Ångström\n/$(b)/*")),
+        *((in_ch02(at), NOTHING) for at in ("a/b/c/*", ".hidden/*", "a/.git/*", "__MACOSX/*")),
+        *((in_ch02(at), NOTHING) for at in ("a/b/c/d", ".hidden")),
+        # A file under a similar name is named.
+        *(renamed_to(n) for n in ("vector (1).py", "Vector.py", "vectors.py", "vector_.py")),
+        *(renamed_to(n, {EXERCISES: CODE}) for n in ("Vector.py", "vector (1).py")),
+        # The shallowest folder counts, and then the first by name.
+        *(several("b a/b", "b"), several("b a", "a"), several("a/a b", "b")),
+        *(several("z a/a b/a", "z"), several("b/a a/z", "a/z")),
+        # One bad file stops no other.
+        bad(b"#" * (LARGEST_FILE + 1), TOO_LARGE),
+        bad(b"x = 1\0", "it contains NUL bytes: save it as UTF-8 in your editor"),
+        *(bad(content, NO_UTF8) for content in (b"x = '\xe9'", b"x = '\xed\xa0\x80'")),
+        bad("x = 1".encode("utf-16"), NO_UTF8),
+        # The stubs that a handout keeps are not what was handed in.
+        (in_ch02("work/chapters/*") | {f"stubs/{VECTOR}": b"stub"}, TAKEN),
+        # A folder without edited files does not count, as when a zip is unpacked into itself.
+        (
+            {"ch02_vectors/x.txt": b"", f"ch02_vectors/{VECTOR}": b"2", f"b/{DAMPING}": b"3"},
+            ({VECTOR: b"2", DAMPING: b"3"}, {}, []),
+        ),
     ],
 )
-def test_one_bad_file_is_not_taken_and_stops_no_other(
-    hand_in: HandIn, content: bytes, why: str | None
+def test_what_is_taken_of_a_submission(
+    hand_in: HandIn, files: dict[str, bytes], outcome: Outcome
 ) -> None:
-    files, missing, notes = boxed(hand_in({VECTOR: content, EXERCISES: CODE}))
-    assert files == {EXERCISES: CODE} | ({} if why else {VECTOR: content})
-    assert missing == ({VECTOR: why} if why else {})
-    assert notes == []
+    assert boxed(hand_in(files)) == outcome
 
 
 @posix

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from autograder.accepted_files import LARGEST_FILE
-from autograder.submissions.zips import LARGEST_ZIP
+from autograder.submissions.search import LARGEST_ZIP
 from staging import (
     CODE,
     CROWDED,

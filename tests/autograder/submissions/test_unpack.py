@@ -25,12 +25,6 @@ def class_zip(folder: Path, files: Mapping[Any, bytes]) -> Path:
     return path
 
 
-def found_in(path: Path) -> tuple[dict[str, Path], list[str]]:
-    """Return the submissions in the zip of a class, by student, and the notes on the others."""
-    people = read_class(class_folder(path))
-    return {one.student: one.path for one in people.submissions}, people.notes
-
-
 def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Path) -> None:
     names = ("doejane_77_101_work.zip", "doejane_77_205_work-1.zip", "doejane_77_205_work-2.zip")
     late = "leebo_LATE_78_150_my_work-1.zip"
@@ -53,25 +47,28 @@ def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Pat
         assert boxed(one.path) == TAKEN
 
 
-def test_a_download_from_moodle_is_read(tmp_path: Path) -> None:
-    zipped = class_zip(
-        tmp_path,
-        {
-            "Ann Lee_12_assignsubmission_file/work.zip": WORK,
-            f"Bo Ek_13_assignsubmission_file_/{VECTOR}": CODE,
-            "Bo Ek_13_assignsubmission_file_/film.mp4": b"x",
-            "Cy_14_assignsubmission_file_work.zip": WORK,
-            "Di_15_assignsubmission_onlinetext/onlinetext.html": b"hello",
-        },
-    )
-    found, notes = found_in(zipped)
-    assert list(found) == ["Ann Lee_12", "Bo Ek_13", "Cy_14", "Di_15"]
-    for student in ("Ann Lee_12", "Bo Ek_13", "Cy_14"):
-        assert boxed(found[student]) == TAKEN
-    (typed,) = [one for one in read_class(class_folder(zipped)).submissions if one.nothing]
-    assert typed.student == "Di_15"
-    assert typed.nothing.endswith("cannot be graded: it is text that was typed into the platform")
-    assert notes == []
+def test_whoever_uploaded_anything_to_moodle_has_handed_in(tmp_path: Path) -> None:
+    files = {
+        "Ann Lee_12_{}_file/work.zip": WORK,
+        f"Bo Ek_13_{{}}_file_/{VECTOR}": CODE,
+        "Bo Ek_13_{}_file_/film.mp4": b"x",
+        "Cy_14_{}_file_work.zip": WORK,
+        "Di_15_{}_onlinetext/onlinetext.html": b"hello",
+        **dict.fromkeys(("Ed_16_{}_file/README.md", "Flo_17_{}_file/.gitignore"), b"x"),
+        **dict.fromkeys(("Gus_18_{}_file/a\x01.zip", ". Suharto_19_{}_file/work.zip"), b"x"),
+        "می\u200cسر_20_{}_file/work\u202f1.zip": b"x",
+        **dict.fromkeys((".DS_Store", "__MACOSX/Ann Lee_12_{}_file/._README.md"), b"x"),
+    }
+    zipped = class_zip(tmp_path, {n.format("assignsubmission"): files[n] for n in files})
+    people = read_class(class_folder(zipped))
+    found = {one.student: one for one in people.submissions}
+    names = ["Ann Lee_12", "Bo Ek_13", "Cy_14", "Di_15", "Ed_16", "Flo_17", "Gus_18"]
+    assert [*found] == [". Suharto_19", *names, "می\\u200cسر_20"]
+    for student in names[:3]:
+        assert boxed(found[student].path) == TAKEN
+    typed = "cannot be graded: it is text that was typed into the platform"
+    assert [one.student for one in found.values() if one.nothing.endswith(typed)] == ["Di_15"]
+    assert people.notes == []
     (film,) = tmp_path.rglob("film.mp4")
     assert film.stat().st_size == 0, "what cannot count is not unpacked, but known"
 
@@ -132,10 +129,11 @@ def test_marks_are_not_used_for_the_zip_of_another_assignment(tmp_path: Path) ->
 def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
     zipped = class_zip(tmp_path, {"ann.zip": WORK})
     (tmp_path / "lab1").mkdir()
-    (tmp_path / "lab1/mine.txt").touch()
-    with pytest.raises(ValueError, match="already exists, but was not unpacked"):
-        class_folder(zipped)
-    (tmp_path / "lab1/mine.txt").unlink()
+    for name, text in (("mine.txt", ""), (".unpacked.json", "{"), (".unpacked.json", "{}")):
+        (tmp_path / "lab1" / name).write_text(text, encoding="utf-8")
+        with pytest.raises(ValueError, match="already exists, but was not unpacked"):
+            class_folder(zipped)
+        (tmp_path / "lab1" / name).unlink()
     class_folder(zipped)
     (tmp_path / "lab1/cem.zip").symlink_to("/etc/passwd")
     class_zip(tmp_path, {"cem.zip": WORK})

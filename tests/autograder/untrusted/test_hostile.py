@@ -70,14 +70,15 @@ GRADE = """
 import sys
 from pathlib import Path
 
+from autograder.course.model import Work
 from autograder.grader import cohort
 from autograder.manifest import load_chapters
 
 folder, out, root = map(Path, sys.argv[1:4])
-chapters = load_chapters(root)
+work = Work("", load_chapters(root), seed=sys.argv[4])
 limit = float(sys.argv[5])
-options = cohort.ClassOptions(seed=sys.argv[4], jobs=2, root=root, time_limit=limit)
-sys.exit(cohort.grade(folder, out, chapters, options))
+options = cohort.ClassOptions(jobs=2, root=root, time_limit=limit)
+sys.exit(cohort.grade(folder, out, work, options))
 """
 # Two names that are cleaned alike, with different work; and what is no submission.
 ALIKE = {"alike\tname": RIGHT, "alike\x07name": IDLE, "alike_name": RIGHT}

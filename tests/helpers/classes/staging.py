@@ -67,7 +67,7 @@ def boxed(submission: Path, root: Path = ROOT) -> Outcome:
             ours = (root / "chapters" / chapter.name / name).read_bytes()
             assert files.pop(f"{chapter.name}/{name}") == ours
     missing = {}
-    for module, sentence in staged.missing.items():
+    for module, sentence in staged.rejected.items():
         file, why = f"{module.replace('.', '/')}.py", sentence
         if module not in staged.misplaced:
             start, why = sentence.split(" was rejected: ")

@@ -1,8 +1,7 @@
-"""Compute late penalties and scale marks for a whole class, as the course file specifies."""
+"""Find out how late the students of a class are, with the extensions of the course file."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -11,11 +10,10 @@ from typing import Any
 from autograder.course.dates import parse_time
 from autograder.course.late import HandedIn, late_of
 from autograder.course.model import Deadline
+from autograder.course.points import points_of
 from autograder.course.times import TIMES, times_of
 from autograder.manifest import Chapter
-from autograder.reports.marks import Marks
 from autograder.reports.report import Late
-from autograder.scores import possible
 from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.names import Names, UnknownNameError, some
 from autograder.submissions.roster import read_roster
@@ -24,10 +22,7 @@ from autograder.submissions.roster import read_roster
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, people: ClassList
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute how late the work of each student in a class is, and how many points that costs.
-
-    Return the results by report, and notes for the instructor. A note may say, for example, that
-    some submission times are unknown.
+    """Compute how late each report's submission is, with notes for the instructor.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid, or an extension is not
@@ -48,8 +43,7 @@ def lateness(
             f"The submission time is unknown for {len(unknown)} of {len(reports)} students, who "
             f"therefore get no penalty: {some(unknown)}. {add}"
         )
-    unclear = [report for report, at in said.items() if at.late and at.at is None]
-    if unclear:
+    if unclear := [report for report, at in said.items() if at.late and at.at is None]:
         notes.append(
             f"Late by an unknown amount of time, and therefore without a penalty: {len(unclear)} "
             f"({some(unclear)}). {add}"
@@ -72,21 +66,18 @@ def _extensions(
     problems: list[str] = []
     notes: list[str] = []
     for name, due in deadline.extensions.items():
+        about = f"Extension of {name!r} in the course file:"
+        members: list[Member] = []
         try:
             members = people.members_of(name)
-        except UnknownNameError as error:
-            (problems if people.has_roster else notes).append(
-                f"Extension of {name!r} in the course file: {error}"
-            )
-            continue
         except ValueError as error:
-            problems.append(f"Extension of {name!r} in the course file: {error}")
-            continue
+            is_absent = isinstance(error, UnknownNameError) and not people.has_roster
+            (notes if is_absent else problems).append(f"{about} {error}")
         for member in members:
             before, time = of_member.setdefault(member, (name, due))
             if time != due:
                 words = f"{before!r} is the same student and has another date. Give only one"
-                problems.append(f"Extension of {name!r} in the course file: {words}")
+                problems.append(f"{about} {words}")
             granted.setdefault(member.report, []).append(due)
     if problems:
         raise ValueError("\n".join(dict.fromkeys(problems)))
@@ -98,8 +89,7 @@ def late_on_gradescope(
 ) -> Late:
     """Compute how late a submission to Gradescope is, from the metadata that Gradescope provides.
 
-    A submission can have several authors. If one of them has an extension, it applies to the whole
-    group. The course file may identify this author by name or by e-mail address.
+    If one of several authors has an extension, it applies to the whole group.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
@@ -108,8 +98,7 @@ def late_on_gradescope(
     users = metadata.get("users")
     users = [user for user in users if isinstance(user, dict)] if isinstance(users, list) else []
     known = Names((name, name, [name]) for name in deadline.extensions)
-    said = [str(user.get(key)) for user in users for key in ("name", "email")]
-    found = [known.all_of(one) for one in said]
+    found = [known.all_of(str(user.get(key))) for user in users for key in ("name", "email")]
     granted = [deadline.extensions[names[0]] for names in found if len(names) == 1]
     handed_in = HandedIn("Gradescope", at) if at else None
     return late_of(deadline, granted, handed_in, points_of(chapters))
@@ -129,49 +118,21 @@ def for_gradescope(deadline: Deadline, roster: Path | None) -> Deadline:
     extensions: dict[str, datetime] = {}
     problems = []
     for name, due in deadline.extensions.items():
+        about = f"Extension of {name!r} in the course file:"
         found = names.all_of(name)
         if len(found) != 1:
-            problems.append(
-                f"Extension of {name!r} in the course file: {names.problem(name, found)}"
-            )
+            problems.append(f"{about} {names.problem(name, found)}")
             continue
         (student,) = found
         is_alone = names.all_of(student.name) == [student]
-        keys = [student.email, student.name if is_alone else ""]
-        if not any(keys):
+        keys = [key for key in (student.email, student.name if is_alone else "") if key]
+        if not keys:
             problems.append(
-                f"Extension of {name!r} in the course file: Gradescope tells students of one name "
-                f"apart by email only. Add one to {roster}, line {student.line}"
+                f"{about} Gradescope tells students of one name apart by email only. Add one to "
+                f"{roster}, line {student.line}"
             )
-        for each in filter(None, keys):
-            if extensions.setdefault(each, due) != due:
-                problems.append(
-                    f"Extension of {name!r} in the course file: {student.name} has two dates"
-                )
+        if any(extensions.setdefault(key, due) != due for key in keys):
+            problems.append(f"{about} {student.name} has two dates")
     if problems:
         raise ValueError("\n".join(problems))
     return replace(deadline, extensions=extensions)
-
-
-def points_of(chapters: Iterable[Chapter]) -> float:
-    """Add up the points of all exercises in these chapters, including the written answers.
-
-    Extra credit and optional exercises are left out.
-    """
-    return possible(exercise for chapter in chapters for exercise in chapter.exercises)
-
-
-def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
-    """Scale the marks for written answers to the points that they are worth in the assignment.
-
-    Instructors mark with our rubrics, which use the points in the manifest. An assignment may give
-    more or fewer points for the same exercise.
-    """
-    rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
-    assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}
-    return {
-        (student, name): replace(
-            mark, points=round(mark.points * assigned.get(name, rubric[name]) / rubric[name], 2)
-        )
-        for (student, name), mark in marks.items()
-    }

@@ -22,7 +22,6 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
     Raises:
         ValueError: The file has a mistake. The message names the key, its value and what is wanted.
-        OSError: The file cannot be read.
     """
     table = read_tables(path)
     works: list[Work] = []
@@ -46,10 +45,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 def _work(table: AssignmentTable, works: list[Work], chapters: list[Chapter], root: Path) -> Work:
-    """Find the exercises of an assignment, their points, and those that they build on.
-
-    ``works`` are the earlier assignments of the course file.
-    """
+    """Find the exercises of an assignment, and those of earlier ``works`` that they build on."""
     before: dict[str, str] = {}
     for work in works:
         for exercise in (e for chapter in work.chapters for e in chapter.exercises):

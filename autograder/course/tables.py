@@ -63,12 +63,7 @@ class CourseTable(Struct, forbid_unknown_fields=True):
 
 
 def read_tables(path: Path) -> CourseTable:
-    """Parse a course file, and check the type of every value.
-
-    Raises:
-        ValueError: The file is not valid TOML, or a key or a value is wrong.
-        OSError: The file cannot be read.
-    """
+    """Parse a course file, and raise ValueError at a wrong key or value."""
     if not path.is_file():
         raise ValueError(
             f"there is no file {str(path)!r}. Write one as autograder/README.md shows, or name "

@@ -15,6 +15,7 @@ from autograder.course.points import plain, rescaled, scaled_alike
 from autograder.course.tables import AssignmentTable, LateTable, read_tables
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, load_chapters
 from autograder.scores import possible, shown
+from autograder.text.clean import clean_line
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
@@ -40,7 +41,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
                 raise ValueError(f"assignment {one.name}, {error}") from error
             works.append(replace(work, deadline=deadline, hidden=hidden, roster=roster))
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {clean_line(str(error))}") from error
     return Course(works)
 
 

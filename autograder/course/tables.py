@@ -10,6 +10,8 @@ from typing import Annotated, Any
 import msgspec
 from msgspec import Meta, Struct
 
+from autograder.text.clean import clean_line
+
 Amount = Annotated[int, Meta(gt=0, le=1_000_000)] | Annotated[float, Meta(gt=0, le=1_000_000)]
 PerDay = Annotated[int, Meta(ge=0, le=1_000_000)] | Annotated[float, Meta(ge=0, le=1_000_000)]
 # How a message says what msgspec expects, and what it found out about a table.
@@ -78,7 +80,7 @@ def read_tables(path: Path) -> CourseTable:
     try:
         return msgspec.convert(data, CourseTable, builtin_types=(datetime,))
     except msgspec.ValidationError as error:
-        raise ValueError(f"{path}: {_explained(str(error), data)}") from error
+        raise ValueError(f"{path}: {clean_line(_explained(str(error), data))}") from error
 
 
 def _explained(message: str, data: Any) -> str:

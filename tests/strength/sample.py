@@ -5,8 +5,8 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 
-from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.class_run import print_class
+from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters

@@ -13,11 +13,7 @@ YEARS = range(1970, 3000)  # close to the years 1 and 9999, Python may fail to c
 
 
 def parse_time(text: str, zone: tzinfo) -> datetime:
-    """Parse a time in ISO 8601 format, which is in ``zone`` if it has no UTC offset.
-
-    Raises:
-        ValueError: The text is not a time.
-    """
+    """Parse a time in ISO 8601 format, which is in ``zone`` if it has no UTC offset."""
     time = datetime.fromisoformat(re.sub(r"\s*(UTC|Z)$", "+00:00", text.strip()))
     if time.year not in YEARS:
         raise ValueError(f"a time must be from {YEARS[0]} to {YEARS[-1]}")

@@ -22,12 +22,7 @@ from autograder.submissions.roster import read_roster
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, people: ClassList
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute how late each report's submission is, with notes for the instructor.
-
-    Raises:
-        ValueError: A file with the times of the submissions is not valid, or an extension is not
-            that of one student.
-    """
+    """Compute how late each report's submission is, with notes for the instructor."""
     said, notes = times_of(folder, people, deadline.due.tzinfo or UTC)
     granted, more_notes = _extensions(deadline, people)
     notes += more_notes
@@ -105,12 +100,7 @@ def late_on_gradescope(
 
 
 def for_gradescope(deadline: Deadline, roster: Path | None) -> Deadline:
-    """Return a deadline whose extensions have the keys that Gradescope knows: names and emails.
-
-    Raises:
-        ValueError: An extension is not that of one student on the roster, or this student has a
-            name that another one has too, and no email.
-    """
+    """Return a deadline whose extensions have the keys that Gradescope knows: names and emails."""
     if roster is None or not deadline.extensions:
         return deadline
     students = read_roster(roster)

@@ -35,8 +35,7 @@ class LatePolicy:
 class Deadline:
     """When an assignment is due, with the later due dates of individual students.
 
-    All times have a time zone. Without a policy, late work loses no points, but reports still say
-    how late it is.
+    All times have a time zone. Without a policy, late work loses no points.
     """
 
     due: datetime

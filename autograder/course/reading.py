@@ -15,6 +15,7 @@ from autograder.course.points import plain, rescaled, scaled_alike
 from autograder.course.tables import AssignmentTable, LateTable, read_tables
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, load_chapters
 from autograder.scores import possible, shown
+from autograder.text.clean import clean_line
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
@@ -22,7 +23,6 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
     Raises:
         ValueError: The file has a mistake. The message names the key, its value and what is wanted.
-        OSError: The file cannot be read.
     """
     table = read_tables(path)
     works: list[Work] = []
@@ -41,15 +41,12 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
                 raise ValueError(f"assignment {one.name}, {error}") from error
             works.append(replace(work, deadline=deadline, hidden=hidden, roster=roster))
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {clean_line(str(error))}") from error
     return Course(works)
 
 
 def _work(table: AssignmentTable, works: list[Work], chapters: list[Chapter], root: Path) -> Work:
-    """Find the exercises of an assignment, their points, and those that they build on.
-
-    ``works`` are the earlier assignments of the course file.
-    """
+    """Find the exercises of an assignment, and those of earlier ``works`` that they build on."""
     before: dict[str, str] = {}
     for work in works:
         for exercise in (e for chapter in work.chapters for e in chapter.exercises):

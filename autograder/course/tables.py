@@ -10,6 +10,8 @@ from typing import Annotated, Any
 import msgspec
 from msgspec import Meta, Struct
 
+from autograder.text.clean import clean_line
+
 Amount = Annotated[int, Meta(gt=0, le=1_000_000)] | Annotated[float, Meta(gt=0, le=1_000_000)]
 PerDay = Annotated[int, Meta(ge=0, le=1_000_000)] | Annotated[float, Meta(ge=0, le=1_000_000)]
 # How a message says what msgspec expects, and what it found out about a table.
@@ -63,12 +65,7 @@ class CourseTable(Struct, forbid_unknown_fields=True):
 
 
 def read_tables(path: Path) -> CourseTable:
-    """Parse a course file, and check the type of every value.
-
-    Raises:
-        ValueError: The file is not valid TOML, or a key or a value is wrong.
-        OSError: The file cannot be read.
-    """
+    """Parse a course file, and raise ValueError at a wrong key or value."""
     if not path.is_file():
         raise ValueError(
             f"there is no file {str(path)!r}. Write one as autograder/README.md shows, or name "
@@ -83,7 +80,7 @@ def read_tables(path: Path) -> CourseTable:
     try:
         return msgspec.convert(data, CourseTable, builtin_types=(datetime,))
     except msgspec.ValidationError as error:
-        raise ValueError(f"{path}: {_explained(str(error), data)}") from error
+        raise ValueError(f"{path}: {clean_line(_explained(str(error), data))}") from error
 
 
 def _explained(message: str, data: Any) -> str:

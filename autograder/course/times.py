@@ -1,7 +1,6 @@
-"""Find out when each student of a class handed in the work, from files beside the submissions.
+"""Find out when each student of a class handed in the work.
 
-The modification times of a student's files are not reliable, because copying the files changes
-them.
+The modification times of files are not reliable, because copying the files changes them.
 """
 
 from __future__ import annotations

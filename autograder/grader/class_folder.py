@@ -38,11 +38,7 @@ def graded_folder(out: Path) -> Path | None:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the graded and the given chapters of the last run, as on the command line.
-
-    Raises:
-        ValueError: There is no earlier run.
-    """
+    """Return the graded and the given chapters of the last run, as on the command line."""
     record = recorded(out)
     if "chapters" not in record:
         raise ValueError(f"{str(out)!r} has no results. It must be a folder of make grade OUT=...")
@@ -50,12 +46,7 @@ def earlier_choice(out: Path) -> tuple[str, str]:
 
 
 def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> None:
-    """Check that reports are written neither among submissions nor among files of another kind.
-
-    Raises:
-        ValueError: The folder ``out`` is that of the class, in a submission, or neither new nor one
-            with grades.
-    """
+    """Raise ValueError if reports would be among submissions or among files of another kind."""
     if out.resolve() == folder.resolve():
         raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
     for one in submissions:
@@ -73,13 +64,10 @@ def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> 
 
 
 def refuse_other_grades(out: Path, new: dict[str, Any], people: ClassList) -> None:
-    """Check that a run does not replace the grades of another class or of another assignment.
+    """Raise ValueError if ``out`` has the grades of another class or of another assignment.
 
     ``new`` is the record of the run. The grades of the sample class may be replaced. If the folder
     of the class is no longer where it was, the same students must have handed in.
-
-    Raises:
-        ValueError: The folder has other grades.
     """
     old, before = recorded(out), graded_folder(out)
     if before is None or before == SAMPLE:
@@ -116,13 +104,10 @@ def _described(record: dict[str, Any]) -> str:
 
 
 def refuse_dropped(old: dict[str, Any], new: dict[str, Any], *, is_regrade: bool) -> None:
-    """Check that no run drops the roster or the hidden checks with which the class was graded.
+    """Raise ValueError if a run drops the roster or the hidden checks, or a regrade has new ones.
 
     With a roster, the reports use its names for the students. Without one, they use the names of
     the submissions. The first run with a roster therefore has to be one of the whole class.
-
-    Raises:
-        ValueError: The roster or the hidden checks are missing, or a regrade has new ones.
     """
     for key, what in (("roster", "a roster"), ("checks", "hidden checks")):
         option = f"--{key} (make: {key.upper()}=)"
@@ -138,11 +123,7 @@ def refuse_dropped(old: dict[str, Any], new: dict[str, Any], *, is_regrade: bool
 
 @contextmanager
 def only_run(out: Path) -> Iterator[None]:
-    """Create the folder of reports, and lock it so that no other run of the grader writes to it.
-
-    Raises:
-        ValueError: The path is not a folder, or another run is using it.
-    """
+    """Create the folder of reports, and lock it so that no other run of the grader writes to it."""
     if (out.exists() or out.is_symlink()) and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)

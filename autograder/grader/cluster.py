@@ -70,12 +70,7 @@ class Job:
 
 @contextmanager
 def connect(address: str, conditions: Conditions, console: Console) -> Iterator[Client]:
-    """Connect to the scheduler of a Dask cluster, and print how many workers can grade.
-
-    Raises:
-        ValueError: Dask is not installed, the scheduler does not answer, there are no workers, or a
-            worker would not grade exactly as this machine does.
-    """
+    """Connect to the scheduler of a Dask cluster, and print how many workers can grade."""
     try:
         from distributed import Client
     except ImportError as error:
@@ -113,10 +108,6 @@ def grade_over(
     """Grade submissions on the cluster, and yield each report when it arrives.
 
     The files of a submission are sent as data, so the machines need no shared disk.
-
-    Raises:
-        ValueError: A worker that joined later would not grade exactly as this machine does.
-        OSError: A submission cannot be sent, or the scheduler does not answer.
     """
     from distributed import KilledWorker, as_completed
 
@@ -148,11 +139,7 @@ _once: dict[str, OnceForAll] = {}  # on a worker, what is the same for all stude
 
 
 def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) -> StudentReport:
-    """Grade one student's submission. Dask calls this function on a worker.
-
-    Raises:
-        ValueError: The worker would not grade exactly as the instructor's machine does.
-    """
+    """Grade one student's submission. Dask calls this function on a worker."""
     from distributed import get_worker
 
     check_worker(job)
@@ -173,10 +160,7 @@ def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) ->
 
 
 def check_worker(job: Job) -> None:
-    """Raise ValueError if this worker would not grade exactly as the instructor's machine does.
-
-    Otherwise a student's grade could depend on the machine that happened to compute it.
-    """
+    """Raise ValueError if this worker would not grade exactly as the instructor's machine does."""
     level = _level(unsafe=not job.conditions.level.is_sandbox)
     own = run_key(replace(job.here, level=level))
     if own.grader != _GRADER:

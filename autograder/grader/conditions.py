@@ -55,10 +55,7 @@ class Conditions:
         """Run the checks of a chapter's graded exercises, and of their prerequisites.
 
         ``missing`` has the reason for each rejected module of the submission. The compiled code is
-        kept in the folder ``compiled`` for later runs.
-
-        Raises:
-            GraderError: The checks could not be run.
+        kept in the folder ``compiled`` for later runs. Raise GraderError if the checks cannot run.
         """
         if exercises is None:
             exercises = [e.id for e in chapter.exercises if e.kind != "written"]
@@ -131,9 +128,6 @@ class OnceForAll:
         """Return the results for students who have handed in no file for a chapter.
 
         The chapters that it builds on come from the reference solution.
-
-        Raises:
-            GraderError: The checks could not be run.
         """
         return self._once("nothing", _run_on_nothing, conditions, chapter)
 

@@ -13,12 +13,7 @@ from autograder.submissions.class_list import ClassList, read_class
 
 
 def people_of(folder: Path, out: Path, roster: Path | None) -> ClassList:
-    """Find the students of a class, what they have handed in, and who has reports in ``out``.
-
-    Raises:
-        ValueError: The submissions or the roster contain a mistake.
-        OSError: A file cannot be read.
-    """
+    """Find the students of a class, what they have handed in, and who has reports in ``out``."""
     earlier = [*out.glob("results/*.json"), *out.glob("earlier/results/*.json")]
     reports = [report for path in earlier if (report := read_result(path))]
     return replace(read_class(folder, roster), gone=frozenset(one.student for one in reports))

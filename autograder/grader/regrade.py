@@ -28,12 +28,8 @@ MAY_DIFFER = {
 class Regrade:
     """Regrades one student after an earlier run has graded the class.
 
-    The seed and the points must be the same as when the class was graded, so that the grades remain
+    The class, the seed and the points must be the same as then, so that the grades remain
     comparable. ``why`` is the instructor's reason.
-
-    Raises:
-        ValueError: The folder has no earlier run, the name does not mean one student who has handed
-            in, or the class, the seed or the points have changed.
     """
 
     def __init__(self, out: Path, student: str, people: ClassList, why: str, key: RunKey) -> None:

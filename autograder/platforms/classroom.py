@@ -25,9 +25,6 @@ def make_classroom(
     """Write an ordinary handout, and a workflow that grades every push, to the new folder ``out``.
 
     ``about`` is the section of the README that describes the assignment.
-
-    Raises:
-        ValueError: A chapter is in both ``chapters`` and ``given``, or the folder is not empty.
     """
     make_handout(chapters, given, out, about=about)
     chapters = in_whole_points(chapters)

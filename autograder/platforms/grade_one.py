@@ -42,9 +42,6 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
     Every run draws a new seed, even if the course file has one. Otherwise students could submit
     again with the numbers that they saw in the results of an earlier run.
-
-    Raises:
-        ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
     """
     settings = json.loads((root / "assignment.json").read_text(encoding="utf-8"))
     submission = folder / "submission"

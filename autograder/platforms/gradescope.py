@@ -25,10 +25,6 @@ def make_gradescope(work: Work, out: Path, *, unsafe: bool = False) -> None:
     """Write the zip file that an instructor uploads to Gradescope, and print what it contains.
 
     ``unsafe`` permits grading on a machine that has no sandbox.
-
-    Raises:
-        ValueError: ``out`` does not name a .zip file, or ``unsafe`` is set although the assignment
-            has hidden checks. Without a sandbox, a student's code could read them.
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")

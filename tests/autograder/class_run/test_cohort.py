@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from autograder.grader import grading
-from autograder.grader.class_folder import only_run
+from autograder.grader.class_folder import SAMPLE, only_run
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapter
@@ -53,8 +53,12 @@ def test_the_next_run_keeps_the_seed_and_grades_only_what_is_new(small: SmallCla
     assert first["ann"] == second["ann"], "down to the seconds that it took"
     assert small.scores() == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
     assert {report["seed"] for report in second.values()} == {seed}
-    grade(small.folder, small.place / "other", small.root, None)
-    assert results(small.place / "other")["ann"]["seed"] != seed, "a new folder draws a seed"
+    other = small.place / "other"
+    other.mkdir()
+    record = {"folder": str(SAMPLE), "seed": seed}
+    (other / "run.json").write_text(json.dumps(record), encoding="utf-8")
+    grade(small.folder, other, small.root, None)
+    assert results(other)["ann"]["seed"] != seed, "that of the sample class is no secret"
 
 
 @pytest.mark.parametrize("change", ["seed", "checks", "complete module", "error", "cut off"])

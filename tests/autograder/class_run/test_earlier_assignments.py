@@ -78,7 +78,7 @@ def test_whole_chapters_have_no_earlier_assignments(small: SmallClass) -> None:
     small.grade()
     assert not any("causes" in report for report in small.results().values())
     assert "earlier assignment" not in small.everything()
-    assert "Fix <a" in (small.place / "out/feedback/bob.html").read_text(encoding="utf-8")
+    assert "Fix <a" in small.text("feedback/bob.html")
 
 
 def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:

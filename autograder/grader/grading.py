@@ -11,7 +11,7 @@ from pathlib import Path
 
 from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
-from autograder.checks.verdict import Verdict
+from autograder.checks.verdict import Point, Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.diagnosis.missing import file_of
 from autograder.grader.assignment import Assignment, OnceForAll
@@ -19,7 +19,7 @@ from autograder.grader.causes import causes_of
 from autograder.grader.handed_in import notes_on, why_nothing
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
-from autograder.reports.report import Cause, Chart, ExerciseReport, StudentReport, check_report
+from autograder.reports.report import Cause, StudentReport
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission, printable
 from autograder.submissions.stage import Staged, stage
@@ -207,21 +207,14 @@ def _is_there(module: str, engine: list[Path]) -> bool:
     return any((folder / file_of(module)).exists() for folder in engine)
 
 
-def _chart(
+def _reference(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
-) -> Chart | None:
-    """Build the chart of an open exercise, which compares a student's solution with the reference.
-
-    It plots the error of both solutions against their cost. The result is None if no check has
-    measured the student's solution.
-    """
+) -> Point | None:
+    """Return the cost and the error of our solution, if those of the student's were measured."""
     if result.on_chart is None:
         return None
-    reference = {
-        other.exercise.id: other.on_chart for other in once.of_reference(assignment, chapter)
-    }
-    exercise = result.exercise
-    return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
+    ours = once.of_reference(assignment, chapter)
+    return next((r.on_chart for r in ours if r.exercise.id == result.exercise.id), None)
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
@@ -257,8 +250,12 @@ def _report(
         waiting=sum(result.exercise.points for result in own if result.status == "waiting"),
         earlier=_own_earlier_chapters(assignment),
         notes=notes,
-        exercises=[
-            _exercise(chapter, result, better, _chart(assignment, once, chapter, result))
+        results=[
+            replace(
+                result,
+                score_on_given=better.score,
+                reference=_reference(assignment, once, chapter, result),
+            )
             for chapter, results in zip(assignment.chapters, graded, strict=True)
             for result, better in zip(results.own, results.on_given, strict=True)
         ],
@@ -277,23 +274,3 @@ def _own_earlier_chapters(assignment: Assignment) -> list[int]:
         for other in below_and_not_given(chapter, assignment.given, assignment.root)
     ]
     return sorted(set(below))
-
-
-def _exercise(
-    chapter: Chapter, result: Result, better: Result, chart: Chart | None
-) -> ExerciseReport:
-    exercise = result.exercise
-    return ExerciseReport(
-        chapter=chapter.number,
-        id=exercise.id,
-        title=exercise.title,
-        kind=exercise.kind,
-        points=exercise.points,
-        score=result.score,
-        score_on_given=better.score,
-        status=result.status,
-        comment="",
-        checks=[check_report(check) for check in result.checks],
-        chart=chart,
-        extra=exercise.extra,
-    )

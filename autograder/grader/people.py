@@ -62,12 +62,7 @@ def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str
     for report in reports:
         if report.nothing:
             nothing.setdefault(report.nothing, []).append(report.student)
-    changed = [
-        f"{report.student} {exercise.id}"
-        for report in reports
-        for exercise in report.exercises
-        if exercise.status == "changed"
-    ]
+    changed = [f"{report.student} {exercise}" for report in reports for exercise in report.changed]
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (

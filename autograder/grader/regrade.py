@@ -11,9 +11,10 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.grader.class_run import ClassRun
-from autograder.reports.report import ExerciseReport, RunKey, StudentReport
+from autograder.reports.report import RunKey, StudentReport
 from autograder.reports.results import keep_report, read_result, read_results
 from autograder.reports.texts import number
+from autograder.scores import Result
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.csv_rows import as_cell
 from autograder.submissions.find import Submission, file_name
@@ -118,7 +119,7 @@ class Regrade:
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
-        checks = [check for one in self.reports for e in one.exercises for check in e.checks]
+        checks = [check for one in self.reports for r in one.results for check in r.checks]
         were_hidden = any(check.hidden for check in checks)
         if were_hidden != (run.assignment.hidden is not None):
             how = "with hidden checks: add" if were_hidden else "without hidden checks: leave out"
@@ -205,16 +206,16 @@ def _changes(before: StudentReport | None, after: StudentReport) -> list[str]:
 
     If the score of exercise 2.5 has changed from 1 to 3, for example, its entry is "2.5: 1 to 3".
     """
-    earlier = {exercise.id: exercise for exercise in before.exercises} if before else {}
+    earlier = {result.exercise.id: result for result in before.results} if before else {}
     return [
-        f"{new.id}: {_outcome(old)} to {_outcome(new)}"
-        for new in after.exercises
-        if (old := earlier.get(new.id)) is None
+        f"{new.exercise.id}: {_outcome(old)} to {_outcome(new)}"
+        for new in after.results
+        if (old := earlier.get(new.exercise.id)) is None
         or (old.score, old.status) != (new.score, new.status)
     ]
 
 
-def _outcome(exercise: ExerciseReport | None) -> str:
-    if exercise is None:
+def _outcome(result: Result | None) -> str:
+    if result is None:
         return "nothing"
-    return exercise.status if exercise.score is None else number(exercise.score)
+    return result.status if result.score is None else number(result.score)

@@ -156,7 +156,7 @@ def _compare(
     own = _own_texts(submission, report, root)
     if own is None:
         return [], [], "the work has changed since it was graded. Grade it again first"
-    passed = {exercise.id for exercise in report.exercises if exercise.status == "passed"}
+    passed = {result.exercise.id for result in report.results if result.status == "passed"}
     compared: list[Compared] = []
     left_out = []
     for chapter in released:

@@ -16,13 +16,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import msgspec
 from rich.console import Console
 from rich.progress import track
 
 from autograder.accepted_files import NotTakenError
 from autograder.alone import alone
 from autograder.files import is_new
-from autograder.records import from_json, to_json
+from autograder.records import to_json
 from autograder.reports.texts import replace_file
 from autograder.submissions.find import SILENT, is_skipped, printable
 from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
@@ -226,7 +227,7 @@ def _read_marker(folder: Path) -> Unpacked:
         return Unpacked("", [], [])
     try:
         data = json.loads((folder / MARKER).read_text(encoding="utf-8"))
-        return from_json(Unpacked, data)
+        return msgspec.convert(data, Unpacked)
     except (OSError, ValueError) as error:
         raise ValueError(
             f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "

@@ -199,7 +199,7 @@ def test_a_changed_answer_is_to_be_marked_again_under_the_name_of_the_roster(
     [("3", "there are no written exercises to mark"), ("2", "line 2: there is no student 'zoe'")],
 )
 def test_it_says_why_there_is_nothing_to_mark(folder: Path, chapters: str, words: str) -> None:
-    from autograder.marking.server import mark
+    from autograder.marking.marking_server import mark
 
     (folder / "marks.csv").write_text(
         "student,exercise,points,comment\nzoe,2.3,1,\n", encoding="utf-8"

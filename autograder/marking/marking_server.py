@@ -4,36 +4,46 @@ from __future__ import annotations
 
 import asyncio
 import webbrowser
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tornado.escape import json_decode
+import msgspec
 from tornado.web import Application
 
 from autograder.local_server import Files, Handler, Site, is_own_page
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.marking.answers import Task, collect_tasks
 from autograder.marking.marked_answers import MarkedAnswers
-from autograder.marking.marks_file import ChangedError, MarksFile
+from autograder.marking.marks_file import ChangedError, change_mark
 from autograder.reports.marks import Mark, read_marks
 from autograder.reports.texts import LONGEST
-from autograder.submissions.class_list import read_class
+from autograder.submissions.class_list import ClassList, read_class
 
 PAGE = Path(__file__).parent / "page"
 LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
+@dataclass(frozen=True)
+class Change:
+    """A new mark for an answer, with the old mark that the marking page displayed."""
+
+    exercise: str
+    code: str
+    mark: Mark | None
+    seen: Mark | None
+
+
 class Marking(Site):
-    """The data behind the marking page: the students' written answers and their marks.
+    """What all request handlers share: the students' written answers and the file of marks."""
 
-    All request handlers of the server share this object.
-    """
-
-    def __init__(self, tasks: list[Task], marks: MarksFile, folder: Path) -> None:
+    def __init__(
+        self, tasks: list[Task], folder: Path, chapters: list[Chapter], people: ClassList
+    ) -> None:
         super().__init__()
-        self.folder = folder
         self.tasks = {task.exercise.id: task for task in tasks}
-        self.marks = marks
+        self.folder = folder
+        self.file = folder / "marks.csv", chapters, people
         self.answers = {
             (task.exercise.id, answer.code): answer for task in tasks for answer in task.answers
         }
@@ -51,12 +61,8 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Read the marks from marks.csv, and group them by exercise and by student.
-
-        For example, ``known()["2.2b"]`` is a dict of all marks for exercise 2.2b. Its keys are the
-        codes that the marking page shows instead of students' names.
-        """
-        marks, marked = self.marks.read(), self.marked()
+        """Read the marks from marks.csv, and group them by exercise and by the answers' codes."""
+        marks, marked = read_marks(*self.file)[0], MarkedAnswers(self.folder)
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), answer in self.answers.items():
             if mark := marks.get((answer.submission.student, exercise)):
@@ -66,16 +72,18 @@ class Marking(Site):
         marked.save()
         return found
 
-    def marked(self) -> MarkedAnswers:
-        """Read which answers the marks are for. Others may be marking at the same time."""
-        return MarkedAnswers(self.folder)
+    def change(self, change: Change) -> None:
+        """Write a new mark into marks.csv, and remember the answer that it was given for."""
+        answer = self.answers[change.exercise, change.code]
+        student, owner = answer.submission.student, answer.submission.owner
+        change_mark(*self.file, (student, change.exercise), change.mark, change.seen)
+        if change.mark:
+            marked = MarkedAnswers(self.folder)
+            marked.mark_now(owner, change.exercise, change.mark, answer.hash)
 
 
 class Questions(Handler):
-    """Handles requests for the written questions and the students' answers to them.
-
-    The questions and answers do not change while the server runs.
-    """
+    """Handles requests for the written questions and the students' answers to them."""
 
     site: Marking
 
@@ -99,12 +107,7 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """Handles requests to read or change the marks for written answers.
-
-    A request to change a mark includes the old mark that the marking page displayed. If somebody
-    has changed the mark in the file since then, the request is refused. In this way, nobody
-    overwrites a mark without having seen it.
-    """
+    """Handles requests to read or change the marks for written answers."""
 
     site: Marking
 
@@ -118,66 +121,43 @@ class Marks(Handler):
             self.send_error(415)
 
     def get(self) -> None:
-        self.answer()
+        self.answer(200)
 
     def post(self) -> None:
         try:
-            asked = json_decode(self.request.body)
-            exercise, code = str(asked["exercise"]), str(asked["code"])
-            answer = self.site.answers[exercise, code]
-            points = self.site.tasks[exercise].exercise.points
-            mark, seen = mark_of(asked["mark"], points), mark_of(asked["seen"], points)
-        except (ValueError, KeyError, TypeError, RecursionError) as error:
-            self.refuse(400, f"this is not a valid mark: {error}")
+            change = msgspec.json.decode(self.request.body, type=Change)
+            if (change.exercise, change.code) not in self.site.answers:
+                raise ValueError("there is no such answer")
+            check_mark(change.mark, self.site.tasks[change.exercise].exercise.points)
+        except (ValueError, RecursionError) as error:
+            self.answer(400, f"this is not a valid mark: {error}")
             return
         try:
-            self.site.marks.change(answer.submission.student, exercise, mark, seen)
-            if mark:
-                self.site.marked().mark_now(answer.submission.owner, exercise, mark, answer.hash)
+            self.site.change(change)
         except ChangedError:
-            self.answer(409, why="This mark has been changed on another page in the meantime.")
-            return
+            self.answer(409, "Somebody has changed this mark in marks.csv in the meantime.")
         except (ValueError, OSError) as error:
-            self.refuse(503, str(error))
-            return
-        self.answer()
+            self.answer(503, str(error))
+        else:
+            self.answer(200)
 
-    def answer(self, status: int = 200, **more: str) -> None:
-        """Send the current marks of all answers to the marking page.
-
-        They are read from marks.csv again, so they include marks entered on another marking page.
-        """
+    def answer(self, status: int, why: str = "") -> None:
+        """Send why a request failed, or the marks in marks.csv, which others may have changed."""
+        self.set_status(status)
         try:
-            known = self.site.known()
+            marks = {"marks": self.site.known()} if status in (200, 409) else {}
         except (ValueError, OSError) as error:
-            self.refuse(503, str(error))
-            return
-        self.set_status(status)
-        self.write({"marks": known, **more})
-
-    def refuse(self, status: int, why: str) -> None:
-        """Send the marking page an error response that explains why its request failed."""
-        self.set_status(status)
-        self.write({"why": why})
+            self.set_status(503)
+            marks, why = {}, str(error)
+        self.write({**marks, "why": why})
 
 
-def mark_of(value: Any, most: float) -> Mark | None:
-    """Validate a mark that the marking page sent, and return it.
-
-    Return None if the page sent no mark, for example because an instructor has deleted it. ``most``
-    is the maximum number of points for the answer.
-
-    Raises:
-        ValueError: The data is not a valid mark.
-    """
-    if value is None:
-        return None
-    points, comment = value["points"], value["comment"]
-    if isinstance(points, bool) or not isinstance(points, (int, float)) or not 0 <= points <= most:
+def check_mark(mark: Mark | None, most: float) -> None:
+    """Raise ValueError if the page sent more points than there are, or a very long comment."""
+    if mark and not 0 <= mark.points <= most:
         raise ValueError(f"points must be a number from 0 to {most}")
-    if not isinstance(comment, str) or len(comment) > LONGEST:
+    if mark and len(mark.comment) > LONGEST:
         raise ValueError(f"a comment must be a text of at most {LONGEST} characters")
-    return Mark(float(points), comment)
 
 
 def mark(
@@ -190,31 +170,30 @@ def mark(
 ) -> int:
     """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
 
-    The marks are saved in marks.csv. The page shows only questions that belong to the exercises in
-    ``chapters``, which may be those of a single assignment. With a roster, marks.csv has the names
-    that the gradebook has.
+    The page shows only questions that belong to the exercises in ``chapters``, which may be those
+    of a single assignment. With a roster, marks.csv has the names that the gradebook has.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.
     """
     people = read_class(folder, roster)
     submissions = [one for one in people.submissions if not one.nothing]
-    whole = {chapter.name: chapter for chapter in load_chapters(root)}
+    every = load_chapters(root)
+    whole = {chapter.name: chapter for chapter in every}
     asked = {exercise.id for chapter in chapters for exercise in chapter.exercises}
     tasks = collect_tasks(submissions, [whole[chapter.name] for chapter in chapters], root)
     tasks = [task for task in tasks if task.exercise.id in asked]
     if not tasks:
         raise ValueError("there are no written exercises to mark")
-    marks = MarksFile(folder / "marks.csv", load_chapters(root), people)
-    _, unused = read_marks(marks.path, marks.chapters, people)
-    site = Marking(tasks, marks, folder)
+    site = Marking(tasks, folder, every, people)
+    _, unused = read_marks(*site.file)
     for note in [*people.notes, *unused]:
         print(note)
 
     async def serve() -> None:
         site.listen(site.application())
         print(f"The answers are at {site.address}")
-        print(f"Marks are saved in {marks.path}. Press Ctrl-C to stop.", flush=True)
+        print(f"Marks are saved in {site.file[0].resolve()}. Press Ctrl-C to stop.", flush=True)
         if browser:
             webbrowser.open(site.address)
         await asyncio.Event().wait()

@@ -102,18 +102,18 @@ def test_a_mark_counts_as_points_by_hand_and_waits_no_longer() -> None:
     report = report_of()
     marked = apply_marks(report, {("ada", "2.3"): Mark(2.5, "Clear."), ("bob", "2.3"): Mark(1, "")})
     assert report == report_of(), "the report that is given stays as it is"
-    why = marked.exercises[2]
+    why = marked.results[2]
     assert (why.status, why.score, why.comment) == ("marked", 2.5, "Clear.")
     assert (marked.by_hand, marked.waiting) == (2.5, 0)
     assert (marked.score, marked.points, marked.seed) == (3.0, 11, "7")
-    assert [e.status for e in marked.exercises] == ["passed", "failed", "marked", "inherited"]
+    assert [e.status for e in marked.results] == ["passed", "failed", "marked", "inherited"]
 
 
 def test_other_marks_start_afresh() -> None:
     once = apply_marks(report_of(), {("ada", "2.3"): Mark(2.5, "Clear.")})
     none = apply_marks(once, {})
-    assert (none.exercises[2].status, none.exercises[2].score) == ("waiting", None)
-    assert none.exercises[2].comment == ""
+    assert (none.results[2].status, none.results[2].score) == ("waiting", None)
+    assert none.results[2].comment == ""
     assert (none.by_hand, none.waiting) == (None, 3)
     zero = apply_marks(once, {("ada", "2.3"): Mark(0, "Empty.")})
     assert (zero.by_hand, zero.waiting) == (0, 0), "a zero by hand is a mark"

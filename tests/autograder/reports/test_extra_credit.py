@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from autograder.analysis.items import histogram
 from autograder.grader.class_run import print_class
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Message
-from autograder.reports.class_stats import histogram
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
-from autograder.reports.report import ExerciseReport, StudentReport
+from autograder.reports.report import StudentReport
 from autograder.scores import Result
 from autograder.student.points import BAR, points_line
 from autograder.text.wrapping import plain_console
@@ -25,14 +25,16 @@ HALF = f"[{'#' * (BAR // 2)}{'.' * (BAR // 2)}]"
 
 
 def with_extra(
-    report: StudentReport, is_extra: Callable[[Exercise | ExerciseReport], bool]
+    report: StudentReport, is_extra: Callable[[Exercise], bool]
 ) -> tuple[StudentReport, list[Chapter]]:
     """Return a report and its chapters, in which some exercises are extra credit."""
     chapters = [
         replace(c, exercises=[replace(e, extra=is_extra(e)) for e in c.exercises]) for c in CHAPTERS
     ]
-    exercises = [replace(e, extra=is_extra(e)) for e in report.exercises]
-    return replace(report, exercises=exercises), chapters
+    results = [
+        replace(r, exercise=replace(r.exercise, extra=is_extra(r.exercise))) for r in report.results
+    ]
+    return replace(report, results=results), chapters
 
 
 # The checks can give 2 + 4 + 5 points, and the written answer 3 points.
@@ -81,14 +83,14 @@ def test_the_page_of_the_class_names_extra_credit(tmp_path: Path) -> None:
     )
     assert "of 11 as extra credit by checks and 3 by hand" in page
     assert '<dd>3 <span class="quiet">of 11 as extra credit</span></dd>' in page
-    assert [bar.low for bar in histogram([CHECKS]) if bar.count] == [20], "3 of 11 points"
+    assert [low for low, _, count in histogram([CHECKS]) if count] == [20], "3 of 11 points"
     index = write_index(tmp_path, CHAPTERS_OF_ANSWERS, [ANSWERS], class_of())
     page = index.read_text(encoding="utf-8")
     assert "of 11 by checks and 3 as extra credit by hand" in page
 
 
 def test_gradescope_and_the_screen_of_the_instructor_name_extra_credit() -> None:
-    assert "checks: 3 of 11 points of extra credit\n" in gradescope_results(CHECKS).output
+    assert "checks: 3 of 11 points of extra credit\n" in gradescope_results(CHECKS)["output"]
     screen = io.StringIO()
     print_class(plain_console(screen, 100), [CHECKS])
     assert " 3/11 extra " in screen.getvalue()

@@ -213,7 +213,7 @@ def test_a_hidden_check_is_labelled_and_keeps_its_name(tmp_path: Path) -> None:
         assert "far away" not in page.text
         assert "secret plan" not in page.text
         assert "secret message" not in page.text
-    right, wrong, hidden = report_of().exercises[1].checks
+    right, wrong, hidden = report_of().results[1].checks
     checks = [right, replace(wrong, status="passed"), hidden]
     lost = with_exercise(report_of(), 1, checks=checks)
     index = index_page(tmp_path, lost)
@@ -292,7 +292,7 @@ def test_the_index_names_the_most_missed_first_and_the_check_that_is_lost(tmp_pa
     index = index_page(tmp_path, report_of(), MARKED)
     missed = [row for row in index.rows if len(row) == 3 and row[1] == "0 of 2"]
     assert missed == [["B3.1 Mass", "0 of 2", "mass"], ["2.2 Angles", "0 of 2", "angle"]]
-    report = report_of(exercises=report_of().exercises[:1])
+    report = report_of(results=report_of().results[:1])
     assert "everybody passes every exercise that was graded" in index_page(tmp_path, report).text
 
 

@@ -52,13 +52,13 @@ def test_a_result_that_is_missing_or_cut_off_is_none(tmp_path: Path) -> None:
         ((), "score", float("nan")),
         ((), "status", "passed"),
         ((), "notes", [1]),
-        ((), "exercises", None),
+        ((), "results", None),
         ((), "seed", 7),
-        (("exercises", 0), "status", "graded"),
-        (("exercises", 0), "checks", [None]),
-        (("exercises", 0), "points", "2"),
-        (("exercises", 1, "checks", 1), "message", {"title": 1}),
-        (("exercises", 1, "checks", 1), "hidden", "no"),
+        (("results", 0), "status", "graded"),
+        (("results", 0), "checks", [None]),
+        (("results", 0, "exercise"), "points", "2"),
+        (("results", 1, "checks", 1), "status", "no"),
+        (("results", 1, "checks", 1), "weight", "1"),
     ],
 )
 def test_a_result_of_another_form_is_none(
@@ -109,4 +109,4 @@ def test_what_students_get_is_made_from_a_report_without_secrets() -> None:
     assert "secret message" not in repr(public)
     assert "test_secret of" not in repr(public)
     assert "Only this." in repr(public)
-    assert for_students(replace(report, exercises=[], causes=[])).exercises == []
+    assert for_students(replace(report, results=[], causes=[])).results == []

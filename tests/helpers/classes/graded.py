@@ -23,7 +23,7 @@ NASTY = (
 )
 
 
-def exercise_of(exercise_id: str, title: str, kind: str, points: int) -> Exercise:
+def exercise_of(exercise_id: str, title: str, kind: str, points: float) -> Exercise:
     return Exercise(exercise_id, title, kind, 1, points, [], [])
 
 
@@ -34,12 +34,12 @@ CHAPTERS = [
         "Vectors",
         [],
         [
-            exercise_of("B2.1", "Copy", "build", 2),
-            exercise_of("2.2", "Angles", "exercise", 4),
-            exercise_of("2.3", "Why", "written", 3),
+            exercise_of("B2.1", "Copy", "build", 2.0),
+            exercise_of("2.2", "Angles", "exercise", 4.0),
+            exercise_of("2.3", "Why", "written", 3.0),
         ],
     ),
-    Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5)]),
+    Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5.0)]),
 ]
 
 
@@ -48,7 +48,7 @@ def class_of(*students: str) -> ClassList:
     return ClassList([Member(s, s, None, Submission(s, Path(s))) for s in students])
 
 
-def points_of(*chapters: Chapter) -> int:
+def points_of(*chapters: Chapter) -> float:
     """Return the points that the checks of these chapters can give, without written answers."""
     return sum(e.points for c in chapters for e in c.exercises if e.kind != "written")
 
@@ -100,9 +100,9 @@ def report_of(student: str = "ada", **changes: Any) -> StudentReport:
         isolation="none: an ordinary process",
         score=3.0,
         score_on_given=8.0,
-        points=11,
+        points=11.0,
         by_hand=None,
-        waiting=3,
+        waiting=3.0,
         earlier=[2],
         notes=[],
         results=results,
@@ -138,7 +138,7 @@ def cause_of(
 ) -> Cause:
     """Return an exercise of an earlier assignment on which the failed exercise 2.2 builds."""
     checks = [check("test_zero", "passed"), check("test_one", "failed", f"{text} is wrong"), *more]
-    exercise = exercise_of(text, f"Title of {text}", "build", 2)
+    exercise = exercise_of(text, f"Title of {text}", "build", 2.0)
     return Cause(Result(exercise, status, None, checks, chapter=2), of, ["2.2"])
 
 

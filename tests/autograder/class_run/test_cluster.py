@@ -157,7 +157,7 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     else:
         assert status == 1
         assert landed["slow"]["status"] == "error, retry"
-        told = {message_of(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
+        told = {message_of(check) for r in landed["slow"]["results"] for check in r["checks"]}
         assert told == {"every worker that tried to grade it died; workers lost: 1"}
 
 

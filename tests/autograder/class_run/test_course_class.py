@@ -124,7 +124,7 @@ def test_only_the_assigned_exercises_count_and_lateness_has_columns_of_its_own(
         "bob": ["2", "6", "0", "8", "2", "3", "5", "2", "6"],
         "cem": ["4", "", "6", "4", "", "0", "4", "4", ""],
     }
-    assert [e["id"] for e in results(out)["cem"]["exercises"]] == ["90.1", "90.2"]
+    assert [r["exercise"]["id"] for r in results(out)["cem"]["results"]] == ["90.1", "90.2"]
     page = (out / "feedback/bob.html").read_text(encoding="utf-8")
     for words in ("Points earned: 8.", "Late penalty: 3.", "2026-10-23 23:59", "costs 1.5 points"):
         assert words in page
@@ -270,9 +270,9 @@ def test_the_zip_for_gradescope_grades_the_assignment(tmp_path: Path) -> None:
     }
     (tmp_path / "submission_metadata.json").write_text(json.dumps(metadata), encoding="utf-8")
     report = grade_one(tmp_path, tmp_path / "source")
-    assert [e.id for e in report.exercises] == ["B2.1", "B2.2", "B2.4", "B2.5"]
+    assert [r.exercise.id for r in report.results] == ["B2.1", "B2.2", "B2.4", "B2.5"]
     assert (report.score, report.points, report.penalty, report.total) == (26, 20, 2, 24)
-    assert gradescope_results(report).score == 24
+    assert gradescope_results(report)["score"] == 24
 
 
 def test_a_run_on_gradescope_ignores_the_seed_of_the_course_file(tmp_path: Path) -> None:

@@ -51,7 +51,7 @@ def result(out: Path, student: str) -> dict[str, Any]:
 
 
 def messages(report: dict[str, Any]) -> str:
-    return "\n".join(message_of(c) for e in report["exercises"] for c in e["checks"])
+    return "\n".join(message_of(c) for r in report["results"] for c in r["checks"])
 
 
 def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
@@ -65,11 +65,11 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         assert report["seed"] == "1"
         assert report["isolation"] == str(level.best_level())
         assert report["points"] == POSSIBLE
-        assert [e["id"] for e in report["exercises"]] == [e.id for e in EXERCISES]
-        earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
+        assert [r["exercise"]["id"] for r in report["results"]] == [e.id for e in EXERCISES]
+        earned = sum(one["score"] or 0.0 for one in report["results"])
         assert report["score"] == pytest.approx(earned, abs=0.01)
-        for exercise in report["exercises"]:
-            for check in exercise["checks"]:
+        for one in report["results"]:
+            for check in one["checks"]:
                 assert (message_of(check) == "") == (check["status"] == "passed")
 
 
@@ -95,7 +95,7 @@ def test_each_student_gets_what_the_work_is_worth(
 
 def test_an_empty_folder_is_handed_in_but_nothing_to_grade(graded: tuple[Path, str]) -> None:
     report = result(graded[0], "eli")
-    assert (report["status"], report["score"], report["exercises"]) == (
+    assert (report["status"], report["score"], report["results"]) == (
         "nothing to grade",
         None,
         [],
@@ -109,9 +109,9 @@ def test_an_empty_folder_is_handed_in_but_nothing_to_grade(graded: tuple[Path, s
 
 
 def test_written_answers_wait_for_a_person(graded: tuple[Path, str]) -> None:
-    waiting = [e for e in result(graded[0], "ada")["exercises"] if e["status"] == "waiting"]
+    waiting = [r for r in result(graded[0], "ada")["results"] if r["status"] == "waiting"]
     written = [exercise.id for exercise in EXERCISES if exercise.kind == "written"]
-    assert [(e["id"], e["score"], e["checks"]) for e in waiting] == [
+    assert [(r["exercise"]["id"], r["score"], r["checks"]) for r in waiting] == [
         (name, None, []) for name in written
     ]
 
@@ -182,7 +182,7 @@ def grade_one(
 
 
 def states(report: dict[str, Any], key: str = "status") -> set[Any]:
-    return {exercise[key] for exercise in report["exercises"]}
+    return {one[key] for one in report["results"]}
 
 
 def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
@@ -197,7 +197,7 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
     assert grade(tmp_path / "class", tmp_path / "out") == 1
     report = result(tmp_path / "out", "bob")
     assert report["status"] == "error, retry"
-    assert {e["score"] for e in report["exercises"]} == {None}
+    assert {one["score"] for one in report["results"]} == {None}
     assert "the disk is full" in messages(report)
     rows = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8").splitlines()
     assert rows[2].startswith('ann,"error, retry",,')
@@ -224,8 +224,8 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
         report = graded(student)
         assert report["score"] == report["score_on_given"] == points_of(CHAPTER)
-        later = [e for e in report["exercises"] if e["chapter"] == 3]
-        assert {e["status"] for e in later} == {"failed", "blocked"}
+        later = [one for one in report["results"] if one["chapter"] == 3]
+        assert {one["status"] for one in later} == {"failed", "blocked"}
         assert "ch03_laws_of_motion/particle.py is missing" in messages(report)
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.

@@ -149,7 +149,9 @@ def test_an_answer_that_changes_after_it_was_marked_is_reported(
         reports = results(out)
         found = {}
         for student in ("ann", "bob"):
-            (written,) = [e for e in reports[student]["exercises"] if e["id"] == "90.2"]
+            (written,) = [
+                one for one in reports[student]["results"] if one["exercise"]["id"] == "90.2"
+            ]
             found[student] = (written["status"], written["score"])
         return found
 

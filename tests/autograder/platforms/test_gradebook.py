@@ -43,7 +43,7 @@ def test_an_error_of_the_grader_is_no_number_and_a_zero_is_one(tmp_path: Path) -
 
 
 def test_an_exercise_that_a_report_does_not_have_is_empty(tmp_path: Path) -> None:
-    report = report_of(exercises=report_of().exercises[3:])
+    report = report_of(results=report_of().results[3:])
     assert rows(tmp_path, report)[2][7:] == ["", "", "", "0"]
 
 

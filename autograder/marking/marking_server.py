@@ -43,7 +43,7 @@ class Marking(Site):
         super().__init__()
         self.tasks = {task.exercise.id: task for task in tasks}
         self.folder = folder
-        self.file = folder / "marks.csv", chapters, people
+        self.file = folder / "marks.csv", chapters, people  # what is needed to read the marks
         self.answers = {
             (task.exercise.id, answer.code): answer for task in tasks for answer in task.answers
         }
@@ -134,8 +134,8 @@ class Marks(Handler):
             return
         try:
             self.site.change(change)
-        except ChangedError:
-            self.answer(409, "Somebody has changed this mark in marks.csv in the meantime.")
+        except ChangedError as error:
+            self.answer(409, str(error))
         except (ValueError, OSError) as error:
             self.answer(503, str(error))
         else:

@@ -21,7 +21,7 @@ FORMULA_START = re.compile(r"^(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 class ChangedError(Exception):
-    """Raised if somebody has changed a mark since the marking page displayed it."""
+    """Raised if a mark in the file is not the one that the marking page displayed."""
 
 
 def change_mark(
@@ -46,7 +46,10 @@ def change_mark(
         separator, rows = read_rows(path, chapters, people)
         old = next((row for row in rows if (row.report, row.exercise) == answer), None)
         if (old.mark if old else None) != seen:
-            raise ChangedError
+            now = (
+                f"It gives {old.mark.points:g} points. {old.mark.comment}" if old else "It is gone."
+            )
+            raise ChangedError(f"This mark has been changed in marks.csv. {now}")
         if mark == seen:
             return
         if old is None and mark:

@@ -140,6 +140,6 @@ def _points(given: str, separator: str, exercise: Exercise) -> float:
     decimal = given.replace(",", ".") if separator == ";" else given
     points = float(decimal) if re.fullmatch(r"[0-9]+(\.[0-9]+)?", decimal) else None
     if points is None or points > exercise.points:
-        wanted = f"must be a number from 0 to {exercise.points}, got {given!r}"
+        wanted = f"must be a number from 0 to {exercise.points:g}, got {given!r}"
         raise ValueError(f"the points for {exercise.id} {wanted}")
     return points

@@ -57,7 +57,7 @@ def draw_chart(
     edge = front([*points, *([reference] if reference else [])])
     svg = io.StringIO()
     with _DRAWING, rc_context(STYLE):
-        figure = Figure((6.4, 3.5), layout="constrained")
+        figure = Figure((5.0, 3.0), layout="constrained")
         plot = figure.add_subplot(xscale="log", yscale="log", xlabel=axes[0], ylabel=axes[1])
         plot.grid()
         for point in dict.fromkeys(points):

@@ -19,23 +19,12 @@ from autograder.manifest import Chapter, Exercise
 from autograder.message import Kind
 from autograder.reports.report import Cause, StudentReport
 from autograder.reports.texts import check_title
-from autograder.scores import Result
 
 State = Literal["passed", "failed", "not written", "blocked", "inherited", "error"]
 STATES: tuple[State, ...] = ("passed", "failed", "not written", "blocked", "inherited", "error")
 HIDDEN = "a hidden check"
 MOST_MISSED = 5
 BINS = 10
-
-
-@dataclass(frozen=True)
-class CheckItem:
-    """The results of a whole class on one check of an exercise."""
-
-    name: str
-    robust: bool
-    hidden: bool
-    states: Counter[State]  # the number of students in each state
 
 
 @dataclass(frozen=True)
@@ -46,23 +35,36 @@ class ExerciseItem:
     """
 
     exercise: Exercise
-    counted: int  # students who have a score
+    scores: list[float]
     passed: int  # students who pass every check
-    mean: float | None  # the average of the points, or None if nobody has a score
-    full: int  # students with all points on given chapters
-    part: int  # those with some of them
-    none: int  # those with none of them
-    mean_on_given: float | None  # the average on given chapters, as a fraction of the points
+    on_given: list[float]  # the scores on given chapters
     discrimination: Discrimination
-    checks: list[CheckItem]
+    checks: list[tuple[Verdict, Counter[State]]]  # with the number of students in each state
     first_lost: str  # the check that most students fail
 
     @property
     def share(self) -> float | None:
         """The fraction of those with a score who pass, or None if there is none or no check."""
-        if self.exercise.kind == "written" or not self.counted:
+        if self.exercise.kind == "written" or not self.scores:
             return None
-        return self.passed / self.counted
+        return self.passed / len(self.scores)
+
+    @property
+    def mean(self) -> float | None:
+        """The average of the points, or None if nobody has a score."""
+        return round(fmean(self.scores), 2) if self.scores else None
+
+    @property
+    def mean_on_given(self) -> float | None:
+        """The average on given chapters, as a fraction of the points."""
+        return fmean(self.on_given) / self.exercise.points if self.on_given else None
+
+    @property
+    def full_part_none(self) -> tuple[int, int, int]:
+        """How many students have all points, some or none on given chapters."""
+        full = sum(score >= self.exercise.points for score in self.on_given)
+        none = sum(score <= 0.0 for score in self.on_given)
+        return full, len(self.on_given) - full - none, none
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
@@ -71,56 +73,32 @@ def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[Exercis
 
 
 def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
-    results: list[Result] = []
-    given: list[float] = []
+    pairs = [(r, o) for r in reports for o in r.results if o.exercise.id == exercise.id]
+    results = [result for _, result in pairs]
+    own: list[float] = []
     rest: list[float] = []
-    for report in reports:
-        for result in report.results:
-            if result.exercise.id == exercise.id:
-                results.append(result)
-                if result.score_on_given is not None and report.score_on_given is not None:
-                    given.append(result.score_on_given)
-                    by_checks = 0.0 if exercise.kind == "written" else result.score_on_given
-                    rest.append(round(report.score_on_given - by_checks, 2))
-    scores = [result.score for result in results if result.score is not None]
-    on_given = [r.score_on_given for r in results if r.score_on_given is not None]
-    full = sum(score >= exercise.points for score in on_given)
-    none = sum(score <= 0.0 for score in on_given)
-    lost = Counter(
-        HIDDEN if check.hidden else check_title(check.name)
-        for result in results
-        for check in result.checks
-        if check.status in ("failed", "blocked", "inherited")
-    )
+    for report, result in pairs:
+        if result.score_on_given is not None and report.score_on_given is not None:
+            own.append(result.score_on_given)
+            by_checks = 0.0 if exercise.kind == "written" else result.score_on_given
+            rest.append(round(report.score_on_given - by_checks, 2))
+    states: dict[tuple[str, bool], tuple[Verdict, Counter[State]]] = {}
+    lost: Counter[str] = Counter()
+    for check in (check for result in results for check in result.checks):
+        _, counts = states.setdefault((check.name, check.hidden), (check, Counter()))
+        unwritten = check.message.kind is Kind.UNWRITTEN and check.status in ("failed", "blocked")
+        counts["not written" if unwritten else check.status] += 1
+        if check.status in ("failed", "blocked", "inherited"):
+            lost[HIDDEN if check.hidden else check_title(check.name)] += 1
     return ExerciseItem(
         exercise,
-        counted=len(scores),
+        scores=[result.score for result in results if result.score is not None],
         passed=sum(result.status == "passed" for result in results),
-        mean=round(fmean(scores), 2) if scores else None,
-        full=full,
-        part=len(on_given) - full - none,
-        none=none,
-        mean_on_given=fmean(on_given) / exercise.points if on_given else None,
-        discrimination=discrimination(given, rest),
-        checks=_checks(results),
+        on_given=[r.score_on_given for r in results if r.score_on_given is not None],
+        discrimination=discrimination(own, rest),
+        checks=sorted(states.values(), key=lambda pair: (pair[0].robust, pair[0].hidden)),
         first_lost=lost.most_common(1)[0][0] if lost else "",
     )
-
-
-def _checks(results: Sequence[Result]) -> list[CheckItem]:
-    """Count how many students passed or failed each check, beginning with the physics checks."""
-    items: dict[tuple[str, bool], CheckItem] = {}
-    for result in results:
-        for check in result.checks:
-            new = CheckItem(check.name, check.robust, check.hidden, Counter())
-            item = items.setdefault((check.name, check.hidden), new)
-            item.states[_state(check)] += 1
-    return sorted(items.values(), key=lambda item: (item.robust, item.hidden))
-
-
-def _state(check: Verdict) -> State:
-    unwritten = check.message.kind is Kind.UNWRITTEN and check.status in ("failed", "blocked")
-    return "not written" if unwritten else check.status
 
 
 def most_missed(items: Sequence[ExerciseItem]) -> list[ExerciseItem]:

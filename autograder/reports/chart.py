@@ -76,4 +76,4 @@ def draw_chart(
         text = text.replace(color, f"var(--{name})")
     text = re.sub('<g id="[^"]*"', "<g", text)  # there may be several charts on a page
     start = Markup('<svg class="scatter" role="img" aria-label="{}" ').format(what)
-    return start + Markup(text)
+    return start + Markup(text.rstrip())

@@ -109,7 +109,7 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
     top = address.rsplit("/", 2)[0]
     assert ask(f"{top}/").code == 404
     assert ask(f"{top}/guess/questions.json").code == 404
-    for path in ("../server.py", "%2e%2e/server.py", "look/index.html", "look/../server.py"):
+    for path in ("../answers.py", "%2e%2e/answers.py", "look/index.html", "look/../answers.py"):
         assert ask(address, path).code in (403, 404), path
     assert ask(address, "questions.json", Host="evil.example").code == 403
     answer = ask(address, "questions.json")

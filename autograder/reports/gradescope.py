@@ -19,6 +19,13 @@ from autograder.submissions.find import file_name
 from autograder.text.clean import clean_line
 
 BY_HAND = ("marked", "changed")
+FORM = {
+    "output_format": "text",
+    "test_output_format": "text",
+    "test_name_format": "text",
+    "visibility": "visible",
+    "stdout_visibility": "hidden",
+}
 OURS = "grader error, please retry: this is not the submission's fault and does not count as zero"
 
 
@@ -42,7 +49,8 @@ def gradescope_results(report: StudentReport) -> dict[str, Any]:
     """
     report = clean_all(for_students(report))
     if report.status == "nothing to grade":  # without a score, Gradescope would report an error
-        return _results(_summary(report, failed=False), [], 0.0, report.seconds)
+        summary = _summary(report, failed=False)
+        return _results(summary, [], score=0.0, execution_time=report.seconds)
     failed = report.status != "graded" or report.score is None
     tests = [_test(result) for result in report.results]
     for cause in report.causes:
@@ -51,7 +59,8 @@ def gradescope_results(report: StudentReport) -> dict[str, Any]:
         name = clean_line(f"{exercise.title} ({cause.assignment or 'not graded'})")
         tests.append({**_entry(exercise.id, name, 0, output), "status": "failed"})
     score = None if failed or report.total is None else round(report.total, 2)
-    return _results(_summary(report, failed), tests, score, report.seconds)
+    summary = _summary(report, failed)
+    return _results(summary, tests, score=score, execution_time=report.seconds)
 
 
 def ungraded_results(reason: str) -> dict[str, Any]:
@@ -62,23 +71,9 @@ def ungraded_results(reason: str) -> dict[str, Any]:
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
-def _results(
-    output: str,
-    tests: list[dict[str, Any]],
-    score: float | None = None,
-    execution_time: float | None = None,
-) -> dict[str, Any]:
-    results: dict[str, Any] = {
-        "output": output,
-        "output_format": "text",
-        "test_output_format": "text",
-        "test_name_format": "text",
-        "visibility": "visible",
-        "stdout_visibility": "hidden",
-        "tests": tests,
-    }
-    known = {"score": score, "execution_time": execution_time}
-    return results | {key: value for key, value in known.items() if value is not None}
+def _results(output: str, tests: list[dict[str, Any]], **numbers: float | None) -> dict[str, Any]:
+    known = {name: number for name, number in numbers.items() if number is not None}
+    return {"output": output, **FORM, "tests": tests, **known}
 
 
 def _summary(report: StudentReport, failed: bool) -> str:

@@ -9,10 +9,17 @@ from typing import Any
 
 import pytest
 
+from autograder.analysis.class_page import write_class_page
 from autograder.records import to_json
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport, for_students
-from autograder.reports.results import read_result, write_class, write_result, write_student
+from autograder.reports.results import (
+    read_result,
+    read_results,
+    write_class,
+    write_result,
+    write_student,
+)
 from autograder.reports.texts import replace_file
 from graded import CHAPTERS, cause_of, check, class_of, failed_run, hostile, nothing_done, report_of
 
@@ -80,6 +87,21 @@ def test_a_result_of_another_form_is_none(
     assert read_result(path) is None, "the value is wrong"
 
 
+def test_what_is_wrong_in_a_result_is_said_in_one_line(tmp_path: Path) -> None:
+    path = write_result(tmp_path, report_of())
+    report = json.loads(path.read_text(encoding="utf-8"))
+    report["results"][1]["score"] = "18"
+    for changed, words in (
+        (report, r"Expected `float \| null`, got `str` - at `\$\.results\[1\]\.score`"),
+        ({"student": "ada", "exercises": []}, "missing required field `status`"),  # an old one
+    ):
+        path.write_text(json.dumps(changed), encoding="utf-8")
+        with pytest.raises(ValueError, match=rf"ada\.json cannot be read \(.*{words}") as caught:
+            read_results(tmp_path)
+        assert "Grade the class again into" in str(caught.value)
+        assert "\n" not in str(caught.value)
+
+
 def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> None:
     cleo = apply_marks(report_of("cleo"), {("cleo", "2.3"): Mark(2.5, "")})
     reports = [cleo, nothing_done(), failed_run()]
@@ -88,8 +110,11 @@ def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> Non
     places = write_class(tmp_path, CHAPTERS, reports, class_of())
     assert all(place.exists() for place in places)
     assert {place.name for place in places} == {path.name for path in tmp_path.iterdir()}
+    write_class_page(tmp_path, CHAPTERS, reports)
     files = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")}
-    assert len(files) == 2 + 3 * 3
+    assert len(files) == 3 + 3 * 3
+    with_secrets = {path.parts[0] for path, text in files.items() if b"secret" in text}
+    assert with_secrets == {"results"}, "students get no file from there"
     again = [read_result(tmp_path / "results" / f"{r.student}.json") for r in reports]
     assert again == reports
     for report in again:

@@ -53,23 +53,32 @@ def draw_chart(
     """
     from matplotlib import rc_context  # slow to import, and few assignments have open exercises
     from matplotlib.figure import Figure
+    from matplotlib.ticker import LogLocator
 
-    edge = front([*points, *([reference] if reference else [])])
+    every = [*points, *([reference] if reference else [])]
+    edge = front(every)
+    # So wide that at least one of 1, 2, 5, 10, 20 and so on lies on each axis.
+    left, right = 0.6 * edge[0][0], 1.6 * max(cost for cost, _ in every)
+    bottom, top = 0.6 * edge[-1][1], 1.6 * max(error for _, error in every)
     svg = io.StringIO()
     with _DRAWING, rc_context(STYLE):
-        figure = Figure((5.0, 3.0), layout="constrained")
+        figure = Figure((5.0, 3.0))
+        figure.subplots_adjust(left=0.18, right=0.97, bottom=0.17, top=0.97)
         plot = figure.add_subplot(xscale="log", yscale="log", xlabel=axes[0], ylabel=axes[1])
+        plot.set(xlim=(left, right), ylim=(bottom, top))
+        for axis, ratio in ((plot.xaxis, right / left), (plot.yaxis, top / bottom)):
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if ratio < 1000.0 else (1.0,)))
+            axis.set_major_formatter("{x:g}")
+            axis.minorticks_off()
         plot.grid()
         for point in dict.fromkeys(points):
             fill = DOT if point in edge else PAPER
             plot.plot(*point, "o", color=DOT, markerfacecolor=fill, zorder=3)
         if reference:
             plot.plot(*reference, "D", color=OURS, markerfacecolor="none", zorder=3)
-        right, top = plot.get_xlim()[1], plot.get_ylim()[1]
         costs = [edge[0][0], *(cost for cost, _ in edge), right]
         errors = [top, *(error for _, error in edge), edge[-1][1]]
         plot.step(costs, errors, "--", where="post", color=FRONT)
-        plot.set(xlim=(None, right), ylim=(None, top))
         figure.savefig(svg, format="svg", transparent=True, metadata=NO_METADATA)
     text = svg.getvalue().partition("<svg ")[2]
     for color, name in COLORS.items():

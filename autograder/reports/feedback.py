@@ -57,13 +57,10 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     """
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(for_students(report))
-    results, causes = report.results, report.causes
-    every = [*results, *(cause.result for cause in causes)]
+    results = report.results
+    every = [*results, *(cause.result for cause in report.causes)]
     lost = {r.exercise.id: _lost(r.checks) for r in every}
     states = {r.status for r in every} | {c[0].status for groups in lost.values() for c in groups}
-    anchors = {r.exercise.id: f"exercise-{i}" for i, r in enumerate(results, start=1)}
-    for i, cause in enumerate(causes, start=1):
-        anchors[cause.result.exercise.id] = f"earlier-{i}"
     own, given = report.score, report.score_on_given
     exercises = [result.exercise for result in results]
     written = [exercise for exercise in exercises if exercise.kind == "written"]
@@ -72,7 +69,7 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
         symbols=SYMBOLS,
         report=report,
         chapters=[(n, list(group)) for n, group in groupby(results, lambda r: r.chapter)],
-        anchors=anchors,
+        anchors={r.exercise.id: f"exercise-{i}" for i, r in enumerate(every, start=1)},
         lost_of=lost,
         uneven=[r.exercise.id for r in results if _is_uneven(r)],
         charts={r.exercise.id: _chart_of_one(r) for r in results if r.on_chart},

@@ -102,7 +102,7 @@ def write_index(
         "index.html",
         symbols=SYMBOLS,
         reports=[*zip(clean, links, strict=True)],
-        missing=people.missing,
+        absent=people.missing,
         unmatched=people.unmatched,
         nothing=[report for report in clean if report.nothing],
         changed=[(report, exercise) for report in clean for exercise in report.changed],

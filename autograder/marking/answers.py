@@ -48,11 +48,7 @@ def collect_tasks(
 ) -> list[Task]:
     """Collect the written questions in ``chapters``, with every student's answer to each of them.
 
-    The answers are sorted by code, so that their order does not reveal who wrote them. Missing
-    answers come last.
-
-    Raises:
-        ValueError: A question has no model answer.
+    The answers are sorted by code, which does not reveal who wrote them. Missing ones come last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:

@@ -13,7 +13,7 @@ from tornado.web import Application
 
 from autograder.local_server import Files, Handler, Site, is_own_page
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.marking.answers import Task, collect_tasks
+from autograder.marking.answers import Answer, Task, collect_tasks
 from autograder.marking.marked_answers import MarkedAnswers
 from autograder.marking.marks_file import ChangedError, change_mark
 from autograder.reports.marks import Mark, read_marks
@@ -65,21 +65,19 @@ class Marking(Site):
         marks, marked = read_marks(*self.file)[0], MarkedAnswers(self.folder)
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), answer in self.answers.items():
-            if mark := marks.get((answer.submission.student, exercise)):
-                owner = answer.submission.owner
-                changed = marked.is_changed(owner, exercise, mark, answer.hash)
+            who = answer.submission
+            if mark := marks.get((who.student, exercise)):
+                changed = marked.is_changed(who.owner, exercise, mark, answer.hash)
                 found[exercise][code] = {**vars(mark), "changed": changed}
         marked.save()
         return found
 
-    def change(self, change: Change) -> None:
+    def change(self, change: Change, answer: Answer) -> None:
         """Write a new mark into marks.csv, and remember the answer that it was given for."""
-        answer = self.answers[change.exercise, change.code]
-        student, owner = answer.submission.student, answer.submission.owner
-        change_mark(*self.file, (student, change.exercise), change.mark, change.seen)
-        if change.mark:
-            marked = MarkedAnswers(self.folder)
-            marked.mark_now(owner, change.exercise, change.mark, answer.hash)
+        who, exercise, mark = answer.submission, change.exercise, change.mark
+        change_mark(*self.file, (who.student, exercise), mark, change.seen)
+        if mark:
+            MarkedAnswers(self.folder).mark_now(who.owner, exercise, mark, answer.hash)
 
 
 class Questions(Handler):
@@ -126,14 +124,16 @@ class Marks(Handler):
     def post(self) -> None:
         try:
             change = msgspec.json.decode(self.request.body, type=Change)
-            if (change.exercise, change.code) not in self.site.answers:
-                raise ValueError("there is no such answer")
-            check_mark(change.mark, self.site.tasks[change.exercise].exercise.points)
-        except (ValueError, RecursionError) as error:
+            answer = self.site.answers[change.exercise, change.code]
+            mark, most = change.mark, self.site.tasks[change.exercise].exercise.points
+            if mark and not (0 <= mark.points <= most and len(mark.comment) <= LONGEST):
+                limits = f"0 to {most:g} points and {LONGEST} characters"
+                raise ValueError(f"it must be within {limits}")
+        except (ValueError, KeyError, RecursionError) as error:
             self.answer(400, f"this is not a valid mark: {error}")
             return
         try:
-            self.site.change(change)
+            self.site.change(change, answer)
         except ChangedError as error:
             self.answer(409, str(error))
         except (ValueError, OSError) as error:
@@ -152,14 +152,6 @@ class Marks(Handler):
         self.write({**marks, "why": why})
 
 
-def check_mark(mark: Mark | None, most: float) -> None:
-    """Raise ValueError if the page sent more points than there are, or a very long comment."""
-    if mark and not 0 <= mark.points <= most:
-        raise ValueError(f"points must be a number from 0 to {most}")
-    if mark and len(mark.comment) > LONGEST:
-        raise ValueError(f"a comment must be a text of at most {LONGEST} characters")
-
-
 def mark(
     folder: Path,
     chapters: list[Chapter],
@@ -170,8 +162,8 @@ def mark(
 ) -> int:
     """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
 
-    The page shows only questions that belong to the exercises in ``chapters``, which may be those
-    of a single assignment. With a roster, marks.csv has the names that the gradebook has.
+    ``chapters`` has only the exercises to mark. With a roster, marks.csv has the names that the
+    gradebook has.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.

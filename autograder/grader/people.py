@@ -29,8 +29,13 @@ def people_of(folder: Path, out: Path, roster: Path | None, *, anonymous: bool) 
         refuse_names(out)
         people = with_codes(people, key_path(roster, out))
     earlier = [*out.glob("results/*.json"), *out.glob("earlier/results/*.json")]
-    reports = [report for path in earlier if (report := read_result(path))]
-    return replace(people, gone=frozenset(report.student for report in reports))
+    found = {path: read_result(path) for path in earlier}
+    notes = [*people.notes]
+    if unread := sum(not found[path] and path.parent == out / "results" for path in found):
+        other = "are damaged or of another version, so these submissions are graded again"
+        notes.append(f"Reports in {out} that {other}: {unread}.")
+    gone = frozenset(report.student for report in found.values() if report)
+    return replace(people, notes=notes, gone=gone)
 
 
 def folder_with_names(out: Path, folder: Path, *, anonymous: bool) -> Path:

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from autograder.analysis.class_page import write_class_page
+from autograder.grader.people import people_of
 from autograder.records import to_json
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.results import (
@@ -90,6 +91,9 @@ def test_what_is_wrong_in_a_result_is_said_in_one_line(tmp_path: Path) -> None:
             read_results(tmp_path)
         assert "Grade the class again into" in str(caught.value)
         assert "\n" not in str(caught.value)
+    (tmp_path / "class/ada").mkdir(parents=True)
+    (note,) = people_of(tmp_path / "class", tmp_path, None, anonymous=False).notes
+    assert note.endswith("so these submissions are graded again: 1.")
 
 
 def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> None:

@@ -23,29 +23,6 @@ from autograder.scores import PHYSICS_SHARE, Result, extra_possible, possible
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.find import file_name
 
-SYMBOLS = {  # these stand beside the words, so that nobody has to tell a status by its color
-    "passed": "✓",
-    "failed": "✗",
-    "blocked": "⊘",
-    "inherited": "↑",
-    "error": "!",
-    "waiting": "…",
-    "marked": "✎",
-    "changed": "✎",
-    "graded": "✓",
-    "error, retry": "!",
-    "nothing to grade": "∅",
-}
-MEANINGS = {
-    "passed": "every check passes",
-    "failed": "a check found a mistake in it",
-    "blocked": "it builds on an exercise that fails: fix that one first",
-    "inherited": "the mistake is in an earlier chapter: with given chapters it passes",
-    "error": "the grader failed: this does not count as zero and will be graded again",
-    "waiting": "a person still has to mark it",
-    "marked": "a person has marked it",
-    "changed": "it has changed since a person marked it, so the mark may be out of date",
-}
 TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first to last
 
 
@@ -66,7 +43,6 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     written = [exercise for exercise in exercises if exercise.kind == "written"]
     page = render(
         "student.html",
-        symbols=SYMBOLS,
         report=report,
         chapters=[(n, list(group)) for n, group in groupby(results, lambda r: r.chapter)],
         anchors={r.exercise.id: f"exercise-{i}" for i, r in enumerate(every, start=1)},
@@ -80,7 +56,7 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
         waiting=[r.exercise.id for r in results if r.status == "waiting"],
         next=_first_to_fix(results),
         physics_percent=round(100 * PHYSICS_SHARE),
-        meanings=[(state, text) for state, text in MEANINGS.items() if state in states],
+        states=states,
     )
     replace_file(path, page)
     return path
@@ -100,7 +76,6 @@ def write_index(
     scores = [report.score for report in clean if report.score is not None]
     page = render(
         "index.html",
-        symbols=SYMBOLS,
         reports=[*zip(clean, links, strict=True)],
         absent=people.missing,
         unmatched=people.unmatched,

@@ -22,21 +22,6 @@ def file(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize(
-    "content",
-    [
-        b'student,exercise,points,comment\nada,2.3,2.5,"Good, but short"\n',
-        b'\xef\xbb\xbfstudent,exercise,points,comment\r\nada,2.3,2.5,"Good, but short"\r\n',
-        b"\xef\xbb\xbfstudent;exercise;points;comment\r\nada;2.3;2,5;Good, but short\r\n;;;\r\n",
-        b'Student, Exercise ,Points,Comment,,\n\n ada , 2.3 , 2.5 ,"Good, but short",,\n',
-    ],
-    ids=["plain", "excel", "european", "untidy"],
-)
-def test_marks_are_read_as_spreadsheets_write_them(file: Path, content: bytes) -> None:
-    file.write_bytes(content)
-    assert read_marks(file, CHAPTERS, STUDENTS)[0] == {("ada", "2.3"): Mark(2.5, "Good, but short")}
-
-
-@pytest.mark.parametrize(
     ("written", "student", "people"),
     [
         ("'=1+1", "=1+1", STUDENTS),

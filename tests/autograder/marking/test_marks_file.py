@@ -36,34 +36,44 @@ def test_a_file_is_made_with_the_first_mark(file: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "start"),
+    ("text", "mark", "start"),
     [
-        (f'{HEADER}bob,2.3,1,"by ""hand"""\nada,2.3,2,', f'{HEADER}bob,2.3,1,"by ""hand"""\nada'),
+        (
+            f'{HEADER}bob,2.3,1,"by ""hand"""\nada,2.3,2,',
+            Mark(1.0, 'by "hand"'),
+            f'{HEADER}bob,2.3,1,"by ""hand"""\nada',
+        ),
         (
             f"\ufeff{HEADER}bob,2.3,1,by hand\nada,2.3,2,\n".replace("\n", "\r\n"),
+            Mark(1.0, "by hand"),
             f"\ufeff{HEADER}bob,2.3,1,by hand\nada".replace("\n", "\r\n"),
         ),
         (
-            "student;exercise;points;comment\nbob;2.3;1,50;by hand;;\n;;;\nada;2.3;2;\n",
-            "student;exercise;points;comment\nbob;2.3;1,5;by hand\nada",
+            "\ufeffstudent;exercise;points;comment\nbob;2.3;1,50;by hand;;\n;;;\nada;2.3;2;\n",
+            Mark(1.5, "by hand"),
+            "\ufeffstudent;exercise;points;comment\nbob;2.3;1,5;by hand\nada",
         ),
         (
             'Student, Exercise ,Points,Comment,,\n\n bob ,2.3,0.125,"two\n\nlines",,\n\nada,2.3,2,',
+            Mark(0.125, "two\n\nlines"),
             f'{HEADER}bob,2.3,0.125,"two\n\nlines"\nada',
         ),
     ],
     ids=["plain", "excel", "european", "untidy"],
 )
-def test_the_rows_of_others_keep_what_they_say(file: Path, text: str, start: str) -> None:
+def test_rows_as_spreadsheets_write_them_are_read_and_keep_what_they_say(
+    file: Path, text: str, mark: Mark, start: str
+) -> None:
     file.write_bytes(text.encode())
-    before = read(file)
+    others = {("bob", "2.3"): mark}
+    assert read(file) == others | {("ada", "2.3"): Mark(2.0, "")}
     change(file, "ada", Mark(0.5, "a, b; c\nd"), Mark(2.0, ""))
     change(file, "=1+1", Mark(3.0, "Good."))
     now = file.read_bytes().decode()
     assert now.startswith(start)
     assert now.endswith("\r\n" if "\r\n" in text else "\n")
     changed = {("ada", "2.3"): Mark(0.5, "a, b; c\nd"), ("=1+1", "2.3"): Mark(3.0, "Good.")}
-    assert read(file) == before | changed
+    assert read(file) == others | changed
 
 
 @pytest.mark.parametrize("student", STUDENTS)

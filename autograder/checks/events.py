@@ -26,26 +26,26 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """Sent when pytest has collected the checks, in the order in which they will run."""
+    """Lists the checks that pytest has collected, in the order in which they will run."""
 
     checks: list[Check]
 
 
 @dataclass(frozen=True)
 class Importing:
-    """Sent before a module of the student is imported. If the process dies, it is to blame."""
+    """Announces the import of a student's module, which is to blame if the process dies."""
 
     module: str
 
 
 @dataclass(frozen=True)
 class Imported:
-    """Sent when the import that ``Importing`` announced has finished."""
+    """Reports that the import that ``Importing`` announced has finished."""
 
 
 @dataclass(frozen=True)
 class Broken:
-    """Sent if one of the student's modules cannot be imported."""
+    """Reports that one of the student's modules cannot be imported."""
 
     module: str
     message: Message
@@ -53,14 +53,14 @@ class Broken:
 
 @dataclass(frozen=True)
 class Started:
-    """Sent when a check begins. If the process dies, this check was running."""
+    """Reports that a check begins. If the process dies, this check was running."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Decided:
-    """Sent when the verdict on a check is known. An "error" is the fault of the grader."""
+    """Reports whether a check passed. An "error" is the fault of the grader."""
 
     name: str
     status: Literal["passed", "failed", "error"]
@@ -70,7 +70,7 @@ class Decided:
 
 @dataclass(frozen=True)
 class Ended:
-    """Sent by a check process after its last check."""
+    """Reports that the process has run its last check."""
 
 
 Event = Checks | Importing | Imported | Broken | Started | Decided | Ended

@@ -28,7 +28,7 @@ ADVICE = {
 PACKAGES = {
     "requirements": "pymunk pytest rich tornado watchfiles",
     "pictures": "matplotlib",
-    "teaching": "dateparser jinja2 yaml",
+    "teaching": "dateparser jinja2 matplotlib msgspec yaml",
     "everything": "jinja2 matplotlib scipy yaml",
 }
 TUNED = "studies/tuned"  # the fast engine

@@ -114,7 +114,7 @@ def run_mark(arguments: argparse.Namespace) -> int:
     """Serve the web page for marking written answers until the instructor presses Ctrl-C."""
     if sys.platform == "win32":
         raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
-    from autograder.marking.server import mark
+    from autograder.marking.marking_server import mark
     from autograder.submissions.unpack import class_folder
 
     work = work_of(arguments)

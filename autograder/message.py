@@ -1,18 +1,16 @@
-"""The message that tells a student why a check failed, stored as data rather than text.
-
-This allows the terminal, the web pages and the result files to use different layouts.
-"""
+"""The message that tells a student why a check failed, as data that screens and pages lay out."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, is_dataclass, replace
 from enum import Enum
-from typing import Any
+from typing import Any, TypeVar, cast
 
 INDENT = 10  # width of the label column
 LONG_CALL = 100  # characters; if the statements before the last are longer, each gets a line
 Row = tuple[str, str]  # a label, which is empty for a title, and its text
+T = TypeVar("T")
 
 
 class Kind(Enum):
@@ -28,10 +26,7 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Place:
-    """A line of the student's code that a failure message points to.
-
-    ``file`` includes the folder of the chapter, as in ch02_vectors/vector.py.
-    """
+    """A line of the student's code. ``file`` is a path such as ch02_vectors/vector.py."""
 
     file: str
     line: int
@@ -46,96 +41,57 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """The message that a student sees if a check does not pass. Empty parts are not shown.
+    """The message that a student sees if a check does not pass. Empty parts are not shown."""
 
-    Attributes:
-        title: A sentence that is shown without a label.
-        called: The statements that the check ran. The last one produced the result.
-        got: What the student's code returned or raised.
-        wanted: The value that ``got`` must match, to within ``tolerance``. If the tolerance is 0,
-            the two must be equal.
-        note: What the numbers show, such as that only one component is wrong.
-        where: A line of the student's code, in the file whose function the check called.
-        inside: The line of another file's function, called by that line, that raised the error.
-        likely: The most likely mistake.
-        other: A second possible mistake.
-        read: The section of the book or lesson that helps.
-        printed: What the student's code printed.
-        exercise: If the function is not written yet, the exercise that asks for it.
-        blocked_by: The exercises that must pass first.
-    """
-
-    title: str = ""
-    called: str = ""
-    got: str = ""
-    wanted: str = ""
+    title: str = ""  # a sentence that is shown without a label
+    called: str = ""  # the statements that the check ran, of which the last produced the result
+    got: str = ""  # what the student's code returned or raised
+    wanted: str = ""  # what it must match, to within the tolerance, or exactly if that is 0
     tolerance: float | None = None
-    note: str = ""
-    where: Place | None = None
-    inside: Place | None = None
-    likely: str = ""
-    other: str = ""
-    read: str = ""
-    printed: str = ""
+    note: str = ""  # what the numbers show, such as that only one component is wrong
+    where: Place | None = None  # a line in the file whose function the check called
+    inside: Place | None = None  # the line of another file's function, called there, that raised
+    likely: str = ""  # the most likely mistake
+    other: str = ""  # a second possible mistake
+    read: str = ""  # the section of the book or lesson that helps
+    printed: str = ""  # what the student's code printed
     kind: Kind = Kind.FAILED
-    exercise: str = ""
-    blocked_by: tuple[str, ...] = ()
+    exercise: str = ""  # if the function is not written yet, the exercise that asks for it
+    blocked_by: tuple[str, ...] = ()  # the exercises that must pass first
 
     def __bool__(self) -> bool:
         return self != NOTHING
 
-    def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message in which ``change`` has been applied to every text.
-
-        This is useful for escaping special characters, for example.
-        """
-        values: dict[str, Any] = {
-            field.name: change(value)
-            for field in fields(self)
-            if isinstance(value := getattr(self, field.name), str) and value
-        }
-        for name, place in (("where", self.where), ("inside", self.inside)):
-            if place:
-                texts = (change(text) for text in (place.file, place.function, place.source))
-                file, function, source = texts
-                values[name] = Place(file, place.line, function, source)
-        return replace(self, **values)
-
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the non-empty parts of the message with their labels, in display order.
-
-        An example of such a row is ("got", "Vector3(1.0, 0.0, 0.0)").
-        """
-        rows = [("", self.blocked), ("", self.title)]
+        """Return the parts that are not empty, such as ("got", "Vector3(1.0, 0.0, 0.0)")."""
         *called, tested = statements(self.called)
-        rows += [("called", _in_lines(called)), ("tested" if called else "called", tested)]
-        rows += [
+        together = "; ".join(called)
+        rows = [
+            ("", self.blocked),
+            ("", self.title),
+            ("called", together if len(together) <= LONG_CALL else "\n".join(called)),
+            ("tested" if called else "called", tested),
             ("got", self.got),
             ("wanted", self.wanted + self._how_close),
             ("note", self.note),
             ("where", str(self.where or "")),
             ("inside", str(self.inside or "")),
+            ("likely", self.likely),
+            ("or", self.other),
+            ("read", self.read),
+            ("printed", self.printed if printed else ""),
         ]
-        rows += [("likely", self.likely), ("or", self.other), ("read", self.read)]
-        rows += [("printed", self.printed)] if printed else []
         return [(label, words) for label, words in rows if words]
 
     @property
     def blocked(self) -> str:
-        """A phrase that says what blocks the check, such as "blocked until B2.1 passes".
-
-        The phrase is empty if nothing blocks the check.
-        """
+        """What blocks the check, such as "blocked until B2.1 passes", or "" if nothing does."""
         verb = "pass" if len(self.blocked_by) > 1 else "passes"
         return f"blocked until {', '.join(self.blocked_by)} {verb}" if self.blocked_by else ""
 
     @property
     def in_short(self) -> str:
-        """A one-line summary of the message, for tables and lists.
-
-        If a result was wrong, this is the likely mistake. If the code raised an exception, it is
-        the text of the exception.
-        """
+        """One line for tables: the likely mistake if a result is wrong, or the exception's text."""
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called
         ).partition("\n")[0]
@@ -151,10 +107,7 @@ class Message:
 
 
 def statements(call: str) -> list[str]:
-    """Split a line of Python code, such as "a = Vector3(); a.clear()", into its statements.
-
-    Semicolons inside brackets do not separate statements.
-    """
+    """Split code such as "a = Vector3(); a.clear()" at the semicolons that are not in brackets."""
     found, depth = [""], 0
     for part in call.split("; "):
         found[-1] += f"; {part}" if depth else part
@@ -165,33 +118,35 @@ def statements(call: str) -> list[str]:
     return [statement for statement in found if statement] or [""]
 
 
-def _in_lines(statements: list[str]) -> str:
-    """Join statements with semicolons if the result is short, or with line breaks if it is not."""
-    together = "; ".join(statements)
-    return together if len(together) <= LONG_CALL else "\n".join(statements)
-
-
 def laid_out(rows: list[Row]) -> str:
     """Format the rows of a failure message as text, with a column of labels on the left.
 
-    Continuation lines are indented like the texts, so that none of them can be mistaken for a
-    label.
+    Further lines of a text are indented, so that none of them can be mistaken for a label.
     """
-    lines = []
-    for label, words in rows:
-        start = f"{label:{INDENT}}" if label else ""
-        lines.append(start + words.replace("\n", "\n" + " " * INDENT))
-    return "\n".join(lines)
+    return "\n".join(
+        (f"{label:{INDENT}}" if label else "") + words.replace("\n", "\n" + " " * INDENT)
+        for label, words in rows
+    )
+
+
+def with_texts(value: T, change: Callable[[str], str]) -> T:
+    """Return a copy of a dataclass in which ``change`` has been applied to every text in it."""
+
+    def changed(part: Any) -> Any:
+        if isinstance(part, str):
+            return change(part)
+        if is_dataclass(part) and not isinstance(part, type):
+            return replace(part, **{name: changed(own) for name, own in vars(part).items()})
+        return type(part)(map(changed, part)) if isinstance(part, (list, tuple)) else part
+
+    return cast(T, changed(value))
 
 
 NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """Raised when the student's code does not do what a check expects.
-
-    The exception carries the message that the student will read.
-    """
+    """Raised with a message for the student when the code does not do what a check expects."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

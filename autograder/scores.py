@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from autograder.checks.verdict import Point, Status, Verdict
@@ -18,14 +18,22 @@ PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are rob
 class Result:
     """A student's result on one exercise: its status, its points and the verdicts on its checks.
 
-    The score is None if the exercise is a written answer that nobody has marked yet, or if the
-    grader itself failed on it.
+    Attributes:
+        score: The points, or None if nobody has marked the written answer or the grader failed.
+        chapter: The number of the exercise's chapter.
+        score_on_given: The score with our solutions to the earlier chapters.
+        comment: What the person wrote who marked a written answer.
+        reference: The cost and the error of our solution to an open exercise, if known.
     """
 
     exercise: Exercise
     status: ExerciseStatus
     score: float | None
     checks: list[Verdict]
+    chapter: int = 0
+    score_on_given: float | None = None
+    comment: str = ""
+    reference: Point | None = None
 
     @property
     def physics(self) -> list[Verdict]:
@@ -38,17 +46,32 @@ class Result:
         return [check for check in self.checks if check.robust]
 
     @property
+    def tiers(self) -> list[tuple[str, int, int]]:
+        """How many checks of each kind pass, and how many there are, such as ("physics", 3, 4)."""
+        tiers = [("physics", self.physics), ("robust", self.robust)]
+        return [
+            (name, sum(check.status == "passed" for check in checks), len(checks))
+            for name, checks in tiers
+            if checks
+        ]
+
+    @property
     def works(self) -> bool:
         """True if all physics checks of the exercise pass, even if robust checks fail."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
-        """The cost and the error of the student's solution, or None if no check measured them.
-
-        They are the coordinates of the solution on the chart of an open exercise.
-        """
+        """The cost and the error of the solution to an open exercise, if a check measured them."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
+
+    @property
+    def place(self) -> str:
+        """The place on the chart in words, as in "9 evaluations, error of the result: 0.02"."""
+        if self.on_chart is None:
+            return ""
+        (cost, error), axes = self.on_chart, self.exercise.chart
+        return f"{cost:g} {axes[0]}, {axes[1]}: {error:.2g}"
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
@@ -56,42 +79,33 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
-    return [result_of(exercise, by_exercise.get(exercise.id, [])) for exercise in chapter.exercises]
+    results = [result_of(one, by_exercise.get(one.id, [])) for one in chapter.exercises]
+    return [replace(result, chapter=chapter.number) for result in results]
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Compute the status and points of an exercise from the results of its checks.
 
-    The physics checks are worth PHYSICS_SHARE of the points, and the robust checks are worth the
-    rest. If an exercise has only one kind of check, that kind is worth all the points. Within each
-    kind, a student earns points in proportion to the total weight of the checks that pass. Robust
-    checks affect the status only if all physics checks pass.
-
-    The score is None if an exercise has no checks, or if the grader itself failed during a check.
-    It is not zero, because the student is not at fault.
+    The physics checks earn PHYSICS_SHARE of the points and the robust checks the rest, each kind in
+    proportion to the weight of the checks that pass. If an exercise has only one kind, that kind
+    earns all the points. Robust checks affect the status only if all physics checks pass. The score
+    is None, not zero, if there are no checks or the grader failed: the student is not at fault.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
     statuses = {check.status for check in checks}
     if not checks or "error" in statuses:
         return Result(exercise, "error", None, checks)
-    tiers = [
-        (PHYSICS_SHARE, [check for check in checks if not check.robust]),
-        (1.0 - PHYSICS_SHARE, [check for check in checks if check.robust]),
-    ]
-    tiers = [(share, tier) for share, tier in tiers if tier]
-    earned = sum(share * _passing(tier) for share, tier in tiers)
-    score = exercise.points * earned / sum(share for share, _ in tiers)
+    earned = whole = 0.0
+    for share, robust in ((PHYSICS_SHARE, False), (1.0 - PHYSICS_SHARE, True)):
+        if tier := [check for check in checks if check.robust is robust]:
+            passed = sum(check.weight for check in tier if check.status == "passed")
+            earned += share * passed / sum(check.weight for check in tier)
+            whole += share
     open_physics = {check.status for check in checks if not check.robust} - {"passed"}
     order: tuple[Status, ...] = ("failed", "blocked", "inherited", "passed")
     status = next(status for status in order if status in (open_physics or statuses))
-    return Result(exercise, status, round(score, 2), checks)
-
-
-def _passing(checks: Sequence[Verdict]) -> float:
-    """Compute the weighted fraction of checks that pass."""
-    passed = sum(check.weight for check in checks if check.status == "passed")
-    return passed / sum(check.weight for check in checks)
+    return Result(exercise, status, round(exercise.points * earned / whole, 2), checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
@@ -108,8 +122,7 @@ def total(results: Iterable[Result]) -> tuple[float | None, float]:
 
 def possible(exercises: Iterable[Exercise]) -> float:
     """Add up the points of some exercises, leaving out extra credit and optional exercises."""
-    counted = [e.points for e in exercises if not (e.extra or e.optional)]
-    return round(sum(counted), 2)
+    return round(sum(e.points for e in exercises if not (e.extra or e.optional)), 2)
 
 
 def extra_possible(exercises: Iterable[Exercise]) -> float:
@@ -120,8 +133,7 @@ def extra_possible(exercises: Iterable[Exercise]) -> float:
 def of_possible(score: float | None, points: float, extra: float) -> str:
     """Say how many of the possible points a student has, as in "3 of 5 points".
 
-    ``extra`` is the possible extra credit. It is named only if there are no other points, since
-    "4 of 0 points" would make no sense.
+    Extra credit is named only if there are no other points, as "4 of 0 points" makes no sense.
     """
     if extra and not points:
         return f"{shown(score)} of {shown(extra)} points of extra credit"
@@ -131,12 +143,3 @@ def of_possible(score: float | None, points: float, extra: float) -> str:
 def shown(score: float | None) -> str:
     """Format a score for people to read, such as 2.5, or "-" if the score is not known yet."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
-
-
-def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Format the cost and the error of a student's solution to an open exercise.
-
-    ``axes`` contains the names of the two quantities, and ``point`` contains their values. An
-    example of the result is "120 contacts resolved, error of the range: 0.02".
-    """
-    return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

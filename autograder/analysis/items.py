@@ -1,65 +1,70 @@
 """Compute how well a class did on each exercise and on each of its checks.
 
-Each chapter is scored with the reference solution in place of the student's earlier chapters.
-Otherwise a single mistake in chapter 2 would lower the scores in every chapter that uses vectors.
+The page class.html shows the scores that students have with the reference solution in place of
+their earlier chapters. Otherwise a single mistake in chapter 2 would lower the scores in every
+chapter that uses vectors.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from statistics import fmean
 from typing import Literal
 
 from autograder.analysis.discrimination import Discrimination, discrimination
+from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Kind
-from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
+from autograder.reports.report import Cause, StudentReport
+from autograder.reports.texts import check_title
 
 State = Literal["passed", "failed", "not written", "blocked", "inherited", "error"]
 STATES: tuple[State, ...] = ("passed", "failed", "not written", "blocked", "inherited", "error")
 HIDDEN = "a hidden check"
-
-
-@dataclass(frozen=True)
-class CheckItem:
-    """The results of a whole class on one check of an exercise.
-
-    Attributes:
-        robust: True if the check tests bad arguments, overflow or NaN.
-        states: The number of students who passed the check, who failed it, who had not written the
-            function, and so on.
-    """
-
-    name: str
-    robust: bool
-    hidden: bool
-    states: Counter[State]
+MOST_MISSED = 5
+BINS = 10
 
 
 @dataclass(frozen=True)
 class ExerciseItem:
     """The results of a whole class on one exercise.
 
-    Attributes:
-        full: The number of students with full credit.
-        part: The number of students with partial credit.
-        none: The number of students with no credit.
-        mean: The average score as a fraction of the points, or None if no student has a score.
+    A student has no score if grading failed, or while a written answer waits to be marked.
     """
 
     exercise: Exercise
-    full: int
-    part: int
-    none: int
-    mean: float | None
+    scores: list[float]
+    passed: int  # students who pass every check
+    on_given: list[float]  # the scores on given chapters
     discrimination: Discrimination
-    checks: list[CheckItem]
+    checks: list[tuple[Verdict, Counter[State]]]  # with the number of students in each state
+    first_lost: str  # the check that most students fail
 
     @property
-    def counted(self) -> int:
-        """The number of students in the class who have a score for this exercise."""
-        return self.full + self.part + self.none
+    def share(self) -> float | None:
+        """The fraction of those with a score who pass, or None if there is none or no check."""
+        if self.exercise.kind == "written" or not self.scores:
+            return None
+        return self.passed / len(self.scores)
+
+    @property
+    def mean(self) -> float | None:
+        """The average of the points, or None if nobody has a score."""
+        return round(fmean(self.scores), 2) if self.scores else None
+
+    @property
+    def mean_on_given(self) -> float | None:
+        """The average on given chapters, as a fraction of the points."""
+        return fmean(self.on_given) / self.exercise.points if self.on_given else None
+
+    @property
+    def full_part_none(self) -> tuple[int, int, int]:
+        """How many students have all points, some or none on given chapters."""
+        full = sum(score >= self.exercise.points for score in self.on_given)
+        none = sum(score <= 0.0 for score in self.on_given)
+        return full, len(self.on_given) - full - none, none
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
@@ -68,46 +73,71 @@ def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[Exercis
 
 
 def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
-    found: list[ExerciseReport] = []
+    pairs = [(r, o) for r in reports for o in r.results if o.exercise.id == exercise.id]
+    results = [result for _, result in pairs]
     own: list[float] = []
     rest: list[float] = []
-    for report in reports:
-        for result in report.exercises:
-            if result.id != exercise.id:
-                continue
-            found.append(result)
-            if result.score_on_given is not None and report.score_on_given is not None:
-                own.append(result.score_on_given)
-                by_checks = 0.0 if result.kind == "written" else result.score_on_given
-                rest.append(report.score_on_given - by_checks)
-    scores = [result.score_on_given for result in found if result.score_on_given is not None]
-    full = sum(score >= exercise.points for score in scores)
-    none = sum(score <= 0.0 for score in scores)
+    for report, result in pairs:
+        if result.score_on_given is not None and report.score_on_given is not None:
+            own.append(result.score_on_given)
+            by_checks = 0.0 if exercise.kind == "written" else result.score_on_given
+            rest.append(round(report.score_on_given - by_checks, 2))
+    states: dict[tuple[str, bool], tuple[Verdict, Counter[State]]] = {}
+    lost: Counter[str] = Counter()
+    for check in (check for result in results for check in result.checks):
+        _, counts = states.setdefault((check.name, check.hidden), (check, Counter()))
+        unwritten = check.message.kind is Kind.UNWRITTEN and check.status in ("failed", "blocked")
+        counts["not written" if unwritten else check.status] += 1
+        if check.status in ("failed", "blocked", "inherited"):
+            lost[HIDDEN if check.hidden else check_title(check.name)] += 1
     return ExerciseItem(
         exercise,
-        full,
-        len(scores) - full - none,
-        none,
-        sum(scores) / len(scores) / exercise.points if scores else None,
-        discrimination(own, rest),
-        _checks(found),
+        scores=[result.score for result in results if result.score is not None],
+        passed=sum(result.status == "passed" for result in results),
+        on_given=[r.score_on_given for r in results if r.score_on_given is not None],
+        discrimination=discrimination(own, rest),
+        checks=sorted(states.values(), key=lambda pair: (pair[0].robust, pair[0].hidden)),
+        first_lost=lost.most_common(1)[0][0] if lost else "",
     )
 
 
-def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Count how many students passed or failed each check of an exercise.
+def most_missed(items: Sequence[ExerciseItem]) -> list[ExerciseItem]:
+    """Return up to five exercises that not everybody passes, lowest pass rate first."""
+    missed = [item for item in items if item.share is not None and item.share < 1]
+    order = sorted(missed, key=lambda i: (i.share or 0.0, (i.mean or 0.0) / i.exercise.points))
+    return order[:MOST_MISSED]
 
-    The list begins with the physics checks, followed by those for bad arguments, overflow and NaN.
+
+def causes_in(reports: Sequence[StudentReport]) -> list[tuple[Cause, int]]:
+    """List the exercises of earlier assignments that students have to fix first.
+
+    Each is returned with the number of students whose graded exercises it blocks, most first.
     """
-    items: dict[tuple[str, bool], CheckItem] = {}
-    for result in results:
-        for check in result.checks:
-            new = CheckItem(check.name, check.robust, check.hidden, Counter())
-            item = items.setdefault((check.name, check.hidden), new)
-            item.states[_state(check)] += 1
-    return sorted(items.values(), key=lambda item: (item.robust, item.hidden))
+    found: dict[str, Cause] = {}
+    counts: Counter[str] = Counter()
+    for cause in (cause for report in reports for cause in report.causes):
+        if cause.result.status == "failed":
+            name = cause.result.exercise.id
+            counts[name] += 1
+            known = found.setdefault(name, cause)
+            blocks = dict.fromkeys([*known.blocks, *cause.blocks])
+            found[name] = replace(known, blocks=[*blocks])
+    return [(found[name], count) for name, count in counts.most_common()]
 
 
-def _state(check: CheckReport) -> State:
-    unwritten = check.message.kind is Kind.UNWRITTEN and check.status in ("failed", "blocked")
-    return "not written" if unwritten else check.status
+def histogram(reports: Sequence[StudentReport]) -> list[tuple[int, int, int]]:
+    """Count how many students of a class score 0 to 10 percent, 10 to 20 percent, and so on.
+
+    Full marks go into the last bin, and so do higher scores due to extra credit. Students without a
+    score are not counted.
+
+    Returns:
+        For each bin its limits in percent, and the number of students.
+    """
+    counts: Counter[int] = Counter()
+    for report in reports:
+        most = report.points or report.extra  # an assignment's checks may give only extra credit
+        if report.score is not None and most:
+            counts[min(int(round(BINS * report.score / most, 6)), BINS - 1)] += 1
+    step = 100 // BINS
+    return [(step * i, step * (i + 1), counts[i]) for i in range(BINS)]

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
-from autograder.message import NOTHING, Message
-from autograder.records import from_json, to_json
+from autograder.checks.verdict import Point
+from autograder.message import NOTHING, Kind, Message, Place
+from autograder.records import to_json
 
 
 @dataclass(frozen=True)
 class Check:
-    """A check that the check process is going to run.
+    """A check that is going to run. A hidden check has a rationale, all that students see of it."""
 
-    ``rationale`` is None unless the check is hidden. It is the only part of a hidden check that
-    students see. The ``name`` of a hidden check says nothing about it, in contrast to
-    ``real_name``.
-    """
-
-    name: str
+    name: str  # says nothing about a hidden check
     exercise: str
     weight: float
     robust: bool
@@ -29,32 +26,26 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """An event sent when pytest has collected the checks.
-
-    It lists the checks in the order in which they will run.
-    """
+    """Lists the checks that pytest has collected, in the order in which they will run."""
 
     checks: list[Check]
 
 
 @dataclass(frozen=True)
 class Importing:
-    """An event sent before the check process imports one of the student's modules.
-
-    If the process dies during the import, that module is to blame.
-    """
+    """Announces the import of a student's module, which is to blame if the process dies."""
 
     module: str
 
 
 @dataclass(frozen=True)
 class Imported:
-    """An event sent when the import announced by an ``Importing`` event has finished."""
+    """Reports that the import that ``Importing`` announced has finished."""
 
 
 @dataclass(frozen=True)
 class Broken:
-    """An event sent if one of the student's modules cannot be imported."""
+    """Reports that one of the student's modules cannot be imported."""
 
     module: str
     message: Message
@@ -62,35 +53,36 @@ class Broken:
 
 @dataclass(frozen=True)
 class Started:
-    """An event sent when a check begins.
-
-    If the process dies afterwards, this event shows which check was running.
-    """
+    """Reports that a check begins. If the process dies, this check was running."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Decided:
-    """An event sent when the verdict on a check is known.
-
-    The status "error" means that the failure lies in the grader, not in the student's code.
-    """
+    """Reports whether a check passed. An "error" is the fault of the grader."""
 
     name: str
     status: Literal["passed", "failed", "error"]
     message: Message = NOTHING
-    on_chart: tuple[float, float] | None = None
+    on_chart: Point | None = None
 
 
 @dataclass(frozen=True)
 class Ended:
-    """An event sent by a check process after its last check."""
+    """Reports that the process has run its last check."""
 
 
 Event = Checks | Importing | Imported | Broken | Started | Decided | Ended
-KINDS: dict[str, type[Event]] = {
-    kind.__name__: kind for kind in (Checks, Importing, Imported, Broken, Started, Decided, Ended)
+KINDS: dict[str, type[Event]] = {kind.__name__: kind for kind in Event.__args__}
+READ: dict[str, Callable[[Any], Any]] = {  # what a value is read as, if it is not plain
+    "checks": lambda checks: [Check(**check) for check in checks],
+    "message": lambda message: Message(**_read(message)),
+    "where": lambda place: Place(**place),
+    "inside": lambda place: Place(**place),
+    "kind": Kind,
+    "blocked_by": tuple,
+    "on_chart": tuple,
 }
 
 
@@ -100,15 +92,13 @@ def write_event(event: Event) -> str:
 
 
 def read_event(line: str) -> Event:
-    """Parse one line of a check process's output, and return the event that it describes.
+    """Parse one line of a check process's output, or raise ValueError if it is not an event."""
+    try:
+        ((name, data),) = json.loads(line).items()
+        return KINDS[name](**_read(data))
+    except (AttributeError, KeyError, TypeError) as error:
+        raise ValueError(f"an event is not what it must be: {error}") from error
 
-    Raises:
-        ValueError: The line is not an event.
-    """
-    event = json.loads(line)
-    if not isinstance(event, dict) or len(event) != 1:
-        raise ValueError("an event must be an object with one key")
-    ((name, data),) = event.items()
-    if name not in KINDS:
-        raise ValueError(f"there is no event {name!r}")
-    return from_json(KINDS[name], data)
+
+def _read(data: dict[str, Any]) -> dict[str, Any]:
+    return {key: READ[key](value) if key in READ else value for key, value in data.items()}

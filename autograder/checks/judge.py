@@ -6,8 +6,8 @@ This module starts the process, reads what it prints, and kills it if it hangs.
 from __future__ import annotations
 
 import contextlib
-import json
 import os
+import pickle
 import queue
 import signal
 import subprocess
@@ -26,7 +26,6 @@ from autograder.diagnosis.explain import explain_hang
 from autograder.files import is_full
 from autograder.manifest import ROOT
 from autograder.message import Kind, Message
-from autograder.records import to_json
 
 if TYPE_CHECKING:
     from autograder.isolation.judges import ForkedJudge
@@ -170,11 +169,11 @@ def judge(run: Listener) -> Ending:
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
-        config = folder / "config.json"  # too long for a command line
+        config = folder / "config.pickle"  # too long for a command line
         arranged = run.config(folder)
         stack_file = Path(arranged.stack_file)
         stack_file.touch()
-        config.write_text(json.dumps(to_json(arranged)), encoding="utf-8")
+        config.write_bytes(pickle.dumps(arranged))  # no one else may write to this folder
         place = root_of_checks(folder, run.root, run.behind)
         process = Judge(config, place, behind=run.behind is not None)
         try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from autograder.message import Message
+from autograder.message import Message, with_texts
 from autograder.text.clean import clean
 
 LONGEST_MESSAGE = 8000  # characters; a message contains returned values, and these may be huge
@@ -19,8 +19,8 @@ def presentable(message: Message) -> Message:
     and long texts are shortened. All text that comes from a student's code passes through this
     function.
     """
-    message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
-    return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)
+    message = with_texts(message, lambda text: ADDRESS.sub("", clean(text)))
+    return message if len(str(message)) <= LONGEST_MESSAGE else with_texts(message, _cut)
 
 
 def _cut(text: str) -> str:

@@ -24,8 +24,8 @@ class Secret:
 class Verdict:
     """The outcome of one check: whether it passed and, if not, the message for the student.
 
-    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics. Every hidden
-    check has a ``secret``. Its name and message are therefore safe to show to students.
+    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics. The name and the
+    message of a hidden check are safe to show to students: the real ones are in its ``secret``.
     """
 
     name: str
@@ -46,10 +46,7 @@ def needs_of(chapter: Chapter, exercise: str) -> set[str]:
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Add the prerequisites of these exercises, and return all of them in manifest order.
-
-    If ``exercises`` is None, return all exercises of the chapter.
-    """
+    """Return these exercises (by default all) and their prerequisites, in manifest order."""
     everything = [exercise.id for exercise in chapter.exercises]
     if exercises is None:
         return everything
@@ -65,8 +62,8 @@ def asked_for(chapter: Chapter) -> list[str]:
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
     """Change each failed verdict to blocked if its exercise builds on one that still fails.
 
-    Only the physics checks of a prerequisite matter here, not its robust checks. A check that
-    passes although its exercise is blocked keeps its verdict and its points.
+    Only the physics checks of a prerequisite matter. A check that passes although its exercise is
+    blocked keeps its verdict and its points.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

@@ -8,8 +8,8 @@ student's code could print anything.
 
 from __future__ import annotations
 
-import json
 import os
+import pickle
 import sys
 import traceback
 from collections.abc import Generator
@@ -30,8 +30,7 @@ from autograder.checks.events import Check, Checks, Decided, Ended, Event, Start
 from autograder.diagnosis.explain import explain_exception
 from autograder.diagnosis.faults import CheckEnded, GraderFault, StudentLeft, fault_of
 from autograder.diagnosis.gone import explain_gone
-from autograder.message import NOTHING, Message
-from autograder.records import from_json
+from autograder.message import NOTHING, Message, with_texts
 from autograder.text.wrapping import few_lines
 
 if TYPE_CHECKING:
@@ -188,7 +187,7 @@ class Recorder:
             known = _properties(item)
             # A point on the chart could reveal what a hidden check measures.
             point = None if "rationale" in known else known.get("on_chart")
-            message = message.changed(self._without_folders)
+            message = with_texts(message, self._without_folders)
             self.send(Decided(item.name, status, message, point))
         return report
 
@@ -264,7 +263,7 @@ def _is_robust(item: pytest.Item) -> bool:
 
 def main() -> int:
     """Run the checks described in the configuration file that is given on the command line."""
-    config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
+    config: Config = pickle.loads(Path(sys.argv[1]).read_bytes())
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from autograder.checks.verdict import Verdict, needs_of
 from autograder.manifest import Chapter
-from autograder.reports.report import Cause, check_report
+from autograder.reports.report import Cause
 from autograder.scores import Result, results_of
 
 
@@ -30,15 +30,6 @@ def causes_of(
         exercise = result.exercise
         blocks = [name for name in blocked if exercise.id in needs_of(whole, name)]
         if blocks and not result.works and result.status in ("failed", "blocked", "inherited"):
-            causes.append(
-                Cause(
-                    chapter=whole.number,
-                    id=exercise.id,
-                    title=exercise.title,
-                    assignment=assignments.get(exercise.id, ""),
-                    status=result.status,
-                    blocks=blocks,
-                    checks=[check_report(check) for check in result.physics],
-                )
-            )
+            shown = replace(result, checks=result.physics)
+            causes.append(Cause(shown, assignments.get(exercise.id, ""), blocks))
     return causes

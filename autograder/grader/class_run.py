@@ -185,7 +185,7 @@ def _class_table(reports: list[StudentReport], problems: list[str]) -> Table:
     table.add_column("status", no_wrap=True)
     table.add_column(PROBLEM if any(problems) else "", no_wrap=True)
     for report, problem in zip(reports, problems, strict=True):
-        checks = [check for exercise in report.exercises for check in exercise.checks]
+        checks = [check for result in report.results for check in result.checks]
         extra = " extra" if report.extra and not report.points else ""
         table.add_row(
             _two_lines(report.student, LONGEST_NAME),
@@ -208,8 +208,8 @@ def _first_problem(report: StudentReport) -> str:
     """Return the message of the most important check that did not pass, hidden or not."""
     order = ("error", "failed", "inherited", "blocked")
     cause = report.first_cause
-    checks = [(cause.name, check) for check in cause.checks] if cause else []
-    checks += [(exercise.id, check) for exercise in report.exercises for check in exercise.checks]
+    checks = [(cause.name, check) for check in cause.result.checks] if cause else []
+    checks += [(result.exercise.id, check) for result in report.results for check in result.checks]
     lost = [pair for pair in checks if pair[1].status in order]
     if not lost:
         return ""

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
-from autograder.checks.verdict import Verdict
+from autograder.checks.verdict import Point, Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.diagnosis.missing import file_of
 from autograder.grader.causes import causes_of
@@ -19,7 +19,7 @@ from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.handed_in import notes_on, why_nothing
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
-from autograder.reports.report import Cause, Chart, ExerciseReport, StudentReport, check_report
+from autograder.reports.report import Cause, StudentReport
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission, printable
 from autograder.submissions.stage import Staged, stage
@@ -227,8 +227,12 @@ def _report(
         waiting=sum(result.exercise.points for result in own if result.status == "waiting"),
         earlier=sorted(below),
         notes=notes,
-        exercises=[
-            _exercise(chapter, result, better, _chart(conditions, once, chapter, result))
+        results=[
+            replace(
+                result,
+                score_on_given=better.score,
+                reference=_reference(conditions, once, chapter, result),
+            )
             for chapter, results in zip(conditions.chapters, graded, strict=True)
             for result, better in zip(results.own, results.on_given, strict=True)
         ],
@@ -236,36 +240,11 @@ def _report(
     )
 
 
-def _chart(
+def _reference(
     conditions: Conditions, once: OnceForAll, chapter: Chapter, result: Result
-) -> Chart | None:
-    """Compare the error and the cost of a solution with those of the reference, if measured."""
+) -> Point | None:
+    """Return the cost and the error of our solution, if those of the student's were measured."""
     if result.on_chart is None:
         return None
-    exercise = result.exercise
-    reference = {
-        verdict.exercise: verdict.on_chart
-        for verdict in reversed(once.of_reference(conditions, chapter))
-        if verdict.on_chart
-    }
-    return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
-
-
-def _exercise(
-    chapter: Chapter, result: Result, better: Result, chart: Chart | None
-) -> ExerciseReport:
-    exercise = result.exercise
-    return ExerciseReport(
-        chapter=chapter.number,
-        id=exercise.id,
-        title=exercise.title,
-        kind=exercise.kind,
-        points=exercise.points,
-        score=result.score,
-        score_on_given=better.score,
-        status=result.status,
-        comment="",
-        checks=[check_report(check) for check in result.checks],
-        chart=chart,
-        extra=exercise.extra,
-    )
+    ours = once.of_reference(conditions, chapter)
+    return next((v.on_chart for v in ours if v.exercise == result.exercise.id and v.on_chart), None)

@@ -15,8 +15,14 @@ from autograder.submissions.class_list import ClassList, read_class
 def people_of(folder: Path, out: Path, roster: Path | None) -> ClassList:
     """Find the students of a class, what they have handed in, and who has reports in ``out``."""
     earlier = [*out.glob("results/*.json"), *out.glob("earlier/results/*.json")]
-    reports = [report for path in earlier if (report := read_result(path))]
-    return replace(read_class(folder, roster), gone=frozenset(one.student for one in reports))
+    people = read_class(folder, roster)
+    found = {path: read_result(path) for path in earlier}
+    notes = [*people.notes]
+    if unread := sum(not found[path] and path.parent == out / "results" for path in found):
+        other = "are damaged or of another version, so these submissions are graded again"
+        notes.append(f"Reports in {out} that {other}: {unread}.")
+    gone = frozenset(report.student for report in found.values() if report)
+    return replace(people, notes=notes, gone=gone)
 
 
 def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str]:
@@ -24,12 +30,7 @@ def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str
 
     If the roster has a name that is similar to that of a submission, suggest to rename it.
     """
-    changed = [
-        f"{report.student} {exercise.id}"
-        for report in reports
-        for exercise in report.exercises
-        if exercise.status == "changed"
-    ]
+    changed = [f"{report.student} {exercise}" for report in reports for exercise in report.changed]
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (

@@ -6,9 +6,10 @@ import csv
 from datetime import datetime
 from pathlib import Path
 
-from autograder.reports.report import ExerciseReport, RunKey, StudentReport
+from autograder.reports.report import RunKey, StudentReport
 from autograder.reports.results import read_results
 from autograder.reports.texts import number
+from autograder.scores import Result
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.csv_rows import as_cell
 
@@ -84,11 +85,11 @@ class Regrade:
         """
         before = number(self.before.total) if self.before else ""
         after = number(report.total)
-        earlier = {e.id: e for e in self.before.exercises} if self.before else {}
+        earlier = {r.exercise.id: r for r in self.before.results} if self.before else {}
         changes = "; ".join(
-            f"{new.id}: {_outcome(old)} to {_outcome(new)}"
-            for new in report.exercises
-            if (old := earlier.get(new.id)) is None
+            f"{new.exercise.id}: {_outcome(old)} to {_outcome(new)}"
+            for new in report.results
+            if (old := earlier.get(new.exercise.id)) is None
             or (old.score, old.status) != (new.score, new.status)
         )
         path = self.out / LOG
@@ -104,7 +105,7 @@ class Regrade:
         return f"{self.student}: {points}. Changed: {changes or 'no exercise'}. Logged in {path}"
 
 
-def _outcome(exercise: ExerciseReport | None) -> str:
-    if exercise is None:
+def _outcome(result: Result | None) -> str:
+    if result is None:
         return "nothing"
-    return exercise.status if exercise.score is None else number(exercise.score)
+    return result.status if result.score is None else number(result.score)

@@ -13,7 +13,6 @@ from pathlib import Path
 
 from autograder.answers import FILE, Question, model_answer, questions_of
 from autograder.manifest import ROOT, Chapter, Exercise
-from autograder.marking.marked_answers import hash_of
 from autograder.student.written import flowing
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
@@ -24,22 +23,13 @@ LONGEST = 20_000  # the page shows at most this many characters of an answer
 
 @dataclass(frozen=True)
 class Answer:
-    """One student's answer to a written question, as shown on the marking page.
-
-    Attributes:
-        code: A code that the page shows instead of the student's name, so that the name cannot
-            influence the mark.
-        text: The answer. It may be the whole file answers.md if something is wrong with that file,
-            because the answer could be anywhere in it.
-        note: What is wrong with the file answers.md, if anything.
-        hash: A hash of the whole answer.
-    """
+    """One student's answer to a written question, as shown on the marking page."""
 
     submission: Submission
-    code: str
-    text: str
-    note: str
-    hash: str
+    code: str  # shown in place of the name, so that the name cannot influence the mark
+    text: str  # the whole file answers.md if something is wrong with it
+    note: str  # what is wrong with the file answers.md, if anything
+    hash: str  # of the whole answer, which shows whether the student has changed it
 
 
 @dataclass(frozen=True)
@@ -58,11 +48,7 @@ def collect_tasks(
 ) -> list[Task]:
     """Collect the written questions in ``chapters``, with every student's answer to each of them.
 
-    The answers are sorted by the codes that replace the students' names, so that their order does
-    not reveal who wrote them. Missing answers come last.
-
-    Raises:
-        ValueError: A question has no model answer.
+    The answers are sorted by code, which does not reveal who wrote them. Missing ones come last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -80,26 +66,6 @@ def collect_tasks(
     return tasks
 
 
-def _answers_of(
-    submission: Submission, chapters: list[Chapter], root: Path
-) -> Iterator[tuple[str, Answer]]:
-    """Yield one student's answer to each written question, in pairs such as ("2.2b", answer).
-
-    The text of a missing answer is empty.
-    """
-    wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
-    with tempfile.TemporaryDirectory(prefix="marking-") as folder:
-        staged = stage(submission.path, wanted, Path(folder), root)
-        for chapter in wanted:
-            refused = staged.rejected.get(f"{chapter.name}.{FILE}", "")
-            for question in questions_of(chapter, [Path(folder)]):
-                name = question.exercise.id
-                text, note = _text_of(question, Path(folder) / chapter.name / FILE)
-                code = _code(submission.student, name)
-                shown = _shown(text)
-                yield name, Answer(submission, code, shown, refused or note, hash_of(text))
-
-
 def answer_hashes(
     submission: Submission, chapters: list[Chapter], root: Path = ROOT
 ) -> dict[str, str]:
@@ -107,12 +73,32 @@ def answer_hashes(
     return {name: answer.hash for name, answer in _answers_of(submission, chapters, root)}
 
 
-def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return a student's answer to one question, as written in the file answers.md.
+def _answers_of(
+    submission: Submission, chapters: list[Chapter], root: Path
+) -> Iterator[tuple[str, Answer]]:
+    """Yield one student's answer to each question. The text of a missing answer is empty."""
+    # Students' code is left out, because an instructor marks only the written answers.
+    wanted = [
+        replace(chapter, complete=[], exercises=[replace(written[0], edit=[], files=[FILE])])
+        for chapter in chapters
+        if (written := _written(chapter))
+    ]
+    with tempfile.TemporaryDirectory(prefix="marking-") as folder:
+        staged = stage(submission.path, wanted, Path(folder), root)
+        for chapter in chapters:
+            refused = staged.rejected.get(f"{chapter.name}.{FILE}", "")
+            for question in questions_of(chapter, [Path(folder)]):
+                name = question.exercise.id
+                text, note = _text_of(question, Path(folder) / chapter.name / FILE)
+                code = hash_of(f"{name}\0{submission.student}")
+                yield name, Answer(submission, code, _shown(text), refused or note, hash_of(text))
 
-    Returns:
-        The answer, and a note if something is wrong with the file, such as a duplicate heading. In
-        that case the answer may be anywhere in the file, so its whole text is returned.
+
+def _text_of(question: Question, file: Path) -> tuple[str, str]:
+    """Return a student's answer to one question, and a note if something is wrong with the file.
+
+    For example, a heading may appear twice. Then the answer may be anywhere in the file, so its
+    whole text is returned.
     """
     if not file.exists():
         return "", ""
@@ -120,29 +106,17 @@ def _text_of(question: Question, file: Path) -> tuple[str, str]:
         note = question.problems[0].replace(str(question.file), FILE)
         return file.read_text(encoding="utf-8-sig"), f"This is the whole file. {note}"
     section = question.section
-    if section is None:
-        return "", ""
-    lines = section.answer.splitlines()
-    return "\n".join(line for line in lines if line.strip() not in section.places), ""
+    lines = section.answer.splitlines() if section else []
+    return "\n".join(line for line in lines if section and line.strip() not in section.places), ""
 
 
 def _written(chapter: Chapter) -> list[Exercise]:
     return [exercise for exercise in chapter.exercises if exercise.kind == "written"]
 
 
-def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of a chapter that has only written exercises and the file answers.md.
-
-    Students' code is left out, because an instructor marks only the written answers.
-    """
-    exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
-    exercises[0] = replace(exercises[0], files=[FILE])
-    return replace(chapter, complete=[], exercises=exercises)
-
-
-def _code(student: str, exercise_id: str) -> str:
-    key = f"{exercise_id}\0{student}".encode("utf-8", "surrogatepass")
-    return hashlib.sha256(key).hexdigest()[:16]
+def hash_of(text: str) -> str:
+    """Return a short hash, such as that of a written answer."""
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
 def _shown(text: str) -> str:

@@ -6,7 +6,6 @@ the answer that is there when the class is next graded or marked.
 
 from __future__ import annotations
 
-import hashlib
 import json
 from pathlib import Path
 from typing import Any
@@ -18,16 +17,11 @@ from autograder.reports.texts import replace_file
 NAME = ".marked-answers.json"
 
 
-def hash_of(answer: str) -> str:
-    """Return a short hash of a written answer."""
-    return hashlib.sha256(answer.encode("utf-8", "surrogatepass")).hexdigest()[:16]
-
-
 class MarkedAnswers:
     """The record of a class: for each student and exercise, the mark and a hash of the answer.
 
-    A student is called by ``Submission.owner``, which stays the same if the class is graded with
-    codes, or if a newer download has other file names.
+    A student is called by ``Submission.owner``, which stays the same in a newer download with other
+    file names.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -52,14 +46,13 @@ class MarkedAnswers:
         self.save()
 
     def save(self) -> None:
-        """Write what is new, and keep what others have written in the meantime."""
-        if not self._new:
-            return
-        with alone(self.path.with_name(f"{NAME}.lock")):
-            self._kept = self._read() | self._new
-            text = json.dumps(self._kept, indent=1, sort_keys=True, ensure_ascii=False)
-            replace_file(self.path, text + "\n")
-        self._new = {}
+        """Write what is new, and keep what make grade or make mark has written in the meantime."""
+        if self._new:
+            with alone(self.path.with_name(f"{NAME}.lock")):
+                self._kept = self._read() | self._new
+                text = json.dumps(self._kept, indent=1, sort_keys=True, ensure_ascii=False)
+                replace_file(self.path, text + "\n")
+            self._new = {}
 
     def _read(self) -> dict[str, list[Any]]:
         if not self.path.exists():

@@ -1,89 +1,82 @@
-"""Change individual marks in marks.csv without altering the rest of the file.
-
-The file holds the points and comments that instructors enter for students' written answers.
-"""
+"""Change one mark in marks.csv, the file with instructors' points and comments, and lose none."""
 
 from __future__ import annotations
 
 import csv
 import io
+import re
+from dataclasses import replace
 from pathlib import Path
 
 from autograder.alone import alone
 from autograder.manifest import Chapter
-from autograder.reports.marks import HEADER, Mark, Marks, read_marks, read_rows, row_of
+from autograder.reports.marks import HEADER, Mark, Row, read_rows
 from autograder.reports.texts import replace_file
 from autograder.submissions.class_list import ClassList
+from autograder.submissions.csv_rows import as_cell
+from autograder.text.clean import clean
+
+# A spreadsheet would take such a comment for a formula, so we store it with an apostrophe in front.
+FORMULA_START = re.compile(r"^(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 class ChangedError(Exception):
-    """Raised if somebody else has changed a mark since the marking page displayed it."""
+    """Raised if a mark in the file is not the one that the marking page displayed."""
 
 
-class MarksFile:
-    """The marks for the written answers of a class, stored in marks.csv.
+def change_mark(
+    path: Path,
+    chapters: list[Chapter],
+    people: ClassList,
+    answer: tuple[str, str],
+    mark: Mark | None,
+    seen: Mark | None,
+) -> None:
+    """Write a mark into marks.csv, or delete it if ``mark`` is None.
 
-    Several people may be changing the file at the same time, for example on two marking pages.
+    ``answer`` is the student and the exercise. ``seen`` is the mark that the page displayed. It
+    must be the one in the file, so that nobody overwrites a mark without having seen it.
+
+    Raises:
+        ChangedError: The mark in the file differs from ``seen``.
+        ValueError: A line in the file is invalid. The file is left unchanged.
     """
-
-    def __init__(self, path: Path, chapters: list[Chapter], people: ClassList) -> None:
-        self.path = path.resolve()  # the file itself, if the path is a link
-        self.chapters = chapters
-        self.people = people
-
-    def read(self) -> Marks:
-        """Read all marks from marks.csv.
-
-        Raises:
-            ValueError: A line is invalid. The error gives its number.
-        """
-        marks, _ = read_marks(self.path, self.chapters, self.people)
-        return marks
-
-    def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write a student's mark for an answer into marks.csv, or delete it if ``mark`` is None.
-
-        ``seen`` is the old mark that the marking page displayed. It must match the one in the file,
-        so that nobody overwrites a mark without having seen it.
-
-        Raises:
-            ChangedError: The old mark in the file differs from ``seen``.
-            ValueError: A line in the file is invalid. The file is left unchanged.
-        """
-        with alone(self.path.parent / ".marks.lock"):
-            separator, rows = read_rows(self.path, self.chapters, self.people)
-            old = next((r for r in rows if (r.report, r.exercise) == (student, exercise)), None)
-            if (old.mark if old else None) != seen:
-                raise ChangedError
-            if mark == seen:
-                return
-            lines = self._lines()
-            newline = "\r\n" if lines[0].endswith("\r\n") else "\n"
-            if not lines[-1].endswith(("\n", "\r")):
-                lines[-1] += newline
-            new = [] if mark is None else [self._line(student, exercise, mark, separator, newline)]
-            if old:
-                lines[old.first - 1 : old.last] = new
-            else:
-                lines += new
-            replace_file(self.path, "".join(lines))
-
-    def _lines(self) -> list[str]:
-        """Return the lines of marks.csv, or only the header if the file does not exist.
-
-        Each line keeps its line ending. The file is split into lines in the same way as in
-        ``read_rows``. The line numbers that ``read_rows`` returns are therefore valid for this
-        list.
-        """
-        if not self.path.exists():
-            return [",".join(HEADER) + "\n"]
-        with self.path.open(encoding="utf-8", newline="") as file:
-            return [*file]
-
-    def _line(self, student: str, exercise: str, mark: Mark, separator: str, newline: str) -> str:
-        cells = row_of(student, exercise, mark, self.people)
-        if separator == ";":  # where a spreadsheet would read 2.5 as May 2
-            cells[2] = cells[2].replace(".", ",")
+    path = path.resolve()  # the file itself, if the path is a link
+    with alone(path.parent / ".marks.lock"):
+        separator, rows = read_rows(path, chapters, people)
+        old = next((row for row in rows if (row.report, row.exercise) == answer), None)
+        if (old.mark if old else None) != seen:
+            now = (
+                f"It gives {old.mark.points:g} points. {old.mark.comment}" if old else "It is gone."
+            )
+            raise ChangedError(f"This mark has been changed in marks.csv. {now}")
+        if mark == seen:
+            return
+        if old is None and mark:
+            rows.append(Row(_name_of(answer[0], people), *answer, mark, 0))
+        elif old and mark:
+            rows[rows.index(old)] = replace(old, mark=mark)
+        elif old:
+            rows.remove(old)
+        before = path.read_bytes().decode() if path.exists() else ""
+        newline = "\r\n" if before.partition("\n")[0].endswith("\r") else "\n"
         text = io.StringIO(newline="")
-        csv.writer(text, delimiter=separator, lineterminator=newline).writerow(cells)
-        return text.getvalue()
+        text.write("\ufeff" if before.startswith("\ufeff") else "")  # which Excel looks for
+        writer = csv.writer(text, delimiter=separator, lineterminator=newline)
+        writer.writerow(HEADER)
+        for row in rows:
+            points = f"{row.mark.points:.9f}".rstrip("0").rstrip(".")
+            if separator == ";":  # where a spreadsheet would read 2.5 as May 2
+                points = points.replace(".", ",")
+            comment = FORMULA_START.sub("'", clean(row.mark.comment).strip())
+            writer.writerow([row.student, row.exercise, points, comment])
+        replace_file(path, text.getvalue())
+
+
+def _name_of(student: str, people: ClassList) -> str:
+    """Return the name for a new row, escaped if a spreadsheet would take it for a formula."""
+    harmless = as_cell(student)
+    try:
+        return harmless if people.report_of(harmless) == student else student
+    except ValueError:
+        return student

@@ -140,7 +140,7 @@ def _compare(
             for path in staged.taken
             if path.endswith(".py")
         }
-    passed = {exercise.id for exercise in report.exercises if exercise.status == "passed"}
+    passed = {result.exercise.id for result in report.results if result.status == "passed"}
     compared: list[Compared] = []
     left_out = []
     for chapter in released:

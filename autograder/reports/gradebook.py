@@ -1,7 +1,4 @@
-"""Write gradebook.csv, the table of a class's grades.
-
-The table has a row for each student and a column for each exercise. Any spreadsheet can open it.
-"""
+"""Write gradebook.csv, with a row for each student and a column for each exercise."""
 
 from __future__ import annotations
 
@@ -23,20 +20,14 @@ WITH_DUE_DATE = ["points", "late days", "penalty"]  # columns for an assignment 
 
 
 def write_gradebook(
-    out: Path,
-    chapters: list[Chapter],
-    reports: Sequence[StudentReport],
-    people: ClassList,
+    out: Path, chapters: list[Chapter], reports: Sequence[StudentReport], people: ClassList
 ) -> Path:
     """Write gradebook.csv, the instructor's table of all grades, and return its path.
 
     The row below the header shows how many points each exercise is worth. A cell is empty if there
-    is no grade, for example because nobody has marked the answer yet.
-
-    The students of a group have a row each. Students who have handed in nothing come last, and the
-    status says who is not on the roster. If the assignment has a due date, three more columns show
-    the points earned, the days late and the penalty. The total is then the points earned minus the
-    penalty.
+    is no grade yet. The students of a group have a row each, and those who have handed in nothing
+    come last. If the assignment has a due date, the points earned, the days late and the penalty
+    have columns, and the total is the points earned minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -52,7 +43,7 @@ def write_gradebook(
         ["points possible", "", *map(number, sums)],
     ]
     for report in reports:
-        scores = {exercise.id: exercise.score for exercise in report.exercises}
+        scores = {result.exercise.id: result.score for result in report.results}
         cells = [
             report.score,
             report.score_on_given,
@@ -73,17 +64,13 @@ def write_gradebook(
 
 def _status(report: StudentReport, *, is_unmatched: bool) -> str:
     """Say in which state a student is, and what a person should look at."""
-    changed = [exercise.id for exercise in report.exercises if exercise.status == "changed"]
     parts = [f"handed in, nothing to grade: {report.nothing}" if report.nothing else report.status]
-    parts += [f"changed since marked: {', '.join(changed)}"] if changed else []
+    parts += [f"changed since marked: {', '.join(report.changed)}"] if report.changed else []
     parts += [UNMATCHED] if is_unmatched else []
     return "; ".join(parts)
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the gradebook's cells for a late penalty: points earned, days late and penalty.
-
-    A cell is None if its value is unknown, for example because the work could not be graded.
-    """
+    """Return the points earned, the days late and the penalty, or None where it is unknown."""
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]

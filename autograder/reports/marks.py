@@ -12,15 +12,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from autograder.manifest import Chapter, Exercise
-from autograder.reports.report import ExerciseReport, StudentReport
-from autograder.scores import shown
+from autograder.reports.report import StudentReport
 from autograder.submissions.class_list import ClassList
-from autograder.submissions.csv_rows import Mistakes, as_cell, read_csv
-from autograder.text.clean import clean
+from autograder.submissions.csv_rows import Mistakes, read_csv
 
 HEADER = ["student", "exercise", "points", "comment"]
-# A spreadsheet would take such a comment for a formula, so we store it with an apostrophe in front.
-FORMULA_START = re.compile(r"^(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
+# A spreadsheet would take such a comment for a formula, so it has an apostrophe in front.
 GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
@@ -37,31 +34,17 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A row of marks.csv: the mark for one student's answer to one exercise.
+    """A row of marks.csv: the mark for one student's answer to one exercise."""
 
-    Attributes:
-        student: The student's name, as it is in the file.
-        report: The name of the student's report, or "" if nothing was handed in.
-        exercise: The id of the exercise.
-        mark: The points and the comment.
-        first: The number of the row's first line in the file, counted from 1.
-        last: The number of its last line, which is larger if the comment spans several lines.
-    """
-
-    student: str
-    report: str
+    student: str  # the name in the file
+    report: str  # the name of the student's report, or "" if nothing was handed in
     exercise: str
     mark: Mark
-    first: int
-    last: int
+    line: int  # the number of its first line, counted from 1
 
 
 def read_marks(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[Marks, list[str]]:
     """Read marks.csv, where instructors enter points and comments for students' written answers.
-
-    The columns are student, exercise, points and comment. European spreadsheets separate columns
-    with semicolons and write decimal commas, so both are accepted. If the file does not exist,
-    there are no marks.
 
     Returns:
         The marks by the name of the report, and notes on rows that have no effect.
@@ -77,12 +60,10 @@ def read_marks(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[
 
 
 def read_rows(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[str, list[Row]]:
-    """Read the rows of marks.csv, together with their line numbers and the column separator.
+    """Read the rows of marks.csv and the separator of its columns, a comma or a semicolon.
 
-    With this information, a program can change a single mark and leave the other lines untouched.
-
-    Returns:
-        The separator, which is a comma or a semicolon, and the rows.
+    European spreadsheets separate columns with semicolons and write decimal commas, so both are
+    accepted. If the file does not exist, there are no rows.
 
     Raises:
         ValueError: Lines are invalid, as in ``read_marks``.
@@ -96,7 +77,7 @@ def read_rows(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[s
         raise ValueError(f"{path}, line 1: the header must be {wanted}, got {table.first_line!r}")
     mistakes = Mistakes(path)
     found: dict[tuple[str, str], Row] = {}
-    for line, last, (name, given, points_given, comment) in table.rows("comment", mistakes):
+    for line, _, (name, given, points_given, comment) in table.rows("comment", mistakes):
         try:
             report = people.report_of(name)
             exercise = _written(given, exercises)
@@ -104,27 +85,13 @@ def read_rows(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[s
         except ValueError as error:
             mistakes.add(line, str(error))
             continue
-        row = Row(name, report, exercise.id, Mark(points, re.sub(GUARDED, "", comment)), line, last)
+        row = Row(name, report, exercise.id, Mark(points, re.sub(GUARDED, "", comment)), line)
         before = found.setdefault((report or name, exercise.id), row)
         if before is not row:
             words = f"a second mark for {report or name!r} in {exercise.id}, as in line"
-            mistakes.add(line, f"{words} {before.first}. Give only one")
+            mistakes.add(line, f"{words} {before.line}. Give only one")
     mistakes.raise_any()
     return table.separator, [*found.values()]
-
-
-def row_of(student: str, exercise: str, mark: Mark, people: ClassList) -> list[str]:
-    """Build the row of marks.csv that records the mark for one student's answer.
-
-    The name and the comment are escaped if a spreadsheet would take them for formulas.
-    """
-    harmless = as_cell(student)
-    try:
-        name = harmless if people.report_of(harmless) == student else student
-    except ValueError:
-        name = student
-    comment = clean(mark.comment).strip()
-    return [name, exercise, shown(mark.points), re.sub(FORMULA_START, "'", comment)]
 
 
 def apply_marks(
@@ -138,34 +105,25 @@ def apply_marks(
     be marked. ``is_changed`` says of an exercise and a mark whether the mark was given for another
     answer. Such a mark counts, and is reported as changed.
     """
-    exercises = []
+    results = []
     given: list[float] = []
     waiting = 0.0
-    for exercise in report.exercises:
+    for result in report.results:
+        exercise = result.exercise
         if exercise.kind == "written":
             mark = marks.get((report.student, exercise.id))
             if mark is None:
-                exercise = _without_mark(exercise)
+                result = replace(result, status="waiting")
                 waiting += exercise.points
             else:
-                exercise = _marked(exercise, mark)
+                changed = is_changed(exercise.id, mark)
+                result = replace(result, status="changed" if changed else "marked")
                 given.append(mark.points)
-                if is_changed(exercise.id, mark):
-                    exercise = replace(exercise, status="changed")
-        exercises.append(exercise)
+            points, comment = (mark.points, mark.comment) if mark else (None, "")
+            result = replace(result, score=points, score_on_given=points, comment=comment)
+        results.append(result)
     by_hand = round(sum(given), 2) if given else None
-    return replace(report, exercises=exercises, by_hand=by_hand, waiting=waiting)
-
-
-def _without_mark(exercise: ExerciseReport) -> ExerciseReport:
-    return replace(exercise, status="waiting", score=None, score_on_given=None, comment="")
-
-
-def _marked(exercise: ExerciseReport, mark: Mark) -> ExerciseReport:
-    points = mark.points
-    return replace(
-        exercise, status="marked", score=points, score_on_given=points, comment=mark.comment
-    )
+    return replace(report, results=results, by_hand=by_hand, waiting=waiting)
 
 
 def _written(given: str, exercises: dict[str, Exercise]) -> Exercise:
@@ -182,6 +140,6 @@ def _points(given: str, separator: str, exercise: Exercise) -> float:
     decimal = given.replace(",", ".") if separator == ";" else given
     points = float(decimal) if re.fullmatch(r"[0-9]+(\.[0-9]+)?", decimal) else None
     if points is None or points > exercise.points:
-        wanted = f"must be a number from 0 to {exercise.points}, got {given!r}"
+        wanted = f"must be a number from 0 to {exercise.points:g}, got {given!r}"
         raise ValueError(f"the points for {exercise.id} {wanted}")
     return points

@@ -1,7 +1,4 @@
-"""Fill in the HTML templates of the web pages that the autograder writes.
-
-All text from students is escaped, so it cannot add HTML or scripts to a page.
-"""
+"""Fill in the HTML templates of the web pages that the autograder writes."""
 
 from __future__ import annotations
 
@@ -10,7 +7,7 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from autograder.reports.texts import number
+from autograder.reports.texts import check_title, number
 from autograder.text.clean import clean
 
 SHARED = Path(__file__).parent / "templates"
@@ -19,8 +16,8 @@ SHARED = Path(__file__).parent / "templates"
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
     """Fill in the template of a web page, such as student.html, and return the finished page.
 
-    ``values`` are the variables for the template. The template is read from ``folder`` or, if it is
-    not there, from the folder of shared templates.
+    The template is read from ``folder`` or, if it is not there, from the folder of shared ones. All
+    values are escaped, so text from students cannot add HTML or scripts to a page.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),
@@ -29,5 +26,5 @@ def render(template: str, folder: Path = SHARED, **values: Any) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(number=number, clean=clean)
+    environment.filters.update(number=number, clean=clean, check_title=check_title)
     return environment.get_template(template).render(**values)

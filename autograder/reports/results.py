@@ -1,7 +1,4 @@
-"""Save the grades of a class, and write the files that show them to students and instructors.
-
-These files are web pages, a gradebook and files for Gradescope.
-"""
+"""Save the grades of a class, and write the files that show them to students and instructors."""
 
 from __future__ import annotations
 
@@ -9,8 +6,10 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
+import msgspec
+
 from autograder.manifest import Chapter
-from autograder.records import from_json, to_json
+from autograder.records import to_json
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradebook import write_gradebook
 from autograder.reports.gradescope import write_gradescope
@@ -28,20 +27,28 @@ def write_result(out: Path, report: StudentReport) -> Path:
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Save a student's report as a JSON file.
-
-    The file is replaced atomically, so nobody ever reads a half-written report.
-    """
+    """Save a student's report as a JSON file, which is replaced whole."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
+
+
+def parse_report(text: str) -> StudentReport:
+    """Convert the text of a JSON file to a student's report.
+
+    Raises:
+        ValueError: A value is missing or has the wrong type. The message names its key.
+    """
+    try:
+        return msgspec.convert(json.loads(text, parse_constant=_refuse), StudentReport)
+    except RecursionError as error:
+        raise ValueError("the values are nested too deeply") from error
 
 
 def read_result(path: Path) -> StudentReport | None:
     """Read a student's report from a JSON file, or return None if the file has no valid report."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
-        return from_json(StudentReport, data)
-    except (OSError, ValueError, RecursionError):
+        return parse_report(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
         return None
 
 
@@ -53,10 +60,11 @@ def read_results(out: Path) -> list[StudentReport]:
     """
     reports = []
     for path in (out / "results").glob("*.json"):
-        report = read_result(path)
-        if report is None:
-            raise ValueError(f"{path} cannot be read. Grade the class again into {str(out)!r}")
-        reports.append(report)
+        try:
+            reports.append(parse_report(path.read_text(encoding="utf-8")))
+        except (OSError, ValueError) as error:
+            again = f"Grade the class again into {str(out)!r}"
+            raise ValueError(f"{path} cannot be read ({error}). {again}") from error
     if not reports:
         raise ValueError(f"{str(out)!r} has no results. It must be a folder of make grade OUT=...")
     return sorted(reports, key=lambda report: report.student)
@@ -73,16 +81,9 @@ def write_student(out: Path, report: StudentReport) -> None:
 
 
 def write_class(
-    out: Path,
-    chapters: list[Chapter],
-    reports: Sequence[StudentReport],
-    people: ClassList,
+    out: Path, chapters: list[Chapter], reports: Sequence[StudentReport], people: ClassList
 ) -> list[Path]:
-    """Write an overview and a gradebook of the class for its instructor.
-
-    Returns:
-        The paths of all files and folders that the instructor may want to open.
-    """
+    """Write an overview and a gradebook of the class, and return what to open of all files."""
     index = write_index(out, chapters, reports, people)
     gradebook = write_gradebook(out, chapters, reports, people)
     return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]

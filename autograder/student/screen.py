@@ -16,7 +16,7 @@ from autograder.files import from_here
 from autograder.handouts.lock import read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind
-from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
+from autograder.scores import Result, extra_possible, of_possible, total
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
@@ -183,10 +183,9 @@ def print_chapter(console: Console, report: ChapterResults, engine: list[Path]) 
         )
     console.print(f"{points_line(results)}\n", markup=False)
     for result in results:
-        if result.on_chart:
-            exercise = result.exercise
-            where = place_on_chart(exercise.chart, result.on_chart)
-            console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
+        if result.place:
+            line = f"Your {result.exercise.id}: {result.place}\n"
+            console.print(line, markup=False, soft_wrap=True)
     for words in extra_notes(chapter, engine):
         console.print(f"{words}\n", markup=False, soft_wrap=True)
 

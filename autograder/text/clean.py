@@ -1,7 +1,6 @@
 """Make text from students safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
-Names and files from students may contain control characters, which can repaint a terminal, for
-example. This module alone decides which characters are shown as they are.
+This module alone decides which characters are shown as they are.
 """
 
 from __future__ import annotations
@@ -14,9 +13,8 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 def clean(text: str) -> str:
     r"""Replace every unprintable character with a visible escape sequence such as \x1b.
 
-    Unprintable characters in a student's text could repaint the instructor's screen, reverse the
-    reading direction, or fail to encode. All line endings become newlines, and unusual spaces
-    become ordinary ones. Tabs are kept.
+    Unprintable characters could repaint the instructor's screen, reverse the reading direction, or
+    fail to encode. All line endings become newlines, and unusual spaces ordinary ones. Tabs stay.
     """
     if text.isprintable():
         return text
@@ -24,10 +22,7 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Convert untrusted text to a single line that is safe to show.
-
-    Line breaks and tabs become spaces, and unprintable characters are replaced as in ``clean``.
-    """
+    """Convert text to one clean line, in which line breaks and tabs become spaces."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 

@@ -4,27 +4,15 @@ from __future__ import annotations
 
 
 def between(page: str, begin: str, end: str) -> str:
-    """Return the text between two comments.
-
-    Raises:
-        ValueError: The page lacks one of the comments.
-    """
-    return _split(page, begin, end)[1]
+    """Return the text between two comments, or raise ValueError if the page lacks one of them."""
+    inside, found, _ = page.partition(begin)[2].partition(end)
+    if not found:
+        raise ValueError(f"the page lacks {begin!r} or {end!r}")
+    return inside.strip("\n")
 
 
 def with_text(page: str, begin: str, end: str, text: str) -> str:
-    """Return a page with other text between two comments.
-
-    Raises:
-        ValueError: The page lacks one of the comments.
-    """
-    before, _, after = _split(page, begin, end)
-    return f"{before}{begin}\n{text}\n{end}{after}"
-
-
-def _split(page: str, begin: str, end: str) -> tuple[str, str, str]:
-    before, found_begin, rest = page.partition(begin)
-    inside, found_end, after = rest.partition(end)
-    if not (found_begin and found_end):
-        raise ValueError(f"the page lacks {begin!r} or {end!r}")
-    return before, inside.strip("\n"), after
+    """Return a page with other text between two comments, as ``between`` finds it."""
+    between(page, begin, end)
+    before, _, rest = page.partition(begin)
+    return f"{before}{begin}\n{text}\n{end}{rest.partition(end)[2]}"

@@ -18,10 +18,10 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
-    """Create a rich console that prints text exactly as it is, by default to standard output.
+    """Create a rich console that prints text as it is, by default to standard output.
 
-    Rich normally treats brackets as styles and words between colons as emoji. A student whose name
-    contains "[/]" would then cause an error.
+    Otherwise rich takes brackets for styles and words between colons for emoji, and a student whose
+    name contains "[/]" would cause an error.
     """
     from rich.console import Console
 
@@ -29,37 +29,28 @@ def plain_console(file: IO[str] | None = None, width: int | None = None) -> Cons
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
-    """Break text into lines that fit the width of a terminal.
+    """Break text into lines that fit a width, all but the first indented by ``hanging`` columns.
 
-    All lines but the first are indented by ``hanging`` columns. A word is split only if it is
-    longer than a whole line.
+    A word is split only if it is longer than a whole line.
     """
+    width, indent = max(width, 2 * INDENT), " " * hanging
     lines = []
     for line in words.splitlines():
-        lines += textwrap.wrap(
-            line,
-            max(width, 2 * INDENT),
-            subsequent_indent=" " * hanging,
-            break_on_hyphens=False,
-        ) or [""]
+        lines += textwrap.wrap(line, width, subsequent_indent=indent, break_on_hyphens=False) or [
+            ""
+        ]
     return lines
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the labeled rows of a failure message to the width of a terminal, and return the lines.
-
-    Continuation lines are indented, so that each text stays to the right of its label.
-    """
+    """Wrap the labeled rows of a failure message, with each text to the right of its label."""
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print text, wrapped to the width of the console if the console is a terminal.
-
-    All lines but the first are indented by ``hanging`` columns.
-    """
+    """Print text, wrapped as by ``wrapped`` if the console is a terminal."""
     lines = wrapped(words, console.width, hanging) if console.is_terminal else [words]
     console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
@@ -74,8 +65,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
     """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
 
     If the text already ends with such a note, the new note also counts the lines removed earlier.
-    Output of LONGEST_PRINTED or more characters was already truncated when it was captured. In that
-    case the note says "at least", because the full length is unknown.
+    It says "at least" if the output was already truncated when it was captured.
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -94,10 +84,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to ``room`` lines, or to three if ``room`` is smaller.
-
-    The lines in the middle are replaced with ``note``.
-    """
+    """Shorten a list of lines to ``room`` lines, at least three, with ``note`` in the middle."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -15,6 +15,7 @@ from __future__ import annotations
 import atexit
 import json
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -34,7 +35,6 @@ from autograder.checks.runner import Order, Run, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.checks.verdicts import Recorder, exercise_of, pytest_arguments, run_all
 from autograder.manifest import ROOT, Chapter
-from autograder.records import from_json, to_json
 
 _ready: dict[str, Ready] = {}  # keyed by chapter and seed
 
@@ -92,8 +92,8 @@ class Ready:
 
     def _start(self) -> subprocess.Popen[str]:
         everything = Run(self._order([exercise.id for exercise in self.chapter.exercises]))
-        config = self.folder / "config.json"
-        config.write_text(json.dumps(to_json(everything.config(self.folder))), encoding="utf-8")
+        config = self.folder / "config.pickle"
+        config.write_bytes(pickle.dumps(everything.config(self.folder)))
         process = subprocess.Popen(
             [sys.executable, __file__, str(config)],
             cwd=ROOT,
@@ -164,7 +164,7 @@ def change(folder: Path, edit: str) -> None:
 
 def main() -> None:
     """Collect the checks of a configuration, and wait for requests."""
-    config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
+    config: Config = pickle.loads(Path(sys.argv[1]).read_bytes())
     events: list[Event] = []
     recorder = WaitingRecorder(config, events.append)
     recorder.events = events

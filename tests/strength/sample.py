@@ -42,12 +42,12 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
 
 def check_whole(report: StudentReport) -> None:
     """Raise ValueError if a check in the report does not pass."""
-    for exercise in report.exercises:
-        for check in exercise.checks:
+    for result in report.results:
+        for check in result.checks:
             if check.status != "passed":
                 raise ValueError(
                     f"sample_class/{report.student} must pass every check, and {check.name} of "
-                    f"exercise {exercise.id} says: {check.message.in_short}"
+                    f"exercise {result.exercise.id} says: {check.message.in_short}"
                 )
 
 

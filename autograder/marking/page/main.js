@@ -149,16 +149,11 @@ async function store() {
     return;
   }
   const saved = savedMark(question.id, answer.code);
-  if (result.changed) {
-    const theirs = saved ? `It gives ${saved.points} points. ${saved.comment && `Its comment: ${saved.comment}`}` : "It has removed the mark.";
+  if (result.why) {
     say("This is not saved.");
-    trouble(`${result.why} ${theirs}`, {
-      "Keep the other": () => (discard(question.id, answer.code), trouble(), showMark()),
-      "Save mine": () => (trouble(), store()),
-    });
-  } else if (result.why) {
-    say("This is not saved.");
-    trouble(result.why, {"Try again": () => (trouble(), store())});
+    const actions = {"Try again": () => (trouble(), store())};
+    if (result.changed) actions["Keep what is in the file"] = () => (discard(question.id, answer.code), trouble(), showMark());
+    trouble(result.why, actions);
   } else {
     trouble();
     say(saved ? `Saved: ${saved.points} of ${question.points}.` : "This answer has no mark yet.");

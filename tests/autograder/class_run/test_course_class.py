@@ -108,7 +108,7 @@ def test_only_the_assigned_exercises_count_and_lateness_has_columns_of_its_own(
         "bob": ["2", "6", "0", "8", "2", "3", "5", "2", "6"],
         "cem": ["4", "", "6", "4", "", "0", "4", "4", ""],
     }
-    assert [e["id"] for e in small.results()["cem"]["exercises"]] == ["90.1", "90.2"]
+    assert [r["exercise"]["id"] for r in small.results()["cem"]["results"]] == ["90.1", "90.2"]
     page = small.text("feedback/bob.html")
     for words in ("Points earned: 8.", "Late penalty: 3.", "2026-10-23 23:59", "costs 1.5 points"):
         assert words in page
@@ -241,9 +241,9 @@ def test_the_zip_for_gradescope_grades_the_assignment_with_new_numbers(tmp_path:
     }
     (tmp_path / "submission_metadata.json").write_text(json.dumps(metadata), encoding="utf-8")
     report = on_gradescope(work, tmp_path, ROOT / "sample_class/ada")
-    assert [e.id for e in report.exercises] == ["B2.1", "B2.2", "B2.4", "B2.5"]
+    assert [r.exercise.id for r in report.results] == ["B2.1", "B2.2", "B2.4", "B2.5"]
     assert (report.score, report.points, report.penalty, report.total) == (26, 20, 2, 24)
-    assert gradescope_results(report).score == 24
+    assert gradescope_results(report)["score"] == 24
     again = grade_one(tmp_path, tmp_path / "source")
     assert len({work.seed, report.seed, again.seed}) == 3
 

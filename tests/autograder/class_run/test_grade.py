@@ -49,7 +49,7 @@ def result(out: Path, student: str) -> dict[str, Any]:
 
 
 def messages(report: dict[str, Any]) -> str:
-    return "\n".join(message_of(c) for e in report["exercises"] for c in e["checks"])
+    return "\n".join(message_of(c) for r in report["results"] for c in r["checks"])
 
 
 @pytest.mark.parametrize(
@@ -73,15 +73,17 @@ def test_each_student_gets_what_the_work_is_worth_in_the_promised_form(
     assert (report["student"], report["status"], report["seed"]) == (student, "graded", "1")
     assert report["isolation"] == str(probe.best_level())
     assert report["points"] == POSSIBLE
-    assert [e["id"] for e in report["exercises"]] == [e.id for e in EXERCISES]
-    earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
+    assert [r["exercise"]["id"] for r in report["results"]] == [e.id for e in EXERCISES]
+    earned = sum(one["score"] or 0.0 for one in report["results"])
     assert report["score"] == pytest.approx(earned, abs=0.01)
-    for exercise in report["exercises"]:
-        for check in exercise["checks"]:
+    for one in report["results"]:
+        for check in one["checks"]:
             assert (message_of(check) == "") == (check["status"] == "passed")
-    waiting = [e for e in report["exercises"] if e["status"] == "waiting"]
+    waiting = [r for r in report["results"] if r["status"] == "waiting"]
     written = [exercise.id for exercise in EXERCISES if exercise.kind == "written"]
-    assert [(e["id"], e["score"], e["checks"]) for e in waiting] == [(n, None, []) for n in written]
+    assert [(r["exercise"]["id"], r["score"], r["checks"]) for r in waiting] == [
+        (name, None, []) for name in written
+    ]
 
 
 def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
@@ -149,7 +151,7 @@ def grade_one(
 
 
 def states(report: dict[str, Any], key: str = "status") -> set[Any]:
-    return {exercise[key] for exercise in report["exercises"]}
+    return {one[key] for one in report["results"]}
 
 
 def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
@@ -182,8 +184,8 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
         report = grade_one(tmp_path / student, CHAPTERS, once=once)
         assert report["score"] == report["score_on_given"] == points_of(CHAPTER)
-        later = [e for e in report["exercises"] if e["chapter"] == 3]
-        assert {e["status"] for e in later} == {"failed", "blocked"}
+        later = [one for one in report["results"] if one["chapter"] == 3]
+        assert {one["status"] for one in later} == {"failed", "blocked"}
         assert "ch03_laws_of_motion/particle.py is missing" in messages(report)
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.

@@ -208,8 +208,8 @@ def test_an_answer_that_changes_after_it_was_marked_is_reported(small: SmallClas
         return {
             student: (written["status"], written["score"])
             for student in ("ann", "bob")
-            for written in reports[student]["exercises"]
-            if written["id"] == "90.2"
+            for written in reports[student]["results"]
+            if written["exercise"]["id"] == "90.2"
         }
 
     assert states() == {"ann": ("marked", 2.0), "bob": ("marked", 1.0)}

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import asyncio
 import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
 
 import pytest
-from tornado.httpclient import AsyncHTTPClient, HTTPRequest, HTTPResponse
 
 from autograder.manifest import ROOT, select_chapters
 from autograder.marking.answers import LONGEST, collect_tasks
@@ -85,86 +85,75 @@ def address(folder: Path) -> Iterator[str]:
         yield address
 
 
-def ask(address: str, path: str = "", body: Any = None, **headers: str) -> HTTPResponse:
-    """Ask the server, as its own page would unless headers say otherwise."""
+def ask(address: str, path: str = "", body: Any = None, **headers: str) -> tuple[int, Any, str]:
+    """Ask the server, as its own page would unless headers say otherwise.
 
-    async def fetch() -> HTTPResponse:
-        if body is not None:
-            own = {"Origin": address.rsplit("/", 2)[0], "Content-Type": "application/json"}
-            headers.update({name: own[name] for name in own if name not in headers})
-        text = body if body is None or isinstance(body, bytes) else json.dumps(body)
-        request = HTTPRequest(
-            address + path, "GET" if body is None else "POST", headers=headers, body=text
-        )
-        return await AsyncHTTPClient().fetch(request, raise_error=False)
+    Return the status, the JSON or the text of the answer, and its security policy.
+    """
+    if body is not None:
+        own = {"Origin": address.rsplit("/", 2)[0], "Content-Type": "application/json"}
+        headers = own | headers
+        body = body if isinstance(body, bytes) else json.dumps(body).encode()
+    try:
+        answer = urlopen(Request(address + path, body, headers))
+    except HTTPError as error:
+        answer = error
+    text = answer.read().decode()
+    is_json = answer.headers["Content-Type"].startswith("application/json")
+    policy = answer.headers["Content-Security-Policy"]
+    return answer.status, json.loads(text) if is_json else text, policy
 
-    return asyncio.run(fetch())
 
-
-def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: Path) -> None:
+def test_the_server_shows_its_own_page_alone_and_no_names(address: str) -> None:
     for path in ("", "main.js", "marks.js", "style.css", "look/style.css"):
-        page = ask(address, path)
-        assert page.code == 200, path
-        assert "frame-ancestors 'none'" in page.headers["Content-Security-Policy"]
+        status, _, policy = ask(address, path)
+        assert (status, "frame-ancestors 'none'" in policy) == (200, True), path
     top = address.rsplit("/", 2)[0]
-    assert ask(f"{top}/").code == 404
-    assert ask(f"{top}/guess/questions.json").code == 404
-    for path in ("../server.py", "%2e%2e/server.py", "look/index.html", "look/../server.py"):
-        assert ask(address, path).code in (403, 404), path
-    assert ask(address, "questions.json", Host="evil.example").code == 403
-    answer = ask(address, "questions.json")
-    assert answer.headers["Content-Type"].startswith("application/json")
-    assert not re.search(r"\b(ann|bob|cem|eve|fay|gus)\b", answer.body.decode())
+    for path in ("../answers.py", "%2e%2e/answers.py", "look/index.html", "look/../answers.py"):
+        assert ask(address, path)[0] in (403, 404), path
+    assert ask(f"{top}/")[0] == ask(f"{top}/guess/questions.json")[0] == 404
+    assert ask(address, "questions.json", Host="evil.example")[0] == 403
+    status, questions, _ = ask(address, "questions.json")
+    assert status == 200
+    assert not re.search(r"\b(ann|bob|cem|eve|fay|gus)\b", json.dumps(questions))
 
-    questions = json.loads(answer.body)["questions"]
-    one = {"exercise": "2.2b", "code": questions[0]["answers"][0]["code"], "seen": None}
+
+def test_the_server_takes_valid_marks_of_its_own_page_alone(address: str, folder: Path) -> None:
+    code = ask(address, "questions.json")[1]["questions"][0]["answers"][0]["code"]
+    one = {"exercise": "2.2b", "code": code, "seen": None}
     good = {**one, "mark": {"points": 0.5, "comment": "Why?"}}
-    for headers, code in (
+    for headers, wanted in (
         ({"Origin": "http://evil.example"}, 403),
         ({"Origin": "null"}, 403),
         ({"Origin": ""}, 403),
         ({"Host": "evil.example", "Origin": "http://evil.example"}, 403),
         ({"Content-Type": "text/plain"}, 415),
     ):
-        assert ask(address, "marks.json", good, **headers).code == code, headers
-    for bad in (
-        [],
-        {**good, "code": "ann"},
-        {**good, "exercise": "2.9"},
-        {**good, "mark": {"points": 1.5, "comment": ""}},
-        {**good, "mark": {"points": -1, "comment": ""}},
-        {**good, "mark": {"points": True, "comment": ""}},
-        {**good, "mark": {"points": float("nan"), "comment": ""}},
-        {**good, "mark": {"points": "1", "comment": ""}},
-        {**good, "mark": {"points": 1, "comment": "x" * 5000}},
-        {**good, "mark": {"points": 1}},
-        b"[" * 100_000,
-        b"9" * 5000,
-        b"\xff",
-    ):
-        answer = ask(address, "marks.json", bad)
-        assert answer.code == 400, bad
-        assert "this is not a valid mark" in json.loads(answer.body)["why"]
+        assert ask(address, "marks.json", good, **headers)[0] == wanted, headers
+    marks: list[Any] = [{"points": points, "comment": ""} for points in (1.5, -1, True, "1")]
+    marks += [{"points": float("nan"), "comment": ""}, {"points": 1, "comment": "x" * 5000}]
+    marks += [{"points": 1}, 7]
+    bad = [{**good, "mark": mark} for mark in marks]
+    bad += [[], {**good, "code": "ann"}, {**good, "exercise": "2.9"}]
+    for body in (*bad, b"[" * 100_000, b"9" * 5000, b"\xff"):
+        status, answer, _ = ask(address, "marks.json", body)
+        assert status == 400, body
+        assert "this is not a valid mark" in answer["why"]
     assert not (folder / "marks.csv").exists()
 
-    kept = {one["code"]: {**good["mark"], "changed": False}}
-    saved = ask(address, "marks.json", good)
-    assert saved.code == 200
-    assert json.loads(saved.body)["marks"]["2.2b"] == kept
-    assert re.search(
-        r"\n(ann|cem|dan|fay),2\.2b,0\.5,Why\?\n$",
-        (folder / "marks.csv").read_text(encoding="utf-8"),
-    )
-    stale = ask(address, "marks.json", {**one, "mark": {"points": 1, "comment": ""}})
-    assert stale.code == 409
-    assert json.loads(stale.body)["marks"]["2.2b"] == kept
-
+    kept = {code: {**good["mark"], "changed": False}}
+    status, saved, _ = ask(address, "marks.json", good)
+    assert (status, saved["marks"]["2.2b"]) == (200, kept)
+    text = (folder / "marks.csv").read_text(encoding="utf-8")
+    assert re.search(r"\n(ann|cem|dan|fay),2\.2b,0\.5,Why\?\n$", text)
+    other = {**one, "mark": {"points": 1, "comment": ""}}
+    status, stale, _ = ask(address, "marks.json", other)
+    assert (status, stale["marks"]["2.2b"]) == (409, kept)
     with (folder / "marks.csv").open("a", encoding="utf-8") as file:
         file.write("ann,2.3,nine,\n")
-    broken = ask(address, "marks.json", {**good, "seen": good["mark"], "mark": None})
-    assert broken.code == 503
-    why = json.loads(broken.body)["why"]
-    assert re.search("line 3: .* 'nine'", why)
+    status, broken, _ = ask(address, "marks.json", {**good, "seen": good["mark"], "mark": None})
+    assert status == 503
+    assert re.search("line 3: .* 'nine'", broken["why"])
 
 
 def test_a_changed_answer_is_to_be_marked_again_under_the_name_of_the_roster(
@@ -176,21 +165,21 @@ def test_a_changed_answer_is_to_be_marked_again_under_the_name_of_the_roster(
     mark = {"points": 0.5, "comment": ""}
 
     def known(address: str) -> dict[str, Any]:
-        found = json.loads(ask(address, "marks.json").body)["marks"]["2.2b"]
+        found = ask(address, "marks.json")[1]["marks"]["2.2b"]
         return next(iter(found.values()), {})
 
     with marking(folder, "2", "--roster", str(roster)) as address:
-        answers = json.loads(ask(address, "questions.json").body)["questions"][0]["answers"]
+        answers = ask(address, "questions.json")[1]["questions"][0]["answers"]
         (code,) = [one["code"] for one in answers if one["text"].startswith("The lengths")]
         sent = {"exercise": "2.2b", "code": code, "mark": mark, "seen": None}
-        assert ask(address, "marks.json", sent).code == 200
+        assert ask(address, "marks.json", sent)[0] == 200
         assert known(address) == {**mark, "changed": False}
     assert "\nAnn Lee,2.2b,0.5,\n" in (folder / "marks.csv").read_text(encoding="utf-8")
     text = file.read_text(encoding="utf-8")
     file.write_text(text.replace("The lengths", "Both lengths"), encoding="utf-8")
     with marking(folder, "2", "--roster", str(roster)) as address:
         assert known(address) == {**mark, "changed": True}
-        assert ask(address, "marks.json", {**sent, "seen": known(address)}).code == 200
+        assert ask(address, "marks.json", {**sent, "seen": known(address)})[0] == 200
         assert known(address) == {**mark, "changed": False}
 
 
@@ -199,7 +188,7 @@ def test_a_changed_answer_is_to_be_marked_again_under_the_name_of_the_roster(
     [("3", "there are no written exercises to mark"), ("2", "line 2: there is no student 'zoe'")],
 )
 def test_it_says_why_there_is_nothing_to_mark(folder: Path, chapters: str, words: str) -> None:
-    from autograder.marking.server import mark
+    from autograder.marking.marking_server import mark
 
     (folder / "marks.csv").write_text(
         "student,exercise,points,comment\nzoe,2.3,1,\n", encoding="utf-8"

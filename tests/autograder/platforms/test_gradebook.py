@@ -43,7 +43,7 @@ def test_an_error_of_the_grader_is_no_number_and_a_zero_is_one(tmp_path: Path) -
 
 
 def test_missing_exercises_are_empty_and_large_points_keep_their_digits(tmp_path: Path) -> None:
-    report = report_of(exercises=report_of().exercises[3:], score=1234567.25)
+    report = report_of(results=report_of().results[3:], score=1234567.25)
     cells = rows(tmp_path, report)[2]
     assert (cells[2], cells[7:]) == ("1234567.25", ["", "", "", "0"])
 

@@ -48,7 +48,7 @@ def by_number(results: dict[str, Any]) -> dict[str, dict[str, Any]]:
         nothing_done(),
         hostile(),
         blocked(),
-        report_of(status="error, retry", score=None, score_on_given=None, exercises=[]),
+        report_of(status="error, retry", score=None, score_on_given=None, results=[]),
     ],
     ids=["graded", "marked", "error", "zero", "hostile", "blocked", "nothing known"],
 )
@@ -57,7 +57,7 @@ def test_every_report_is_of_the_documented_form(tmp_path: Path, report: StudentR
     assert path == tmp_path / "gradescope" / file_name(report.student) / "results.json"
     results = json.loads(path.read_text(encoding="utf-8"))
     VALIDATOR.validate(results)
-    if report.exercises:
+    if report.results:
         assert sum(test["max_score"] for test in results["tests"]) == 2 + 4 + 3 + 5
 
 

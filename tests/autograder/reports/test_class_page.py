@@ -13,11 +13,12 @@ from scipy import stats
 
 import browser as browsers
 from autograder.analysis.class_page import write_class_page
+from autograder.analysis.common_mistakes import misconceptions, mistakes_of
 from autograder.analysis.discrimination import FEWEST, discrimination
-from autograder.analysis.mistakes import mistakes_of
+from autograder.checks.verdict import Verdict
 from autograder.message import Kind, Message
 from autograder.release.pages import Compared, Pair, write_page
-from autograder.reports.report import CheckReport, StudentReport
+from autograder.reports.report import StudentReport
 from graded import CHAPTERS, SHOUT, check, failed_run, hostile, report_of, with_exercise
 
 browser = pytest.fixture(browsers.browser, scope="module")
@@ -50,11 +51,7 @@ def test_discrimination_is_the_correlation_with_the_rest(all_or_nothing: bool) -
     [
         ([0.0, 1.0] * 9 + [1.0], range(19), "19 students, which is fewer than the 20 needed"),
         ([1.0] * 20, range(20), "no students have a different score than most"),
-        (
-            [0.0] * 2 + [1.0] * 18,
-            range(20),
-            "2 students have a different score than most",
-        ),
+        ([0.0] * 2 + [1.0] * 18, range(20), "2 students have a different score than most"),
         ([0.0, 1.0] * 10, [5.0] * 20, "all students have the same score on the other exercises"),
     ],
 )
@@ -70,11 +67,11 @@ def test_as_many_students_are_needed_as_the_page_says() -> None:
     assert round(100 * chance) == 8
 
 
-def wrong(likely: str, read: str = "", **changes: Any) -> CheckReport:
+def wrong(likely: str, read: str = "", **changes: Any) -> Verdict:
     return check("test_angle", "failed", Message(wanted="1", likely=likely, read=read), **changes)
 
 
-def with_lost(student: str, *lost: CheckReport) -> StudentReport:
+def with_lost(student: str, *lost: Verdict) -> StudentReport:
     return with_exercise(report_of(student), 1, checks=[*lost])
 
 
@@ -88,14 +85,16 @@ def test_each_student_counts_once_for_each_mistake() -> None:
         with_lost("fay", check("test_angle", "failed", Message(likely="x", kind=Kind.UNWRITTEN))),
         *(with_lost(name, check("test_it", "failed", GONE)) for name in "ghij"),
     ]
-    found = mistakes_of(reports)
-    counted = {one.words: len(one.students) for one in found.found}
+    found, unexplained = mistakes_of(reports)
+    counted = {one.words: len(one.students) for one in found}
     assert [*counted.values()] == [4, 3, 2, 1]
     assert counted["The stub is gone."] == 4, "a mistake, but not a wrong result"
     assert counted["Raise TypeError."] == 2
     assert counted[SQUARED] == 1
-    assert found.unexplained == 2
-    assert [(len(one.students), one.exercises) for one in found.misconceptions] == [(3, ["2.2"])]
+    assert unexplained == 2
+    assert [(len(one.students), [*one.exercises]) for one in misconceptions(found)] == [
+        (3, ["2.2"])
+    ]
 
 
 def class_of_twenty() -> list[StudentReport]:

@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from autograder.analysis.class_page import write_class_page
+from autograder.grader.people import people_of
 from autograder.records import to_json
 from autograder.reports.marks import Mark, apply_marks
-from autograder.reports.report import StudentReport, for_students
-from autograder.reports.results import read_result, write_class, write_result, write_student
+from autograder.reports.results import (
+    read_result,
+    read_results,
+    write_class,
+    write_result,
+    write_student,
+)
 from autograder.reports.texts import replace_file
 from graded import CHAPTERS, cause_of, check, class_of, failed_run, hostile, nothing_done, report_of
-
-
-@pytest.mark.parametrize("report", [report_of(), failed_run(), nothing_done()])
-def test_a_result_is_read_as_it_was_written(tmp_path: Path, report: StudentReport) -> None:
-    path = write_result(tmp_path, report)
-    assert path == tmp_path / "results" / f"{report.student}.json"
-    assert read_result(path) == report
-    assert [file.name for file in path.parent.iterdir()] == [path.name], "nothing is left beside it"
 
 
 def test_what_is_no_character_can_be_written_and_read(tmp_path: Path) -> None:
@@ -52,13 +50,13 @@ def test_a_result_that_is_missing_or_cut_off_is_none(tmp_path: Path) -> None:
         ((), "score", float("nan")),
         ((), "status", "passed"),
         ((), "notes", [1]),
-        ((), "exercises", None),
+        ((), "results", None),
         ((), "seed", 7),
-        (("exercises", 0), "status", "graded"),
-        (("exercises", 0), "checks", [None]),
-        (("exercises", 0), "points", "2"),
-        (("exercises", 1, "checks", 1), "message", {"title": 1}),
-        (("exercises", 1, "checks", 1), "hidden", "no"),
+        (("results", 0), "status", "graded"),
+        (("results", 0), "checks", [None]),
+        (("results", 0, "exercise"), "points", "2"),
+        (("results", 1, "checks", 1), "status", "no"),
+        (("results", 1, "checks", 1), "weight", "1"),
     ],
 )
 def test_a_result_of_another_form_is_none(
@@ -80,16 +78,41 @@ def test_a_result_of_another_form_is_none(
     assert read_result(path) is None, "the value is wrong"
 
 
+def test_what_is_wrong_in_a_result_is_said_in_one_line(tmp_path: Path) -> None:
+    path = write_result(tmp_path, report_of())
+    report = json.loads(path.read_text(encoding="utf-8"))
+    report["results"][1]["score"] = "18"
+    for changed, words in (
+        (report, r"Expected `float \| null`, got `str` - at `\$\.results\[1\]\.score`"),
+        ({"student": "ada", "exercises": []}, "missing required field `status`"),  # an old one
+    ):
+        path.write_text(json.dumps(changed), encoding="utf-8")
+        with pytest.raises(ValueError, match=rf"ada\.json cannot be read \(.*{words}") as caught:
+            read_results(tmp_path)
+        assert "Grade the class again into" in str(caught.value)
+        assert "\n" not in str(caught.value)
+    (tmp_path / "class/ada").mkdir(parents=True)
+    (note,) = people_of(tmp_path / "class", tmp_path, None, anonymous=False).notes
+    assert note.endswith("so these submissions are graded again: 1.")
+
+
 def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> None:
     cleo = apply_marks(report_of("cleo"), {("cleo", "2.3"): Mark(2.5, "")})
-    reports = [cleo, nothing_done(), failed_run()]
+    hidden = check("test_hidden", "failed", "Only this.", hidden=True)
+    cy = report_of("cy", causes=[cause_of("B2.0", "failed", hidden)])
+    reports = [cleo, nothing_done(), failed_run(), cy]
     for report in reports:
         write_student(tmp_path, report)
     places = write_class(tmp_path, CHAPTERS, reports, class_of())
     assert all(place.exists() for place in places)
     assert {place.name for place in places} == {path.name for path in tmp_path.iterdir()}
+    write_class_page(tmp_path, CHAPTERS, reports)
     files = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")}
-    assert len(files) == 2 + 3 * 3
+    assert len(files) == 3 + 3 * 4, "and nothing is left beside them"
+    with_secrets = {path.parts[0] for path, text in files.items() if b"secret" in text}
+    assert with_secrets == {"results"}, "students get no file from there"
+    assert files[Path("results/cy.json")].count(b"secret message") == 3
+    assert b"Only this." in files[Path("feedback/cy.html")]
     again = [read_result(tmp_path / "results" / f"{r.student}.json") for r in reports]
     assert again == reports
     for report in again:
@@ -99,14 +122,3 @@ def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> Non
     assert files == {
         path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")
     }
-
-
-def test_what_students_get_is_made_from_a_report_without_secrets() -> None:
-    hidden = check("test_hidden", "failed", "Only this.", hidden=True)
-    report = replace(report_of(), causes=[cause_of("B2.0", "failed", hidden)])
-    assert repr(report).count("secret message") == 3
-    public = for_students(report)
-    assert "secret message" not in repr(public)
-    assert "test_secret of" not in repr(public)
-    assert "Only this." in repr(public)
-    assert for_students(replace(report, exercises=[], causes=[])).exercises == []

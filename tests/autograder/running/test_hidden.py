@@ -69,8 +69,8 @@ def test_hidden_checks_count_and_tell_students_a_rationale_alone(
     grade(submissions, out, root, hidden=tmp_path / "hidden", time_limit=0.7)
     # Exercise 90.1 has 2 points for 4 checks now, and bob passes the one of zero.
     assert scores(out) == {"ann": 6.0, "bob": 4.5, "cem": 6.0, "dee": 4.0}
-    (exercise,) = (e for e in results(out)["bob"]["exercises"] if e["id"] == "90.1")
-    told = {c["name"]: message_of(c) for c in exercise["checks"] if c["hidden"]}
+    (result,) = (r for r in results(out)["bob"]["results"] if r["exercise"]["id"] == "90.1")
+    told = {c["name"]: message_of(c) for c in result["checks"] if c.get("hidden")}
     assert told == {
         "hidden check 2": "Quadruple must hold for large numbers.",
         "hidden check 3": "Quadruple must hold for large numbers.",
@@ -88,7 +88,7 @@ def test_the_instructor_sees_why_a_hidden_check_fails(
     out = tmp_path / "out"
     grade(submissions, out, root, hidden=tmp_path / "hidden")
     report = results(out)["eve"]
-    (failed,) = (c for e in report["exercises"] for c in e["checks"] if c["status"] == "failed")
+    (failed,) = (c for r in report["results"] for c in r["checks"] if c["status"] == "failed")
     assert message_of(failed) == "Quadruple must hold for large numbers."
     assert failed["secret"]["name"] == "test_secret_plan[5678]"
     assert message_of(failed["secret"]).startswith("secret expectation")
@@ -113,7 +113,7 @@ def test_gradescope_gets_nothing_of_a_hidden_check_but_its_rationale(
     settings |= {"earlier": {}, "seed": "1", "deadline": None, "unsafe": not WALLS}
     (root / "assignment.json").write_text(json.dumps(settings), encoding="utf-8")
     report = grade_one(tmp_path, root)
-    secrets = [c.secret for e in report.exercises for c in e.checks if c.status == "failed"]
+    secrets = [c.secret for r in report.results for c in r.checks if c.status == "failed"]
     assert any(secret and "secret expectation" in str(secret.message) for secret in secrets)
     main(tmp_path, root)
     said = capsys.readouterr()
@@ -237,6 +237,6 @@ def test_a_folder_called_hidden_hides_no_public_check(
         out.parent.mkdir(exist_ok=True)
         grade(submissions, out, moved / ".", hidden=tmp_path / "own", seed="1")
     for one, other in zip(results(plain).values(), results(inside).values(), strict=True):
-        names = [[c["name"] for c in e["checks"]] for e in one["exercises"]]
-        assert names == [[c["name"] for c in e["checks"]] for e in other["exercises"]]
+        names = [[c["name"] for c in r["checks"]] for r in one["results"]]
+        assert names == [[c["name"] for c in r["checks"]] for r in other["results"]]
         assert sum(name.startswith("hidden check") for of in names for name in of) == 3

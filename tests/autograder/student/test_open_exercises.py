@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,18 +15,24 @@ from hypothesis import strategies as st
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Point
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
+from autograder.reports.chart import draw_chart, front
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
-from autograder.reports.report import Chart, StudentReport
-from autograder.reports.scatter import BOTTOM, LEFT, RIGHT, TOP, front, scatter
+from autograder.reports.report import StudentReport
 from autograder.scores import results_of
-from graded import CHAPTERS, SHOUT, class_of, report_of, with_exercise
+from graded import CHAPTERS, SHOUT, check, class_of, report_of, with_exercise
 from small import MANIFEST, make_root
 from small import RIGHT as SMALL
 from small_class import grade
 from walls import behind_walls
 
 AXES = ["evaluations", "error of the result"]
+SVG = '<svg class="scatter"'
+# The second exercise of the invented class is an open one.
+OPEN_CHAPTERS = [
+    replace(c, exercises=[replace(e, chart=AXES if e.id == "2.2" else []) for e in c.exercises])
+    for c in CHAPTERS
+]
 OPEN = MANIFEST.replace('hints = ["twice"]', f'chart = {AXES}\nhints = ["twice"]')
 CHECK = """
 import pytest
@@ -94,25 +102,27 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
     out = tmp_path / "out"
     grade(tmp_path / "class", out, root, hidden=tmp_path / "hidden")
 
-    def charts(student: str) -> list[Any]:
+    def places(student: str) -> list[Any]:
         text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
-        return [exercise["chart"] for exercise in json.loads(text)["exercises"]]
+        results = json.loads(text)["results"]
+        return [
+            (*(check["on_chart"] for check in one["checks"] if "on_chart" in check), ours)
+            for one in results
+            if (ours := one.get("reference"))
+        ]
 
-    assert charts("ann") == [
-        {"axes": AXES, "own": [2.0, 0.25 / 6.0], "reference": [1.0, 0.375 / 6.0]},
-        None,
-    ]
-    assert charts("bob")[0]["own"] == [1.0, 1.0 / 6.0]
-    assert charts("cai") == charts("dan") == charts("eve") == [None, None]
+    assert places("ann") == [([2.0, 0.25 / 6.0], [1.0, 0.375 / 6.0])]
+    assert places("bob")[0][0] == [1.0, 1.0 / 6.0]
+    assert places("cai") == places("dan") == places("eve") == []
     index = (out / "index.html").read_text(encoding="utf-8")
-    assert index.count("<circle") == 2
-    assert "<title>ann</title>" in index
-    assert "<title>cai</title>" not in index
+    assert len(dots(index, "link")) == 2
+    assert index.count("<bdi>ann</bdi>") == 2, "among all, and beside the chart"
+    assert index.count("<bdi>cai</bdi>") == 1
     feedback = (out / "feedback/ann.html").read_text(encoding="utf-8")
     assert "Your work: 2 evaluations, error of the result: 0.042." in feedback
-    assert feedback.count("<circle") == 1
+    assert len(dots(feedback, "link")) == len(dots(feedback, "good")) == 1
     assert "bob" not in feedback
-    assert "<circle" not in (out / "feedback/dan.html").read_text(encoding="utf-8")
+    assert SVG not in (out / "feedback/dan.html").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(
@@ -126,60 +136,60 @@ def test_the_reference_is_on_the_chart_of_every_open_exercise(chapter: Chapter) 
     assert placed == set(wanted)
 
 
-def chart_of(own: Point, reference: Point | None = None) -> Chart:
-    return Chart(AXES, own, reference)
-
-
 def charted(student: str, own: Point) -> StudentReport:
-    return with_exercise(report_of(student), 1, chart=chart_of(own))
+    exercise = replace(report_of().results[1].exercise, chart=AXES)
+    checks = [replace(check("test_it", "passed"), on_chart=own)]
+    return with_exercise(report_of(student), 1, exercise=exercise, checks=checks)
 
 
 def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_path: Path) -> None:
     report = charted(SHOUT, (100.0, 0.01))
-    page = write_index(tmp_path, CHAPTERS, [report], class_of()).read_text(encoding="utf-8")
+    page = write_index(tmp_path, OPEN_CHAPTERS, [report], class_of()).read_text(encoding="utf-8")
     assert "<script>" not in page
     assert page.count("&lt;script&gt;") >= 2
-    told = gradescope_results(report).tests[1].output
+    told = gradescope_results(report)["tests"][1]["output"]
     assert "your work: 100 evaluations, error of the result: 0.01" in told
     nobody = report_of("ada")
-    assert "<circle" not in write_feedback(tmp_path, nobody).read_text(encoding="utf-8")
-    page = write_index(tmp_path, CHAPTERS, [nobody], class_of()).read_text(encoding="utf-8")
+    assert SVG not in write_feedback(tmp_path, nobody).read_text(encoding="utf-8")
+    page = write_index(tmp_path, OPEN_CHAPTERS, [nobody], class_of()).read_text(encoding="utf-8")
     assert "Speed against accuracy" not in page
 
 
+def test_the_table_beside_a_chart_has_the_best_first_and_says_who_is_on_the_front(
+    tmp_path: Path,
+) -> None:
+    places = {"ann": (100.0, 1e-2), "bob": (1000.0, 1e-6), "cem": (2000.0, 1e-3)}
+    reports = [charted(student, place) for student, place in places.items()]
+    page = write_index(tmp_path, OPEN_CHAPTERS, reports, class_of()).read_text(encoding="utf-8")
+    table = page[page.index("the smallest error first") :]
+    rows = re.findall(r'<bdi>(\w+)</bdi></th><td class="points">(.*?)</td>.*<td>(.*?)</td>', table)
+    assert rows == [("bob", "1000", "yes"), ("cem", "2000", ""), ("ann", "100", "yes")]
+
+
+def dots(svg: str, shape: str) -> list[tuple[float, float]]:
+    """Return the positions of the dots in a chart by their color: link, or good for ours."""
+    uses = re.findall(r'<use xlink:href="#\w+" x="([^"]*)" y="([^"]*)" style="([^"]*)"', svg)
+    return [(float(x), float(y)) for x, y, style in uses if f"stroke: var(--{shape})" in style]
+
+
 def test_a_dot_lies_where_its_logarithms_say() -> None:
-    drawn = chart_of((1.0, 1.0), reference=(300.0, 1e-4))
-    named = [("a", (100.0, 1e-2)), ("b", (1000.0, 1e-6))]
-    chart = scatter(report_of().exercises[1], drawn, named)
-    costs, errors = dict(map(reversed, chart.costs)), dict(map(reversed, chart.errors))  # type: ignore[arg-type]
-    a, b = chart.dots[1], chart.dots[0]
-    assert (a.name, b.name) == ("a", "b")  # the nearest to the truth first
-    # Places are rounded to a tenth of their unit.
-    assert (a.x, b.x) == pytest.approx((costs["100"], costs["1000"]), abs=0.1)
-    assert (a.y, b.y) == pytest.approx((errors["0.01"], errors["1e-6"]), abs=0.1)
-    assert chart.reference is not None
-    half = a.x + (b.x - a.x) * 0.4771  # the logarithm of 3
-    assert chart.reference.x == pytest.approx(half, abs=0.1)
-    assert chart.reference.y == pytest.approx((a.y + b.y) / 2.0, abs=0.1)
-    assert all(LEFT < dot.x < RIGHT and TOP < dot.y < BOTTOM for dot in chart.dots)
+    svg = draw_chart(AXES, [(100.0, 1e-2), (1000.0, 1e-6)], (300.0, 1e-4), "the chart")
+    (first, second), (ours,) = dots(svg, "link"), dots(svg, "good")
+    across = (ours[0] - first[0]) / (second[0] - first[0])
+    assert across == pytest.approx(0.4771, abs=1e-3)  # the logarithm of 3
+    assert ours[1] == pytest.approx((first[1] + second[1]) / 2.0, abs=0.1)
+    assert first[1] < second[1], "a smaller error is lower"
+    assert 'role="img" aria-label="the chart"' in svg
+    assert svg == draw_chart(AXES, [(100.0, 1e-2), (1000.0, 1e-6)], (300.0, 1e-4), "the chart")
 
 
 SIZES = st.floats(1e-20, 1e20)
 
 
 @given(st.lists(st.tuples(SIZES, SIZES), min_size=1, max_size=12))
-def test_the_front_is_what_no_other_beats_and_all_dots_are_inside(
-    points: list[tuple[float, float]],
-) -> None:
-    beaten = [[*p] for p in points if any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)]
-    assert front(points) == sorted([*p] for p in set(points) if [*p] not in beaten)
-    named = [("a", point) for point in points]
-    chart = scatter(report_of().exercises[1], chart_of((1.0, 1.0)), named)
-    for dot in chart.dots:
-        assert LEFT < dot.x < RIGHT
-        assert TOP < dot.y < BOTTOM
-    assert 2 <= len(chart.costs) <= 11
-    assert 2 <= len(chart.errors) <= 11
+def test_the_front_is_what_no_other_beats(points: list[tuple[float, float]]) -> None:
+    beaten = [p for p in points if any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)]
+    assert front(points) == sorted(p for p in {*points} if p not in beaten)
 
 
 def test_a_step_that_lets_no_frame_pass_earns_nothing(tmp_path: Path) -> None:

@@ -120,9 +120,9 @@ def test_the_screen_shows_physics_before_robust_checks(
 
 def test_reports_show_both_tiers(tmp_path: Path) -> None:
     report = report_of()
-    report.exercises[1].checks.append(check("test_refuses", "failed", "got 1", robust=True))
+    report.results[1].checks.append(check("test_refuses", "failed", "got 1", robust=True))
     page = write_feedback(tmp_path, report).read_text(encoding="utf-8")
     assert "physics 1 of 3, robust 0 of 1" in page
-    tests = gradescope_results(report).tests
-    assert "physics 1 of 3, robust 0 of 1" in tests[1].output
-    assert "robust, failed: refuses" in tests[1].output
+    told = gradescope_results(report)["tests"][1]["output"]
+    assert "physics 1 of 3, robust 0 of 1" in told
+    assert "robust, failed: refuses" in told

@@ -177,7 +177,7 @@ def grade(world: World) -> int | None:
 
 
 def lost_checks(result: dict[str, Any]) -> list[dict[str, Any]]:
-    checks = [check for exercise in result["exercises"] for check in exercise["checks"]]
+    checks = [check for one in result["results"] for check in one["checks"]]
     return [check for check in checks if check["status"] != "passed"]
 
 
@@ -191,7 +191,7 @@ def test_a_submission_gets_what_its_honest_code_is_worth(run: Run, submission: S
         return
     messages = "\n".join(message_of(check) for check in lost_checks(result))
     assert result["status"] == "graded", messages
-    earned = {e["id"] for e in result["exercises"] if e["status"] == "passed"}
+    earned = {r["exercise"]["id"] for r in result["results"] if r["status"] == "passed"}
     assert earned == submission.earns, messages
     assert result["score"] == submission.score
     assert result["points"] == sum(POINTS.values())

@@ -6,12 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from autograder.checks.verdict import Secret, Status
+import msgspec
+
+from autograder.checks.verdict import Secret, Status, Verdict
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Message
-from autograder.records import from_json
-from autograder.reports.report import Cause, CheckReport, ExerciseReport, StudentReport
-from autograder.scores import ExerciseStatus
+from autograder.reports.report import Cause, StudentReport
+from autograder.scores import ExerciseStatus, Result
 from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.find import Submission
 
@@ -22,7 +23,7 @@ NASTY = (
 )
 
 
-def exercise_of(exercise_id: str, title: str, kind: str, points: int) -> Exercise:
+def exercise_of(exercise_id: str, title: str, kind: str, points: float) -> Exercise:
     return Exercise(exercise_id, title, kind, 1, points, [], [])
 
 
@@ -33,12 +34,12 @@ CHAPTERS = [
         "Vectors",
         [],
         [
-            exercise_of("B2.1", "Copy", "build", 2),
-            exercise_of("2.2", "Angles", "exercise", 4),
-            exercise_of("2.3", "Why", "written", 3),
+            exercise_of("B2.1", "Copy", "build", 2.0),
+            exercise_of("2.2", "Angles", "exercise", 4.0),
+            exercise_of("2.3", "Why", "written", 3.0),
         ],
     ),
-    Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5)]),
+    Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5.0)]),
 ]
 
 
@@ -47,7 +48,7 @@ def class_of(*students: str) -> ClassList:
     return ClassList([Member(s, s, None, Submission(s, Path(s))) for s in students])
 
 
-def points_of(*chapters: Chapter) -> int:
+def points_of(*chapters: Chapter) -> float:
     """Return the points that the checks of these chapters can give, without written answers."""
     return sum(e.points for c in chapters for e in c.exercises if e.kind != "written")
 
@@ -59,15 +60,15 @@ def check(
     *,
     hidden: bool = False,
     robust: bool = False,
-) -> CheckReport:
+) -> Verdict:
     shown = Message(message) if isinstance(message, str) else message
     secret = Secret(f"test_secret of {name}", Message("secret message")) if hidden else None
-    return CheckReport(name, status, shown, 1.0, hidden, robust, secret)
+    return Verdict(name, "", 1.0, status, shown, hidden, None, robust, secret)
 
 
 def message_of(check: dict[str, Any]) -> str:
     """Return the message of a check in a report's JSON data, formatted for people to read."""
-    return str(from_json(Message, check["message"]))
+    return str(msgspec.convert(check.get("message", {}), Message))
 
 
 def report_of(student: str = "ada", **changes: Any) -> StudentReport:
@@ -86,20 +87,8 @@ def report_of(student: str = "ada", **changes: Any) -> StudentReport:
         [check("test_mass", "inherited", "got 3")],
     ]
     places = [(chapter, exercise) for chapter in CHAPTERS for exercise in chapter.exercises]
-    exercises = [
-        ExerciseReport(
-            chapter=chapter.number,
-            id=exercise.id,
-            title=exercise.title,
-            kind=exercise.kind,
-            points=exercise.points,
-            score=score,
-            score_on_given=given,
-            status=status,
-            comment="",
-            checks=own_checks,
-            chart=None,
-        )
+    results = [
+        Result(exercise, status, score, own_checks, chapter.number, given)
         for (chapter, exercise), (status, score, given), own_checks in zip(
             places, statuses, checks, strict=True
         )
@@ -111,30 +100,30 @@ def report_of(student: str = "ada", **changes: Any) -> StudentReport:
         isolation="none: an ordinary process",
         score=3.0,
         score_on_given=8.0,
-        points=11,
+        points=11.0,
         by_hand=None,
-        waiting=3,
+        waiting=3.0,
         earlier=[2],
         notes=[],
-        exercises=exercises,
+        results=results,
     )
     return replace(report, **changes)
 
 
 def with_exercise(report: StudentReport, number: int, **changes: Any) -> StudentReport:
-    """Return a copy of a report in which one exercise has been changed."""
-    exercises = [*report.exercises]
-    exercises[number] = replace(exercises[number], **changes)
-    return replace(report, exercises=exercises)
+    """Return a copy of a report in which the result on one exercise has been changed."""
+    results = [*report.results]
+    results[number] = replace(results[number], **changes)
+    return replace(report, results=results)
 
 
 def with_words(report: StudentReport, text: str) -> StudentReport:
     """Return a copy of a report in which every check has this text as its name and its message."""
-    exercises = [
-        replace(e, checks=[replace(c, name=text, message=Message(text)) for c in e.checks])
-        for e in report.exercises
+    results = [
+        replace(r, checks=[replace(c, name=text, message=Message(text)) for c in r.checks])
+        for r in report.results
     ]
-    return replace(report, exercises=exercises)
+    return replace(report, results=results)
 
 
 def failed_run(student: str = "eve") -> StudentReport:
@@ -145,11 +134,12 @@ def failed_run(student: str = "eve") -> StudentReport:
 
 
 def cause_of(
-    text: str = "B2.0", status: ExerciseStatus = "failed", *more: CheckReport, of: str = "lab1"
+    text: str = "B2.0", status: ExerciseStatus = "failed", *more: Verdict, of: str = "lab1"
 ) -> Cause:
     """Return an exercise of an earlier assignment on which the failed exercise 2.2 builds."""
     checks = [check("test_zero", "passed"), check("test_one", "failed", f"{text} is wrong"), *more]
-    return Cause(2, text, f"Title of {text}", of, status, ["2.2"], checks)
+    exercise = exercise_of(text, f"Title of {text}", "build", 2.0)
+    return Cause(Result(exercise, status, None, checks, chapter=2), of, ["2.2"])
 
 
 def blocked(student: str = "cy") -> StudentReport:
@@ -163,8 +153,8 @@ def nothing_done(student: str = "eli") -> StudentReport:
     """Return a report in which every check fails."""
     report = report_of(student, score=0.0, score_on_given=0.0)
     lost = [check("test_it", "failed", "vector.py is missing")]
-    for number, exercise in enumerate(report.exercises):
-        if exercise.kind != "written":
+    for number, result in enumerate(report.results):
+        if result.exercise.kind != "written":
             report = with_exercise(
                 report, number, status="failed", score=0.0, score_on_given=0.0, checks=lost
             )

@@ -10,10 +10,10 @@ from pathlib import Path
 from autograder.checks.asked import about, short_numbers
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
-from autograder.diagnosis.missing import file_of
-from autograder.diagnosis.nearest import explain_unknown
-from autograder.diagnosis.nothing import explain_none
+from autograder.diagnosis.misspelled import explain_unknown
+from autograder.diagnosis.none_values import explain_none
 from autograder.diagnosis.slips import PERHAPS, POWER, fact_of, slip_of
+from autograder.diagnosis.undefined import file_of
 from autograder.message import ExpectationError, Kind, Message, Place
 
 ESCAPED = re.compile(

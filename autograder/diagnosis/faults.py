@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from autograder.diagnosis.nearest import Unknown, unknown_of
-from autograder.diagnosis.nothing import none_in
+from autograder.diagnosis.misspelled import Unknown, unknown_of
+from autograder.diagnosis.none_values import none_in
 from autograder.message import Message, Place
 
 MOST_FRAMES = 50

@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 
 from autograder.analysis.class_page import write_class_page
-from autograder.checks.arrange import Behind
+from autograder.checks.arrange import SandboxSettings
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.course.model import Deadline
 from autograder.course.of_class import lateness, scaled_marks
@@ -252,7 +252,7 @@ def check_hidden(assignment: Assignment) -> None:
     if not graded:
         names = ", ".join(chapter.name for chapter in assignment.chapters)
         raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden)
+    sandbox = SandboxSettings(vars(assignment.level), hidden=hidden)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
         for probes in (root / "tests" / chapter.name).glob("*probes.py"):
@@ -267,7 +267,7 @@ def check_hidden(assignment: Assignment) -> None:
                 engine,
                 seed=assignment.seed,
                 root=root,
-                behind=behind,
+                sandbox=sandbox,
                 exercises=[exercise.id for exercise in chapter.exercises],
             )
         except GraderError as error:

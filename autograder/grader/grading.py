@@ -12,8 +12,13 @@ from pathlib import Path
 from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
 from autograder.checks.verdict import Verdict
-from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
-from autograder.diagnosis.missing import file_of
+from autograder.diagnosis.earlier_chapters import (
+    below_and_not_given,
+    mark_inherited,
+    run_on_given,
+    with_given,
+)
+from autograder.diagnosis.undefined import file_of
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.causes import causes_of
 from autograder.grader.handed_in import notes_on, why_nothing

@@ -23,7 +23,7 @@ from autograder.checks.arrange import Workers
 from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import Fault, StudentLeft
-from autograder.diagnosis.missing import while_imported
+from autograder.diagnosis.undefined import while_imported
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.placeholders import ChapterFinder
 from autograder.isolation.sandbox import Level
@@ -39,6 +39,7 @@ class InWorker:
     Every worker imports the student's modules afresh, so one check cannot affect the next.
     """
 
+    forks = False  # each check has a process of its own anyway
     session: Session | None = None
 
     def __init__(
@@ -62,7 +63,6 @@ class InWorker:
                 folder,
                 self.stack_file.parent,
                 time_limit,
-                fresh=worker.fresh,
             )
             for folder in probes
         ]

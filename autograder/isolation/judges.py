@@ -115,7 +115,7 @@ def main() -> None:
     It also handles requests to wait until a check process ends. The function returns when the
     grader ends.
     """
-    from autograder.checks import verdicts
+    from autograder.checks import pytest_plugin
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
 
@@ -142,7 +142,7 @@ def main() -> None:
             if answer == 0:
                 control.close()
                 _become(order, descriptors)
-                verdicts.run_and_exit()
+                pytest_plugin.run_and_exit()
             with contextlib.suppress(OSError):  # the judge may already have done so, or have ended
                 os.setpgid(answer, answer)  # the runner may now kill its group
         for descriptor in descriptors:

@@ -33,9 +33,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from autograder.at_home.allowed_acts import limit_acts
-from autograder.at_home.allowed_imports import limit_imports
-from autograder.at_home.students_code import StudentsCode
+from autograder.at_home.restrictions import StudentsCode, restrict
 from autograder.checks.printed import CappedText
 from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation import sandbox
@@ -127,9 +125,7 @@ def run_template(config: dict[str, Any]) -> None:
     for package in _packages(config["folders"]):
         importlib.import_module(package)  # it has no code, but Python then remembers where it is
         importlib.util.find_spec(f"{package}.nothing")
-    code = StudentsCode(map(Path, config["engine"]), {})
-    limit_imports(code)
-    limit_acts(code)
+    restrict(StudentsCode(map(Path, config["engine"]), {}))
     if level.landlock:
         os.dup2(sandbox.landlock_rules(config["readable"]), RULES)
     sandbox.confine(level, RULES if level.landlock else None)

@@ -10,9 +10,9 @@ import pytest
 
 from autograder.checks.runner import run_checks
 from autograder.definitions import module_that_defines
-from autograder.diagnosis.gone import explain_gone
-from autograder.diagnosis.nearest import nearest
-from autograder.diagnosis.nothing import none_in
+from autograder.diagnosis.deleted import explain_deleted
+from autograder.diagnosis.misspelled import nearest
+from autograder.diagnosis.none_values import none_in
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Message
@@ -39,7 +39,7 @@ def messages(request: pytest.FixtureRequest, tmp_path: Path) -> Messages:
         (tmp_path / path).write_text(text, encoding="utf-8")
         engine = [tmp_path, ROOT / "chapters"]
         failed: dict[str, list[str]] = {}
-        for verdict in run_checks(chapter, engine, seed="1", behind=behind):
+        for verdict in run_checks(chapter, engine, seed="1", sandbox=behind):
             assert verdict.status != "error"
             if verdict.status != "passed":
                 failed.setdefault(verdict.exercise, []).append(str(verdict.message))
@@ -158,12 +158,12 @@ def test_a_deleted_function_and_a_deleted_class() -> None:
         ("basis", "B2.10", "vector.py no longer defines it"),
         ("Vector3", "B2.1", "stub of Vector3.copy is gone"),
     ):
-        message = explain_gone(Message(says.format(name)), "B2.10", edits, lambda _: there)
+        message = explain_deleted(Message(says.format(name)), "B2.10", edits, lambda _: there)
         assert gone in message.likely
         assert exercise in message.likely
     for defined in (None, {*there, "basis"}):
         says_basis = Message(says.format("basis"))
-        same = explain_gone(says_basis, "B2.10", edits, lambda _, is_=defined: is_)
+        same = explain_deleted(says_basis, "B2.10", edits, lambda _, is_=defined: is_)
         assert same == says_basis
 
 

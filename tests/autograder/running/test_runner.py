@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.checks import judge
+from autograder.checks import check_process
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, load_chapter
@@ -43,7 +43,7 @@ def chapter(root: Path) -> Chapter:
 def run(request: pytest.FixtureRequest) -> Run:
     """Runs the checks both ways: each test that uses it holds for both."""
     behind = behind_walls() if request.param == "in a worker" else None
-    return partial(run_checks_on, behind=behind)
+    return partial(run_checks_on, sandbox=behind)
 
 
 @pytest.fixture
@@ -109,7 +109,7 @@ def test_an_endless_loop_says_where(root: Path, chapter: Chapter, run: Run) -> N
     # The loop has two lines, and the time may be up on either.
     assert re.search(r"small\.py, line [34], in double", says(verdicts, "test_double"))
     other = str(verdicts["test_double_of_zero"].message)
-    if run.keywords["behind"]:  # when it is graded, a loop costs its own check
+    if run.keywords["sandbox"]:  # when it is graded, a loop costs its own check
         assert statuses(verdicts) == ["failed", "passed", "passed", "passed"]
     else:  # at home, the student need not wait for the other checks of the exercise
         assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
@@ -126,7 +126,7 @@ def test_a_loop_that_uses_up_the_memory_says_where_and_is_run_once_at_home(
     assert re.search(r"small\.py, line [345], in double", says(verdicts, "test_double"))
     assert "Does a loop never end" in says(verdicts, "test_double")
     other = str(verdicts["test_double_of_zero"].message)
-    assert ("not run" in other) is not bool(run.keywords["behind"])
+    assert ("not run" in other) is not bool(run.keywords["sandbox"])
 
 
 @pytest.mark.parametrize(
@@ -213,7 +213,7 @@ def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
     floods += "        except OSError: pass\n    return 0"
     with pytest.raises(GraderError, match="sent an unknown event, 'nonsense"):
         run_beside(root, chapter, RIGHT.replace("return x + x", floods))
-    monkeypatch.setattr(judge, "GRACE", 1.5)  # s; a busy machine starts slowly
+    monkeypatch.setattr(check_process, "GRACE", 1.5)  # s; a busy machine starts slowly
     quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
     quiet += "    time.sleep(60)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
@@ -224,7 +224,7 @@ def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
 def test_after_a_silent_process_one_that_leaves_is_told_from_it(
     root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(judge, "GRACE", 1.5)  # s; a busy machine starts slowly
+    monkeypatch.setattr(check_process, "GRACE", 1.5)  # s; a busy machine starts slowly
     quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
     code = RIGHT.replace("return x + x", f"{quiet}    time.sleep(60)")
     code = code.replace("return 4 * x", "import os; os._exit(1)")
@@ -268,7 +268,7 @@ def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter, r
     code = "def double(x):\n    while True: pass\n\n\ndef quadruple(x):\n    return double(x)\n"
     verdicts = run(root, chapter, code)
     assert statuses(verdicts) == ["failed", "failed", "blocked", "blocked"]
-    if run.keywords["behind"]:
+    if run.keywords["sandbox"]:
         assert "0.7 seconds" in says(verdicts, "test_double_of_zero")
         # Two checks hung in double: from then on a check has a quarter of the time.
         assert "0.175 seconds" in says(verdicts, "test_quadruple")

@@ -150,7 +150,7 @@ def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verd
     for name in ("ch90_small/notes.txt", "ch90_small/data/more.txt", "notes.txt"):
         (home / name).write_text("mine\n", encoding="utf-8")
     beside = run_checks(chapter, [home], seed="1", root=root)
-    behind = run_checks(chapter, [graded], seed="1", root=root, behind=behind_walls())
+    behind = run_checks(chapter, [graded], seed="1", root=root, sandbox=behind_walls())
     return (
         {verdict.name: verdict for verdict in beside},
         {verdict.name: verdict for verdict in behind},

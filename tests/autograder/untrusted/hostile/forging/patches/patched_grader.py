@@ -8,7 +8,7 @@ import sys
 for module in list(sys.modules.values()):
     for name, value in list(vars(module).items()):
         if getattr(value, "__module__", None) in (
-            "autograder.checks.verdicts",
+            "autograder.checks.pytest_plugin",
             "autograder.scores",
             "__main__",
         ):

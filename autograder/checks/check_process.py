@@ -1,7 +1,4 @@
-"""Run the checks of a student's code in a separate process.
-
-This module starts the process, reads what it prints, and kills it if it hangs.
-"""
+"""Start the process that runs the checks, read the events it reports, and kill it if it hangs."""
 
 from __future__ import annotations
 
@@ -9,19 +6,20 @@ import contextlib
 import json
 import os
 import queue
+import re
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
 import time
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Protocol
 
-from autograder.checks.apart import how_it_ended
-from autograder.checks.arrange import Behind, Config, root_of_checks
+from autograder.checks.arrange import Config
+from autograder.checks.forked import how_it_ended
 from autograder.diagnosis.explain import explain_hang
 from autograder.files import is_full
 from autograder.manifest import ROOT
@@ -33,6 +31,13 @@ if TYPE_CHECKING:
 
 GRACE = 10.0  # seconds beyond a check's limit that we wait for output before we kill the process
 MOST_STDERR = 2000  # bytes; of standard error we keep only the end
+# An earlier chapter that the student's folder does not have.
+MISSING = re.compile(r"No module named '(ch\d\d_\w+)'")
+# A check that imports something which tests/shared does not have, or no longer has.
+OUTDATED = re.compile(
+    r"test module '.*?(\w+\.py)'.*cannot import name '(\w+)' from .*tests.shared.(\w+\.py)\)",
+    re.DOTALL,
+)
 
 _processes: set[subprocess.Popen[str] | ForkedJudge] = set()
 _stopping = threading.Event()
@@ -58,69 +63,6 @@ def is_stopped() -> bool:
     return _stopping.is_set()
 
 
-class SilentError(Exception):
-    """Raised when a check process prints nothing for too long, perhaps because it hangs."""
-
-
-class Judge:
-    """A process that runs the checks described in a configuration file.
-
-    Attributes:
-        code: The exit code, once the process has ended.
-        stderr: The last part of the process's standard error, once the process has ended.
-    """
-
-    def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:
-        self.config = config
-        self.folder = folder
-        self.behind = behind
-        self.stderr = ""
-        self.code = 0
-
-    def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the check process, and yield each line of its output as soon as it is printed.
-
-        If the caller stops reading early, the process is killed.
-
-        Raises:
-            SilentError: The process printed nothing for ``silence`` + GRACE seconds, or was still
-                running at the deadline.
-        """
-        with (self.config.parent / "stderr.txt").open("w+b") as stderr:
-            process = self._start(stderr)
-            _processes.add(process)
-            if is_stopped():  # stopping() may not have seen this process yet
-                _kill(process)
-            try:
-                yield from _lines(process, silence, deadline)
-            finally:
-                _processes.discard(process)
-                _kill(process)
-                self.code = process.wait()  # stdout stays open, since a stray child may hold it
-                if process.stdin:
-                    process.stdin.close()
-                stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
-                self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
-                if not self.stderr and is_full(self.config.parent):
-                    self.stderr = f"the disk of {self.config.parent.parent} is full"
-
-    def _start(self, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
-        if self.behind:
-            from autograder.isolation.judges import ForkedJudge  # not in handouts
-
-            return ForkedJudge(self.config, self.folder, environment(), stderr)
-        return subprocess.Popen(
-            [sys.executable, "-m", "autograder.checks.verdicts", str(self.config)],
-            cwd=self.folder,
-            env=environment(),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=stderr,
-            encoding="utf-8",
-            start_new_session=True,
-        )
-
-
 @dataclass(frozen=True)
 class Ending:
     """How a check process ended and, if known, why.
@@ -128,7 +70,6 @@ class Ending:
     Attributes:
         stack: A stack trace of what the process was doing, if it ran out of time.
         silent: True if the process stopped responding and had to be killed.
-        code: The exit code.
         stderr: The last part of the process's standard error.
     """
 
@@ -143,24 +84,34 @@ class Ending:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
+    def why_no_verdict(self, chapter: str) -> str:
+        """Explain why the process ended before any check of the chapter had a verdict."""
+        if missing := MISSING.search(self.stderr):
+            return f"{missing[1]} is missing: put your own folder of that name beside {chapter}"
+        if outdated := OUTDATED.search(self.stderr):
+            file, name, helper = outdated.groups()
+            return (
+                f"{file} imports {name}, but {helper} has no {name}. How a graded check is written "
+                "today: tests/README.md"
+            )
+        words = self.stderr or "it printed nothing"
+        if "INTERNALERROR>" in words:  # leave out pytest's own traceback
+            words = words.rpartition("INTERNALERROR>")[2].strip()
+        return f"the check process stopped without a verdict: {words}"
+
 
 class Listener(Protocol):
-    """What a run of checks tells the process, and how it hears of the events."""
+    """Configures a check process and hears its events, as the runner does."""
 
-    root: Path
-    behind: Behind | None
-    restarts: bool
+    restarts: bool  # whether the process must end now
     deadline: float
-
-    @property
-    def limit(self) -> float: ...
 
     def config(self, folder: Path) -> Config: ...
 
     def hear(self, line: str) -> None: ...
 
 
-def judge(run: Listener) -> Ending:
+def run_process(run: Listener) -> Ending:
     """Run the checks that have no verdict yet in a new process, and report how the process ended.
 
     The process prints one line per event, such as the start of a check. Each line is passed to
@@ -170,37 +121,68 @@ def judge(run: Listener) -> Ending:
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
-        config = folder / "config.json"  # too long for a command line
-        arranged = run.config(folder)
-        stack_file = Path(arranged.stack_file)
+        config = run.config(folder)
+        stack_file = Path(config.stack_file)
         stack_file.touch()
-        config.write_text(json.dumps(to_json(arranged)), encoding="utf-8")
-        place = root_of_checks(folder, run.root, run.behind)
-        process = Judge(config, place, behind=run.behind is not None)
-        try:
-            with contextlib.closing(process.lines(run.limit, run.deadline)) as lines:
-                for line in lines:
+        with (folder / "stderr.txt").open("w+b") as stderr:
+            process = _start(config, folder, stderr)
+            _processes.add(process)
+            if is_stopped():  # stopping() may not have seen this process yet
+                _kill(process)
+            try:
+                for line in _lines(process, config.time_limit, run.deadline):
+                    if silent := line is None:
+                        break
                     run.hear(line)
                     if run.restarts:
                         break
-        except SilentError:
-            silent = True
+            finally:
+                _processes.discard(process)
+                _kill(process)
+                code = process.wait()  # stdout stays open, since a stray child may hold it
+                if process.stdin:
+                    process.stdin.close()
+            stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
+            said = stderr.read().decode("utf-8", errors="replace").strip()
+        if not said and is_full(folder):
+            said = f"the disk of {folder.parent} is full"
         stack = stack_file.read_text(encoding="utf-8", errors="replace")
-    return Ending(stack, silent, process.code, process.stderr)
+    return Ending(stack, silent, code, said)
+
+
+def _start(config: Config, folder: Path, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
+    file = folder / "config.json"  # too long for a command line
+    file.write_text(json.dumps(to_json(config)), encoding="utf-8")
+    if config.worker:
+        from autograder.isolation.judges import ForkedJudge  # not in handouts
+
+        return ForkedJudge(file, Path(config.root), environment(), stderr)
+    return subprocess.Popen(
+        [sys.executable, "-m", "autograder.checks.pytest_plugin", str(file)],
+        cwd=config.root,
+        env=environment(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=stderr,
+        encoding="utf-8",
+        start_new_session=True,
+    )
 
 
 def _lines(
-    process: subprocess.Popen[str] | ForkedJudge, silence: float, deadline: float
-) -> Iterator[str]:
+    process: subprocess.Popen[str] | ForkedJudge, time_limit: float, deadline: float
+) -> Iterator[str | None]:
+    """Yield each line that a process prints, and None if it is silent for too long."""
     assert process.stdout is not None
     lines: queue.Queue[str] = queue.Queue()
     threading.Thread(target=_pass_on, args=(process.stdout, lines), daemon=True).start()
     while True:
         left = deadline - time.monotonic()
         try:
-            line = lines.get(timeout=max(0.0, min(left, silence + GRACE)))
+            line = lines.get(timeout=max(0.0, min(left, time_limit + GRACE)))
         except queue.Empty:
-            raise SilentError from None
+            yield None
+            return
         if not line:
             return
         yield line
@@ -217,7 +199,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
     """Kill a check process and, on systems with process groups, every program that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
-            assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
+            assert isinstance(process, subprocess.Popen)  # Windows has no sandbox
             process.kill()
         else:
             os.killpg(process.pid, signal.SIGKILL)
@@ -226,13 +208,14 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 def environment() -> dict[str, str]:
     """Return the environment variables for a check process.
 
-    They keep pytest from loading any plugins or options that are set up on the user's machine,
-    because these could change how the checks run.
+    They keep pytest from loading plugins or options that are set up on the user's machine, and the
+    C library from reserving 64 MB of the student's memory for the thread of the time limit.
     """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
         "PYTHONPATH": path,
         "PYTHONUTF8": "1",
+        "MALLOC_ARENA_MAX": "1",
         "PYTEST_ADDOPTS": "",
     }

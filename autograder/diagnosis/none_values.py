@@ -14,7 +14,7 @@ import textwrap
 from itertools import islice
 from types import TracebackType
 
-from autograder.diagnosis.nearest import innermost
+from autograder.diagnosis.misspelled import innermost
 
 LONGEST = 60  # characters of an expression
 

@@ -12,7 +12,7 @@ from types import ModuleType
 from typing import Any
 
 from autograder.diagnosis.faults import CheckEnded
-from autograder.diagnosis.nearest import nearest
+from autograder.diagnosis.misspelled import nearest
 from autograder.message import Message
 
 

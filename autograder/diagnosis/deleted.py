@@ -13,15 +13,15 @@ from dataclasses import replace
 from autograder.checks.calls import calls
 from autograder.commands import command
 from autograder.definitions import own_name
-from autograder.diagnosis.missing import does_not_define
-from autograder.diagnosis.nearest import nearest
+from autograder.diagnosis.misspelled import nearest
+from autograder.diagnosis.undefined import does_not_define
 from autograder.message import Kind, Message
 
 # Returns the names that a module such as vector defines, or None if it cannot be read.
 Defined = Callable[[str], set[str] | None]
 
 
-def explain_gone(
+def explain_deleted(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
     """Explain a failed check to a student who has deleted or renamed a function.

@@ -15,20 +15,20 @@ import sys
 import traceback
 from collections.abc import Callable
 
-CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # a browser's fork always fails
+CAN_FORK = hasattr(os, "fork") and sys.platform != "emscripten"  # a browser's fork always fails
 DONE = 87  # exit code of a copy that has finished its work
 
 
-def run_in_a_copy(work: Callable[[], object]) -> None:
+def run_forked(work: Callable[[], object]) -> None:
     """Fork this process, and call ``work`` in the child process.
 
     If the child ends early, this process ends with the same signal or exit code. The runner of the
     checks notices that, and starts a new process for the remaining checks.
     """
     if sys.platform == "win32":
-        raise OSError("Windows cannot copy a process")
-    copy = os.fork()
-    if copy == 0:
+        raise OSError("Windows cannot fork")
+    child = os.fork()
+    if child == 0:
         try:
             work()
             os._exit(DONE)
@@ -36,7 +36,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
             traceback.print_exc()
         finally:
             os._exit(1)
-    _, status = os.waitpid(copy, 0)
+    _, status = os.waitpid(child, 0)
     code = os.waitstatus_to_exitcode(status)
     if code < 0:
         with contextlib.suppress(OSError):  # SIGKILL has no handler to reset
@@ -47,11 +47,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Explain to a student why the process that ran the code ended early.
-
-    If the exit code ``code`` is negative, Python crashed. Otherwise the student's code probably
-    called os._exit.
-    """
+    """Explain why the process that ran a student's code ended early, with this exit code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

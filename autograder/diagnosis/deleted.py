@@ -13,9 +13,9 @@ from dataclasses import replace
 from autograder.checks.calls import calls
 from autograder.commands import command
 from autograder.definitions import own_name
-from autograder.diagnosis.misspelled import nearest
 from autograder.diagnosis.undefined import does_not_define
 from autograder.message import Kind, Message
+from autograder.text.similar import nearest
 
 # Returns the names that a module such as vector defines, or None if it cannot be read.
 Defined = Callable[[str], set[str] | None]
@@ -27,61 +27,46 @@ def explain_deleted(
     """Explain a failed check to a student who has deleted or renamed a function.
 
     If the check failed for any other reason, return its message unchanged. ``edits`` maps each
-    exercise to the full names of the functions to write, such as vector.Vector3.dot. ``defined`` is
-    a function that takes a module's name and returns the names that the module defines.
+    exercise to the full names of the functions to write, such as vector.Vector3.dot.
     """
-    for owner, name in _candidates(message, exercise, edits):
+    # The functions that Python's error mentions come before those that the check calls.
+    says = f"{message.title}\n{message.got}"  # Python's message is in one of them
+    every = [(owner, name) for owner, names in edits.items() for name in names]
+    own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
+    for owner, name in [*(pair for pair in every if _is_missing(pair[1], says)), *own]:
         module, _, path = name.partition(".")
         there = defined(module)
         if there is not None and path not in there:
-            likely = _words(module, path, owner, there, edits)
+            likely = _how_to_restore(module, path, owner, there, edits)
             return replace(message, likely=likely, other="", kind=Kind.GONE)
     return message
 
 
-def _candidates(
-    message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
-) -> list[tuple[str, str]]:
-    """List the functions that the student may have deleted or renamed, each with its exercise.
-
-    The functions that Python's error mentions come first, followed by those that the check calls.
-    """
-    every = [(owner, name) for owner, names in edits.items() for name in names]
-    own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
-    says = f"{message.title}\n{message.got}"  # Python's message is in one of them
-    return [pair for pair in every if _names(says, pair[1])] + own
-
-
-def _names(says: str, name: str) -> bool:
-    """Return True if Python's error says that ``name``, or the class it belongs to, is missing.
-
-    ``says`` contains the message of a NameError, ImportError or AttributeError.
-    """
+def _is_missing(name: str, says: str) -> bool:
+    """Return True if Python's error says that ``name``, or the class it belongs to, is missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
-    signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
-    signs += [f"cannot import name '{outer}'"]
+    signs = [f"name '{short}' is not defined", f"cannot import name '{outer}'"]
+    signs += [f"/{does_not_define(module, outer)}"]
     if len(path) > 1:
-        signs.append(f"'{outer}' object has no attribute '{short}'")
-        signs.append(f"type object '{outer}' has no attribute '{short}'")
-        signs.append(f"property '{short}' of '{outer}' object has no setter")
-    whole = (rf"{re.escape(sign)}(?!\w)" for sign in signs if sign in says)
-    return any(re.search(pattern, says) for pattern in whole)
+        signs += [f"'{outer}' object has no attribute '{short}'"]
+        signs += [f"type object '{outer}' has no attribute '{short}'"]
+        signs += [f"property '{short}' of '{outer}' object has no setter"]
+    return any(re.search(rf"{re.escape(sign)}(?!\w)", says) for sign in signs if sign in says)
 
 
-def _words(
+def _how_to_restore(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Tell a student who has deleted or renamed a function how to restore it."""
-    prefix = path.removesuffix(own_name(f"{module}.{path}"))
+    short = own_name(f"{module}.{path}")
+    prefix = path.removesuffix(short)
     if prefix and not any(name.startswith(prefix) for name in there):
-        short = own_name(f"{module}.{path}")
         others = sorted(name.rpartition(".")[0] for name in there if name.endswith(f".{short}"))
         undo = f" If you renamed it to {others[0]}, change the name back." if others else ""
         return f"{module}.py no longer has a class {prefix.rstrip('.')}.{undo}"
     listed = {name.partition(".")[2] for names in edits.values() for name in names}
-    others = [name.removeprefix(prefix) for name in there - listed if name.startswith(prefix)]
-    renamed = nearest(path.removeprefix(prefix), sorted(others), 0.75)
+    others = sorted(name.removeprefix(prefix) for name in there - listed if name.startswith(prefix))
+    renamed = nearest(short, others, 0.75)
     undo = f" If you renamed it to {renamed}, change the name back." if renamed else ""
     return (
         f"The stub of {path} is gone: {module}.py no longer defines it.{undo} To restore the stub "

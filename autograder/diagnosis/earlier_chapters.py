@@ -19,7 +19,6 @@ from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind
 
-LOST = ("failed", "blocked")
 Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks on an engine
 
 
@@ -33,8 +32,7 @@ def with_given(
     copies of our solutions, and the folders in ``engine`` follow.
 
     Raises:
-        ValueError: ``root`` does not contain our solution to a given chapter. Handouts contain no
-            solutions.
+        ValueError: ``root`` does not contain our solution to a given chapter.
     """
     if not given:
         yield engine
@@ -57,6 +55,13 @@ def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
     return (root / "solutions" / chapter.name).is_dir()
 
 
+def below_and_not_given(
+    chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
+) -> list[Chapter]:
+    """List the earlier chapters that a chapter imports, except those given as finished code."""
+    return [other for other in chapters_below(chapter, root) if other not in given]
+
+
 def run_on_given(
     chapter: Chapter,
     verdicts: list[Verdict],
@@ -67,53 +72,40 @@ def run_on_given(
 ) -> list[Verdict]:
     """Run a chapter's checks again, with our solutions in place of the student's earlier chapters.
 
-    Return the new verdicts. In the following cases, a second run is impossible or would reveal
-    nothing new, so the list is empty:
-
-    - The student wrote no earlier chapter that this one builds on.
-    - Our solutions are not available.
-    - All failures are due to functions that are not written yet.
-    - An endless loop in this chapter would run again.
+    Return the new verdicts. The list is empty if our solutions are not available, or if a second
+    run would reveal nothing new: the student wrote no earlier chapter, only unwritten functions
+    fail, or an endless loop in this chapter would run again.
 
     Raises:
         GraderError: The checks cannot be run.
     """
-    lost = [verdict for verdict in verdicts if verdict.status in LOST]
-    pointless = all(_is_unwritten(verdict) for verdict in lost)
-    available = all(has_reference(other, root) for other in below)
-    if not below or not available or pointless or _hangs(chapter, lost):
+    lost = [verdict for verdict in verdicts if _is_lost(verdict)]
+    hung = [v.message.where for v in lost if v.message.kind is Kind.HUNG]
+    hangs = any(where and where.file.startswith(f"{chapter.name}/") for where in hung)
+    if hangs or not below or all(_is_unwritten(verdict) for verdict in lost):
+        return []
+    if not all(has_reference(other, root) for other in below):
         return []
     with with_given(below, engine, root) as better:
         return run(chapter, better)
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Mark a failed check as inherited if it passes with our solutions to the earlier chapters.
-
-    ``verdicts`` comes from the run with the student's own earlier chapters, and ``again`` from the
-    run with our solutions.
-    """
+    """Mark a failed check as inherited if it passes in the run with our solutions, ``again``."""
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
-        replace(verdict, status="inherited")
-        if verdict.status in LOST and verdict.name in passed
-        else verdict
-        for verdict in verdicts
+        replace(v, status="inherited") if _is_lost(v) and v.name in passed else v for v in verdicts
     ]
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """For each check that failed in both runs, replace the first verdict with the second.
+    """Replace the verdict on each check that failed in both runs by the one of the second run.
 
-    ``verdicts`` comes from the first run, and ``again`` from the run with our solutions to the
-    earlier chapters. In the second run, only the student's code in this chapter can have caused a
-    failure. The second verdict therefore explains the failure better.
+    There, only the student's code in this chapter can have caused the failure. The second verdict
+    therefore explains it better.
     """
-    second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
-    return [
-        second.get(verdict.name, verdict) if verdict.status in LOST else verdict
-        for verdict in verdicts
-    ]
+    second = {verdict.name: verdict for verdict in again if _is_lost(verdict)}
+    return [second.get(v.name, v) if _is_lost(v) else v for v in verdicts]
 
 
 def suspects(
@@ -122,12 +114,10 @@ def suspects(
     """List earlier chapters that may have caused a failure, because they fail checks themselves.
 
     A handout contains no solutions, so the checks cannot be repeated with correct earlier chapters.
-    Instead, this list is used to warn the student about earlier chapters. The list is empty if all
-    failures in ``verdicts`` come from functions that are not written yet. Robust checks do not
-    count, because students leave them open until the physics works.
+    Unwritten functions do not count, and neither do robust checks, which students leave open until
+    the physics works.
     """
-    lost = [verdict for verdict in verdicts if verdict.status in LOST]
-    if all(_is_unwritten(verdict) for verdict in lost):
+    if all(_is_unwritten(verdict) for verdict in verdicts if _is_lost(verdict)):
         return []
     return [
         other
@@ -139,11 +129,8 @@ def suspects(
     ]
 
 
-def below_and_not_given(
-    chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
-) -> list[Chapter]:
-    """List the earlier chapters that a chapter imports, except those given as finished code."""
-    return [other for other in chapters_below(chapter, root) if other not in given]
+def _is_lost(verdict: Verdict) -> bool:
+    return verdict.status in ("failed", "blocked")
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
@@ -155,9 +142,3 @@ def _is_unwritten(verdict: Verdict) -> bool:
 def _number(exercise: str) -> str:
     """Return the chapter number in an exercise id, such as "4" for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
-
-
-def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return True if a failed check hung in this chapter's code, for example in an endless loop."""
-    hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
-    return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

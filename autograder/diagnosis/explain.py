@@ -10,9 +10,8 @@ from pathlib import Path
 from autograder.checks.asked import about, short_numbers
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
-from autograder.diagnosis.misspelled import explain_unknown
 from autograder.diagnosis.none_values import explain_none
-from autograder.diagnosis.slips import PERHAPS, POWER, fact_of, slip_of
+from autograder.diagnosis.slips import POWER, fact_of, guess_of, slip_of
 from autograder.diagnosis.undefined import file_of
 from autograder.message import ExpectationError, Kind, Message, Place
 
@@ -31,27 +30,27 @@ def explain_exception(
     An exception that reports a wrong value already contains its message. For any other exception,
     the message shows the check's call, the exception, the student's line and a likely mistake.
 
-    If the exception is a common Python error, the likely mistake is our explanation of that error.
-    Otherwise it is the mistake that the check has stored in ``about``.
-
     ``complete`` lists modules that the student uses but did not write, such as
     ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
     describes the original error.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
-    written = [frame for frame in fault.frames if not _is_given(frame, complete)]
+    # If code raised it that the student did not write, the mistake is in the line that called this
+    # code. Students never write constructors.
+    given = ("__init__", "__setattr__")
+    written = [f for f in fault.frames if f.function not in given and f.file not in complete]
     own = written or fault.frames
     if isinstance(error, AssertionError) and not own:
         return error.message if isinstance(error, ExpectationError) else Message(text_of(error))
-    deepest = own[-1] if own else None
     if isinstance(error, NotImplementedError):
-        return _unwritten(fault, deepest)
+        return _unwritten(fault, own)
+    # The check called the code of the first file. The error itself may come from a function of
+    # another file that this code calls.
+    first = [frame for frame in own if frame.file == own[0].file]
+    where, deepest = (_with_source(frames, engine_folders) for frames in (first, own))
     # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
-    where = _in_first_file(own)
-    where, deepest = (place and _with_source(place, engine_folders) for place in (where, deepest))
-    line = deepest.source if deepest else ""
-    likely, other = _likely(fault, cause, line, _course_import(fault, deepest, engine_folders))
+    likely, other = _likely(fault, deepest, engine_folders, cause)
     return Message(
         called=short_numbers(about.call),
         got=fault.first_line,
@@ -76,20 +75,17 @@ def explain_import(
     if fault.missing_module == module:
         title = f"{file} is missing: it was not handed in, was renamed, or is in another folder"
         return Message(title, kind=Kind.BROKEN)
-    text, where = fault.first_line, None
     if fault.type == "NotImplementedError":  # the module calls a stub while it is imported
-        return _unwritten(fault, fault.frames[-1] if fault.frames else None)
+        return _unwritten(fault, fault.frames)
     if fault.syntax:
-        text = fault.text
         source, line, words = fault.syntax
-        where = Place(source or file, line, source=words)
-        title = f"{file} cannot be read: {text}"
+        where: Place | None = Place(source or file, line, source=words)
+        title = f"{file} cannot be read: {fault.text}"
     else:
-        title = f"{file} cannot be imported: {text}"
+        title = f"{file} cannot be imported: {fault.first_line}"
         written = [frame for frame in fault.frames if frame.file not in complete]
-        if own := written or fault.frames:
-            where = _with_source(own[-1], engine_folders)
-    likely, _ = _likely(fault, course=_course_import(fault, where, engine_folders))
+        where = _with_source(written or fault.frames, engine_folders)
+    likely, _ = _likely(fault, where, engine_folders)
     return Message(title, where=where, likely=likely, kind=Kind.BROKEN)
 
 
@@ -99,27 +95,17 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
     ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
     the student's code can write to that file too.
     """
-    hung = Message(
-        f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
-        kind=Kind.HUNG,
-    )
+    says = f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?"
     folders = [folder.resolve() for folder in engine_folders]
     for file, line, name in STACK_LINE.findall(stack):
         for path in (file, _unescaped(file)):  # a Windows folder such as \xfaces looks escaped
             try:
                 if is_inside(path, folders):
-                    return replace(hung, where=Place(short(path), int(line), _unescaped(name)))
+                    where = Place(short(path), int(line), _unescaped(name))
+                    return Message(says, where=where, kind=Kind.HUNG)
             except (ValueError, OSError):
                 continue  # not a valid file name on any system
-    return hung
-
-
-def _unwritten(fault: Fault, where: Place | None) -> Message:
-    """Build the message for a stub that the student has not written yet."""
-    says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
-    named = EXERCISE.match(says)
-    title, exercise = f"{Kind.UNWRITTEN.value}: {says}", named[1] if named else ""
-    return Message(title, where=where, kind=Kind.UNWRITTEN, exercise=exercise)
+    return Message(says, kind=Kind.HUNG)
 
 
 def _unescaped(text: str) -> str:
@@ -127,22 +113,37 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> tuple[str, str]:
-    """Guess which mistake caused an exception in a student's code.
+def _unwritten(fault: Fault, frames: list[Place]) -> Message:
+    """Build the message for a stub that the student has not written yet."""
+    says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
+    named = EXERCISE.match(says)
+    return Message(
+        f"{Kind.UNWRITTEN.value}: {says}",
+        where=frames[-1] if frames else None,
+        kind=Kind.UNWRITTEN,
+        exercise=named[1] if named else "",
+    )
+
+
+def _likely(
+    fault: Fault, place: Place | None, engine_folders: list[Path], cause: str = ""
+) -> tuple[str, str]:
+    """Guess which mistake caused an exception at ``place`` in a student's code.
 
     Return the most likely mistake and a second possibility. Either may be an empty string.
 
     If the exception clearly comes from a mistake in the use of Python, only that mistake is
     returned. What Python's error proves comes before ``cause``, the mistake that the check
     suggests, and a guess comes after it. If the exception comes from a ``raise`` statement in the
-    student's ``line``, only ``cause`` is returned. ``course`` is the import that would make an
-    undefined name known.
+    student's line, only ``cause`` is returned.
     """
-    if course:
-        return course, ""
-    text = fault.first_line
-    meant = explain_unknown(fault.unknown) if fault.unknown else ""
-    if slip := meant or slip_of(text):
+    text, line = fault.first_line, place.source if place else ""
+    if place and fault.unknown and fault.type == "NameError":
+        name = fault.unknown.name
+        if module := module_that_defines(name, place.file, engine_folders):
+            words = f"Write from {module} import {name} at the top of the file."
+            return f"{name} is not imported. {words}", ""
+    if slip := (fault.unknown and fault.unknown.explain()) or slip_of(text):
         return slip, ""
     if cause and f"raise {text.partition(':')[0]}" in line:
         return cause, ""
@@ -150,44 +151,17 @@ def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> 
         return POWER, ""
     if fact := explain_none(fault.none) if fault.none else fact_of(text):
         return fact, cause
-    perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
-    return (cause, perhaps) if cause else (perhaps, "")
+    return (cause, guess_of(text)) if cause else (guess_of(text), "")
 
 
-def _in_first_file(frames: list[Place]) -> Place | None:
-    """Return the deepest line in the file whose code the check called.
+def _with_source(frames: list[Place], engine_folders: list[Path]) -> Place | None:
+    """Return the last of these places with the text of its line, for the failure message.
 
-    The error itself may come from a function of another file that this line calls.
+    The line is read from the first of the folders that contains the file.
     """
-    own = [frame for frame in frames if frame.file == frames[0].file]
-    return own[-1] if own else None
-
-
-def _course_import(fault: Fault, place: Place | None, engine_folders: list[Path]) -> str:
-    """Return the import that an undefined name needs, if the course defines the name."""
-    if not (place and fault.unknown and fault.type == "NameError"):
-        return ""
-    module = module_that_defines(fault.unknown.name, place.file, engine_folders)
-    if not module:
-        return ""
-    name = fault.unknown.name
-    return f"{name} is not imported. Write from {module} import {name} at the top of the file."
-
-
-def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return True if an exception was raised in code that the student did not write.
-
-    The mistake is then in the student's line that called this code. Constructors are included,
-    because students never write them.
-    """
-    return place.function in ("__init__", "__setattr__") or place.file in complete
-
-
-def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Return ``place`` with the text of its source line, so that the failure message can show it.
-
-    The line is read from the first folder in ``engine_folders`` that contains the file.
-    """
+    if not frames:
+        return None
+    place = frames[-1]
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

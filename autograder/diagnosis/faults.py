@@ -1,7 +1,6 @@
 """Describe an exception in a student's code as data that can be sent to another process.
 
-The student's code may run in a sandboxed worker process. With this description, an exception can be
-explained to students in the same way wherever it was raised.
+With this description, an exception is explained in the same way wherever it was raised.
 """
 
 from __future__ import annotations
@@ -22,11 +21,7 @@ GOING_FURTHER = "going_further"  # the folder of a chapter with what goes beyond
 
 
 class CheckEnded(BaseException):
-    """Raised to end a check with a message for the student.
-
-    It derives from BaseException, so that an ``except Exception`` in the student's code cannot
-    catch it.
-    """
+    """Raised to end a check with a message, even if the student's code has ``except Exception``."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
@@ -77,10 +72,9 @@ class Fault:
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception as data that can be sent to another process.
+    """Describe an exception, with the lines of its traceback that are in ``folders``.
 
-    The description includes only those lines of the traceback that are in ``folders``, where the
-    student's code is. The line that raised the exception comes last.
+    The line that raised the exception comes last.
     """
     syntax = None
     text = text_of(error)

@@ -11,11 +11,11 @@ import pytest
 from autograder.checks.runner import run_checks
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.deleted import explain_deleted
-from autograder.diagnosis.misspelled import nearest
 from autograder.diagnosis.none_values import none_in
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Message
+from autograder.text.similar import nearest
 from copies import copy_tree
 from walls import behind_walls
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import _thread
 import builtins
-import functools
 import importlib
 import importlib.util
 import os
@@ -23,6 +22,7 @@ import sys
 import sysconfig
 import threading
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -35,7 +35,7 @@ LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "plat
 LIBRARY.append(LIBRARY[0].with_name(f"python{''.join(map(str, sys.version_info[:2]))}.zip"))
 # These folders may be inside the library's folder, but they hold other packages.
 PACKAGES = [folder / name for folder in LIBRARY for name in ("site-packages", "dist-packages")]
-READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64", os.devnull))]
+READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 STANDARD_MODULES = sys.stdlib_module_names | {"__main__"}
 CHAPTER = re.compile(r"ch\d\d_\w+")
@@ -64,9 +64,9 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """Recognizes a student's code by the folder that contains it.
 
-    ``graded`` maps each chapter's folder to the files in it that the grader will have too. If a
-    folder is not in ``graded``, the grader will have all of its files. ``ours`` lists the files in
-    ``folders`` that the student did not write, such as ch06_springs/cloth.py.
+    ``graded`` maps a chapter's folder to the files in it that the grader will have too. Without an
+    entry, it will have all of them. ``ours`` lists the files in ``folders`` that the student did
+    not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -92,8 +92,7 @@ class StudentsCode:
     def is_calling(self) -> bool:
         """Return True if the student's code started the current import or operation.
 
-        This is decided by the innermost function on the stack that is not part of Python's library.
-        Operations that Python itself performs during an import are never attributed to the student.
+        The innermost function on the stack that is not part of Python's library decides.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -106,12 +105,11 @@ class StudentsCode:
         return False
 
     def _is_students(self, file: str) -> bool | None:
-        """Return whether the student wrote a file, or None if its caller decides.
-
-        The caller decides for Python's library and for code run by exec.
-        """
+        """Return whether the student wrote a file, or None if its caller decides."""
+        if file.startswith("<frozen importlib"):
+            return False  # Python itself opens files during an import
         if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
-            return False if file.startswith("<frozen importlib") else None
+            return None
         if is_inside(file, self.folders):
             return short(file) not in self.ours
         library = is_inside(file, LIBRARY) and not is_inside(file, PACKAGES)
@@ -127,30 +125,32 @@ class StudentsCode:
 def restrict(code: StudentsCode) -> None:
     """Refuse what a student's code may not import or do, until the process ends."""
     _restrict_imports(code)
+    refusals: dict[str, Callable[..., None]] = {
+        event: partial(_refuse, number) for event, number in PATHS.items()
+    }
+    refusals["open"] = partial(_limit_opening, code)
+    refusals["os.listdir"] = refusals["os.scandir"] = partial(_limit_listing, code)
+    refusals["socket.getaddrinfo"] = _refuse_address
 
     def hear(event: str, arguments: tuple[Any, ...]) -> None:
         if event in refusals and code.is_calling():
             refusals[event](*arguments)
 
-    def refuse(number: int, *arguments: Any) -> None:
-        one, two, *_ = [*arguments[:number], None, None]
-        raise PermissionError(*NOT_PERMITTED, one, None, two)
-
-    def refuse_address(*_: Any) -> None:
-        raise socket.gaierror(socket.EAI_AGAIN, "Temporary failure in name resolution")
-
-    refusals: dict[str, Callable[..., None]] = {
-        event: functools.partial(refuse, number) for event, number in PATHS.items()
-    }
-    refusals["open"] = functools.partial(_limit_opening, code)
-    refusals["os.listdir"] = refusals["os.scandir"] = functools.partial(_limit_listing, code)
-    refusals["socket.getaddrinfo"] = refuse_address
     sys.addaudithook(hear)
     real_system = os.system
     os.system = lambda command: NOT_STARTED if code.is_calling() else real_system(command)
     for module in (_thread, threading):
-        for name in filter(functools.partial(hasattr, module), THREAD_STARTERS.split()):
+        for name in filter(partial(hasattr, module), THREAD_STARTERS.split()):
             setattr(module, name, _without_threads(code, getattr(module, name)))
+
+
+def _refuse(paths: int, *arguments: Any) -> None:
+    one, two, *_ = [*arguments[:paths], None, None]
+    raise PermissionError(*NOT_PERMITTED, one, None, two)
+
+
+def _refuse_address(*_: Any) -> None:
+    raise socket.gaierror(socket.EAI_AGAIN, "Temporary failure in name resolution")
 
 
 def _without_threads(code: StudentsCode, start: Callable[..., Any]) -> Callable[..., Any]:
@@ -163,32 +163,30 @@ def _without_threads(code: StudentsCode, start: Callable[..., Any]) -> Callable[
 
 
 def _limit_opening(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
-    """Let the student's code read the files of the engine and of Python's library only."""
     if isinstance(path, int):
         return  # it is the descriptor of a file that is already open
     if flags & WRITING:
         raise PermissionError(*DENIED, path)
-    file, inside = _place_of(code, path)
-    if inside and not (len(inside) == 2 and code.is_graded(*inside)):
+    file, inside = _readable(code, path)
+    is_graded = not inside or (len(inside) == 2 and code.is_graded(*inside))
+    if not (is_graded and file.exists()):
         raise FileNotFoundError(*NOT_FOUND, path)
-    if not file.exists():
-        raise FileNotFoundError(*NOT_FOUND, path)  # as on Linux, also in a browser
 
 
 def _limit_listing(code: StudentsCode, path: Any) -> None:
     if path is None or isinstance(path, int):
         path = "/"  # the current folder, or a descriptor, which may belong to any folder
-    _, inside = _place_of(code, path)
+    _, inside = _readable(code, path)
     if len(inside) > 1:  # the grader does not copy the subfolders of a chapter
         raise FileNotFoundError(*NOT_FOUND, path)
 
 
-def _place_of(code: StudentsCode, path: Any) -> tuple[Path, tuple[str, ...]]:
+def _readable(code: StudentsCode, path: Any) -> tuple[Path, tuple[str, ...]]:
     """Return a path that may be read, and its parts below the engine's folder.
 
-    A path outside the engine and Python's library raises an error. The sandbox may hide such a file
-    or only refuse to read it, depending on the machine. So the path alone decides which error it
-    is. A relative path counts as missing, because the current folder is /.
+    A path outside the engine and Python's library raises an error. Depending on the machine, the
+    sandbox may hide such a file or only refuse to read it. So the path alone decides which error
+    it is. A relative path counts as missing, because the current folder is /.
     """
     place = Path(os.fsdecode(os.path.realpath(path)))
     for folder in code.folders:
@@ -202,10 +200,6 @@ def _place_of(code: StudentsCode, path: Any) -> tuple[Path, tuple[str, ...]]:
 
 
 def _restrict_imports(code: StudentsCode) -> None:
-    """Block imports in the student's code that would fail in the grader.
-
-    Our own code can still import any package.
-    """
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -243,16 +237,13 @@ def _limit_import(
         return
     if not CHAPTER.fullmatch(top):
         raise ModuleNotFoundError(f"No module named {top!r}", name=top)
-    package, folder = top, ""
-    if rest.partition(".")[0] == GOING_FURTHER:
-        package, folder = f"{top}.{GOING_FURTHER}", f"{GOING_FURTHER}/"
-        rest = rest.partition(".")[2]
-    module = rest.partition(".")[0]
-    if module and not code.is_graded(top, f"{folder}{module}.py"):
-        missing = f"{package}.{module}"
-        raise ModuleNotFoundError(f"No module named {missing!r}", name=missing)
-    for wanted in () if module else fromlist:
+    if rest not in ("", GOING_FURTHER):
+        if not code.is_graded(top, f"{rest.replace('.', '/')}.py"):
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+        return
+    folder = f"{rest}/" if rest else ""
+    for wanted in fromlist:
         if not (wanted.startswith(("_", "*")) or code.is_graded(top, f"{folder}{wanted}.py")):
             raise ImportError(
-                f"cannot import name {wanted!r} from {package!r} (unknown location)", name=package
+                f"cannot import name {wanted!r} from {name!r} (unknown location)", name=name
             )

@@ -90,6 +90,93 @@ ATTEMPTS = {
     "print_much": ("print('x' * 10**6)", f"printed   {'x' * 2000}"),
     "print_error": ("import sys; print('there', file=sys.stderr)", "printed   there"),
     "print_odd": ("print('\\ud800')", r"printed   \ud800"),
+    "import_numbers": (
+        "import cmath, fractions, statistics\n"
+        "return cmath.sqrt(-1), fractions.Fraction(1, 3), statistics.mean([1, 2])",
+        "(1j, Fraction(1, 3), 1.5)",
+    ),
+    "import_tests": ("from tests.shared.expect import expect_close", f"{NO_MODULE}'tests'"),
+    "import_for_types": (
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import numpy\nreturn TYPE_CHECKING",
+        "False",
+    ),
+    "import_relative_own": ("from .small import double; return double(3)", "6"),
+    "import_from_path": (
+        "import sys; sys.path.append(HERE); import helper; return helper.x",
+        f"{NO_MODULE}'helper'",
+    ),
+    "own_name": ("return __name__", "ch90_small.small"),
+    "read_data": ("return open(HERE + '/drops.csv').read()", "1,2"),
+    "read_with_pathlib": (
+        "from pathlib import Path; return Path(__file__).with_name('drops.csv').read_text()",
+        "1,2",
+    ),
+    "write_nothing": ("import os; open(os.devnull, 'w')", "PermissionError: [Errno 13]"),
+    "read_nothing": ("import os; open(os.devnull)", "PermissionError: [Errno 13]"),
+    "inspect": ("import inspect; return inspect.getsource(double)", "return x + x"),
+    "asyncio": (
+        "import asyncio\nasync def f(): return 3\nreturn asyncio.run(f())",
+        "PermissionError: [Errno 1]",
+    ),
+    "thread_pool": (
+        "from concurrent.futures import ThreadPoolExecutor as P; P().submit(int).result()",
+        "can't start new thread",
+    ),
+    "lock": ("import threading\nwith threading.Lock(): return 'held'", "held"),
+    "queue": ("import queue; q = queue.Queue(); q.put(1); return q.get()", "1"),
+    "logging": ("import logging; logging.warning('odd')", "printed   WARNING:root:odd"),
+    "warning": ("import warnings; warnings.warn('odd')", "UserWarning: odd"),
+    "print_trace": (
+        "import traceback\ntry: 1 / 0\nexcept ZeroDivisionError: traceback.print_exc()",
+        "ZeroDivisionError: division by zero",
+    ),
+    "print_bytes": ("import sys; sys.stdout.buffer.write(b'x')", "AttributeError"),
+    "leave_with_code": ("import sys; sys.exit(3)", "SystemExit: 3"),
+    "interrupt": ("raise KeyboardInterrupt('now')", "KeyboardInterrupt: now"),
+    "catch_everything": (
+        "import sys\ntry: sys.exit()\nexcept BaseException as error: return repr(error)",
+        "SystemExit()",
+    ),
+    "at_exit": ("import atexit; atexit.register(print, 'bye'); return 'later'", "later"),
+    "random": ("import random; return random.Random(3).random(), random.seed(1)", "0.2379"),
+    "time": ("import time; time.sleep(0.01); return time.perf_counter() > 0", "True"),
+    "dataclass": (
+        "from dataclasses import dataclass\n@dataclass(slots=True)\nclass P: x: float = 1.0\n"
+        "return P(2.0)",
+        "P(x=2.0)",
+    ),
+    "cache": (
+        "import functools\n@functools.cache\ndef f(n): return n if n < 2 else f(n - 1) + f(n - 2)\n"
+        "return f(90), f.cache_info().hits",
+        "(2880067194370816120, 88)",
+    ),
+    "generator": ("g = (n for n in range(2)); return [*g], next(g, 'none')", "([0, 1], 'none')"),
+    "context": (
+        "import contextlib\n@contextlib.contextmanager\ndef f(): yield 3\nwith f() as n: return n",
+        "3",
+    ),
+    "metaclass": (
+        "class M(type):\n    def __call__(cls): return 'made'\nclass C(metaclass=M): pass\nreturn C()",
+        "made",
+    ),
+    "slots": ("class C:\n    __slots__ = ('x',)\nC().y = 1", "no attribute 'y'"),
+    "replace_itself": (
+        "import sys; sys.modules[__name__].quadruple = lambda x: 7; return quadruple(1)",
+        "7",
+    ),
+    "doctest": (
+        "import doctest\ndef f(): '>>> 1 + 1\\n3'\ndoctest.run_docstring_examples(f, {})",
+        "printed   *****",
+    ),
+    "set_variable": ("import os; os.environ['A'] = 'b'; return os.getenv('A')", "'b'"),
+    "signal_handler": ("import signal; return signal.signal(signal.SIGUSR2, print)", "Handlers"),
+    "processes": ("import multiprocessing as m; m.Process(target=int).start()", "Errno 1]"),
+    "trace": ("import sys; sys.settrace(lambda *_: None); sys.settrace(None); return 1", "1"),
+    "collect": ("import gc, weakref; gc.collect(); return weakref.ref(double)() is double", "True"),
+    "copy": ("import copy, pickle; return copy.deepcopy(pickle.loads(pickle.dumps([1])))", "[1]"),
+    "huge_number": ("return len(str(10**5000))", "ValueError: Exceeds the limit"),
+    "database": ("import sqlite3; return sqlite3.connect(':memory:')", ""),
+    "random_bytes": ("import secrets; return len(secrets.token_hex(4))", "8"),
     "leave": ("import os; os._exit(3)", "with exit code 3"),
     "crash": ("import ctypes; ctypes.string_at(0)", "Python crashed"),
 }
@@ -145,6 +232,7 @@ def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verd
         shutil.rmtree(engine, ignore_errors=True)
         (engine / "ch90_small").mkdir(parents=True)
         (engine / "ch90_small/small.py").write_text(code, encoding="utf-8")
+        (engine / "ch90_small/drops.csv").write_text("1,2", encoding="utf-8")
     (home / "ch90_small/helper.py").write_text("x = 1\n", encoding="utf-8")
     (home / "ch90_small/data").mkdir()
     for name in ("ch90_small/notes.txt", "ch90_small/data/more.txt", "notes.txt"):
@@ -165,6 +253,11 @@ def told(verdict: Verdict) -> tuple[str, str]:
 def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small chapter with a check for each attempt, which fails with what came of it."""
     root = make_root(tmp_path_factory.mktemp("same"))
+    manifest = root / "chapters/ch90_small/chapter.toml"
+    text = manifest.read_text(encoding="utf-8")
+    manifest.write_text(
+        text.replace("edit =", 'files = ["drops.csv"]\nedit =', 1), encoding="utf-8"
+    )
     checks = ["import pytest", "from ch90_small.small import imports, try_"]
     for name in ATTEMPTS:  # what is left behind is gone in the next exercise
         exercise = "90.1" if name in ("count_again", "use_built_in") else "B90.1"

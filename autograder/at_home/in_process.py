@@ -1,8 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
 This is how checks run on a student's own machine. The student's code has the imports, operations,
-memory and recursion depth that the grader allows. Otherwise, code that works at home could fail
-when it is graded.
+memory and recursion depth that the grader allows, so that it does not fail only when it is graded.
 """
 
 from __future__ import annotations
@@ -58,10 +57,7 @@ class InProcess:
         self.memory_limit = 0  # bytes, or 0 if there is none
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules one by one, before pytest imports the checks.
-
-        If a module cannot be imported, only the checks that use it fail.
-        """
+        """Import the student's modules one by one, before pytest imports the checks."""
         self.surround()
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
@@ -127,12 +123,12 @@ class InProcess:
     def start_clock(self) -> None:
         """Limit the time and the memory of a check.
 
-        When the time runs out, the process writes a stack trace and exits, even if the student's
-        code is stuck in an endless loop. Shortly before the memory is used up, a MemoryError ends
-        the check, since at the limit Python may not even be able to explain what happened.
+        When the time runs out, the process writes a stack trace and exits. Shortly before the
+        memory is used up, a MemoryError ends the check, since at the limit Python may not even be
+        able to explain what happened.
         """
-        time_limit = self.config.time_limit
-        faulthandler.dump_traceback_later(time_limit, exit=True, file=self.stack_file)
+        seconds = self.config.time_limit
+        faulthandler.dump_traceback_later(seconds, exit=True, file=self.stack_file)
         if self.memory_limit:
             signal.signal(signal.SIGPROF, partial(_look_at_memory, self.memory_limit - ROOM))
             signal.setitimer(signal.ITIMER_PROF, LOOK_EVERY, LOOK_EVERY)
@@ -144,10 +140,7 @@ class InProcess:
 
 
 def leave_home() -> None:
-    """Replace the arguments, the variables and the working folder of this process by neutral ones.
-
-    These changes cannot be undone.
-    """
+    """Replace the arguments, the variables and the working folder of this process for good."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -156,20 +149,17 @@ def leave_home() -> None:
 
 
 def limit_memory() -> int:
-    """Limit the memory of this process on Linux, and return how many bytes it may use.
-
-    Return 0 if there is no limit. On other systems, it would stop Python itself.
-    """
+    """Limit the memory of this process on Linux, and return how many bytes it may use, or 0."""
     if sys.platform != "linux":
-        return 0
+        return 0  # a limit would stop Python itself
     import resource
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
     limit = _memory_in_use() + MEMORY
-    if most == resource.RLIM_INFINITY or limit < most:
-        resource.setrlimit(resource.RLIMIT_AS, (limit, most))
-        return limit
-    return most
+    if most != resource.RLIM_INFINITY:
+        limit = min(limit, most)
+    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+    return limit
 
 
 def _look_at_memory(most: int, _: int, __: FrameType | None) -> None:

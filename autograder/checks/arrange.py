@@ -19,19 +19,12 @@ NO_CACHE = shutil.ignore_patterns("__pycache__")
 
 @dataclass(frozen=True)
 class SandboxSettings:
-    """Settings for running a student's code in worker processes inside a sandbox.
+    """Settings for running a student's code in worker processes inside a sandbox."""
 
-    Attributes:
-        level: The layers of protection to use, as a dictionary with the fields of sandbox.Level.
-        missing: The rejected modules of the submission, each with the reason.
-        hidden: A folder of hidden checks, of which students see only a short rationale.
-        compiled: A folder that stores the submission's compiled code between runs.
-    """
-
-    level: dict[str, bool]
-    missing: dict[str, Message] = field(default_factory=dict)
-    hidden: Path | None = None
-    compiled: Path | None = None
+    level: dict[str, bool]  # the layers of protection to use, which are the fields of sandbox.Level
+    missing: dict[str, Message] = field(default_factory=dict)  # why each module was rejected
+    hidden: Path | None = None  # a folder of checks of which students see only a short rationale
+    compiled: Path | None = None  # a folder that keeps the submission's compiled code between runs
 
 
 @dataclass(frozen=True)
@@ -54,12 +47,9 @@ class Request:
 class Workers:
     """Settings for the sandboxed worker processes that run a student's code.
 
-    Attributes:
-        probes: The folder of our probes. A probe is a part of a check that has to run in the same
-            process as the student's code, which can therefore read it.
-        hidden_probes: A folder that contains the probes of hidden checks as well. Only the workers
-            of hidden checks may use it, because students never see their output.
-        compiled: The folder that caches compiled code.
+    A probe is a part of a check that has to run in the same process as the student's code, which
+    can therefore read it. The folder ``hidden_probes`` contains the probes of hidden checks as
+    well. Only the workers of hidden checks may use it, because students never see their output.
     """
 
     level: dict[str, bool]
@@ -70,34 +60,23 @@ class Workers:
 
 @dataclass(frozen=True)
 class Config:
-    """The configuration that a check process reads when it starts.
-
-    Attributes:
-        root: The folder from which pytest runs the checks.
-        tests: The folders of checks, relative to ``root``.
-        edits: The functions that students write, listed by exercise.
-        modules: The student's modules to import before the checks.
-        complete: The files that students use but did not write.
-        graded: The files that the grader will have too, listed by chapter folder.
-        broken: The modules that cannot be imported, each with the reason.
-        done: The checks that already have a verdict and need not run again.
-    """
+    """The configuration that a check process reads when it starts."""
 
     chapter: str
-    root: str
+    root: str  # the folder from which pytest runs the checks
     engine: list[str]
-    tests: list[str]
-    edits: dict[str, list[str]]
-    modules: list[str]
-    complete: list[str]
-    graded: dict[str, list[str]]
+    tests: list[str]  # the folders of checks, relative to the root
+    edits: dict[str, list[str]]  # the functions that students write, by exercise
+    modules: list[str]  # the student's modules to import before the checks
+    complete: list[str]  # the files that students use but did not write
+    graded: dict[str, list[str]]  # the files that the grader will have too, by chapter
     worker: Workers | None
     exercises: list[str]
     seed: str
     time_limit: float
     stack_file: str
-    broken: dict[str, Message]
-    done: list[str]
+    broken: dict[str, Message]  # why each module cannot be imported
+    done: list[str]  # the checks that already have a verdict, and need not run again
 
 
 def arrange(
@@ -107,11 +86,7 @@ def arrange(
     broken: Mapping[str, Message],
     done: Iterable[str],
 ) -> Config:
-    """Prepare the new ``folder`` for a check process, and return the process's configuration.
-
-    ``broken`` also names the data files that the grader would reject, such as
-    ch07_constraints.drops.csv.
-    """
+    """Prepare the new ``folder`` for a check process, and return the process's configuration."""
     chapter, root, sandbox = request.chapter, request.root, request.sandbox
     chapters = [*chapters_below(chapter, root), chapter]
     # These paths are relative to the root, because pytest does not accept brackets in a path.
@@ -128,6 +103,7 @@ def arrange(
         modules=_modules(chapter, chapters, request.engine, root),
         complete=[f"{c.name}/{file}" for c in chapters for file in c.complete],
         graded={
+            # A rejected data file is listed too, as in ch07_constraints.drops.csv.
             package: [file for file in files if f"{package}.{file}" not in broken]
             for package, files in graded_files(load_chapters(root)).items()
         },
@@ -147,10 +123,7 @@ def shared_by_checks(root: Path) -> list[Path]:
 
 
 def _put_checks(place: Path, chapter: Chapter, root: Path, hidden: Path) -> list[str]:
-    """Copy a chapter's public and hidden checks into a folder from which pytest can run them.
-
-    Return the path of the hidden checks in that folder, or an empty list if there are none.
-    """
+    """Copy public and hidden checks into a folder, and return where in it the hidden ones are."""
     tests = Path("tests") / chapter.name
     shutil.copytree(root / tests, place / tests, ignore=NO_CACHE)
     for file in [root / "pyproject.toml", *shared_by_checks(root)]:
@@ -164,7 +137,7 @@ def _put_checks(place: Path, chapter: Chapter, root: Path, hidden: Path) -> list
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, sandbox: SandboxSettings) -> Workers:
-    """Create the folders for the sandboxed worker processes, and return the workers' settings."""
+    """Create the folders for the worker processes, and return the workers' settings."""
     public = hidden = _put_probes(folder / "probes", chapter, [root / "tests"])
     if sandbox.hidden and any((sandbox.hidden / chapter.name).glob("*probes.py")):
         tests = [root / "tests", sandbox.hidden]
@@ -185,10 +158,7 @@ def _put_probes(folder: Path, chapter: Chapter, tests: list[Path]) -> Path:
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """List the student's modules, which are imported one by one before the checks run.
-
-    If a handout contains an earlier chapter without its manifest, all its files are imported.
-    """
+    """List the student's modules, with all files of an earlier chapter without a manifest."""
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}
     for file in sorted(f for folder in engine for f in folder.glob("ch??_*/*.py")):

@@ -31,13 +31,7 @@ if TYPE_CHECKING:
 
 GRACE = 10.0  # seconds beyond a check's limit that we wait for output before we kill the process
 MOST_STDERR = 2000  # bytes; of standard error we keep only the end
-# An earlier chapter that the student's folder does not have.
-MISSING = re.compile(r"No module named '(ch\d\d_\w+)'")
-# A check that imports something which tests/shared does not have, or no longer has.
-OUTDATED = re.compile(
-    r"test module '.*?(\w+\.py)'.*cannot import name '(\w+)' from .*tests.shared.(\w+\.py)\)",
-    re.DOTALL,
-)
+MISSING = re.compile(r"No module named '(ch\d\d_\w+)'")  # an earlier chapter
 
 _processes: set[subprocess.Popen[str] | ForkedJudge] = set()
 _stopping = threading.Event()
@@ -47,7 +41,7 @@ _stopping = threading.Event()
 def stopping() -> Iterator[None]:
     """Stop the check processes of all threads, and start no new ones inside the ``with`` block.
 
-    Every run of checks that is stopped in this way raises GraderError.
+    The runs of checks raise GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -88,12 +82,6 @@ class Ending:
         """Explain why the process ended before any check of the chapter had a verdict."""
         if missing := MISSING.search(self.stderr):
             return f"{missing[1]} is missing: put your own folder of that name beside {chapter}"
-        if outdated := OUTDATED.search(self.stderr):
-            file, name, helper = outdated.groups()
-            return (
-                f"{file} imports {name}, but {helper} has no {name}. How a graded check is written "
-                "today: tests/README.md"
-            )
         words = self.stderr or "it printed nothing"
         if "INTERNALERROR>" in words:  # leave out pytest's own traceback
             words = words.rpartition("INTERNALERROR>")[2].strip()
@@ -112,10 +100,9 @@ class Listener(Protocol):
 
 
 def run_process(run: Listener) -> Ending:
-    """Run the checks that have no verdict yet in a new process, and report how the process ended.
+    """Run the checks that have no verdict yet in a new process, and report how it ended.
 
-    The process prints one line per event, such as the start of a check. Each line is passed to
-    ``run`` as soon as it arrives.
+    Each line that the process prints is an event, which ``run`` hears at once.
     """
     silent = False
     # On Windows the files of a process stay locked for a moment after its end.

@@ -1,9 +1,8 @@
 """Run checks in a forked copy of this process, so that exercises cannot affect each other.
 
-A check may change a counter or a cache in the student's module, which could affect the result of
-the next check. The grader prevents this by starting a new process for each check. On a student's
-machine that would take too long, because even a fork for each check doubles the run time. All
-checks of an exercise therefore share one forked copy.
+A check may change a counter or a cache in the student's module. The grader therefore starts a new
+process for each check. At home, even a fork for each check would double the run time, so all checks
+of an exercise share one forked copy.
 """
 
 from __future__ import annotations
@@ -20,10 +19,9 @@ DONE = 87  # exit code of a copy that has finished its work
 
 
 def run_forked(work: Callable[[], object]) -> None:
-    """Fork this process, and call ``work`` in the child process.
+    """Call ``work`` in a fork of this process.
 
-    If the child ends early, this process ends with the same signal or exit code. The runner of the
-    checks notices that, and starts a new process for the remaining checks.
+    If the fork ends early, this process ends in the same way, so that the runner notices.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot fork")

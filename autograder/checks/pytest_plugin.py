@@ -1,9 +1,8 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
-The runner starts this program as ``python -m autograder.checks.pytest_plugin FILE``, and reads an
-event, such as the start of a check or its verdict, from each line of its output. The verdicts come
-from pytest's own reports and not from printed text, because the student's code could print
-anything.
+The runner starts this program, and reads an event, such as a verdict, from each line of its output.
+The verdicts come from pytest's own reports and not from printed text, because the student's code
+could print anything.
 """
 
 from __future__ import annotations
@@ -50,8 +49,7 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` is the object that runs the student's code, either in this process or in a sandbox.
-    By default, it is chosen according to the configuration.
+    ``engine`` runs the student's code, by default as the configuration says.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -65,7 +63,7 @@ class Recorder:
         self.engine.open(self.config.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """After pytest has collected all checks, prepare the engine to run the student's code."""
+        """Prepare the engine to run the student's code in checks."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
@@ -86,14 +84,15 @@ class Recorder:
                 raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise, {exercise}")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
-        checks = []
-        hidden = 0
+        checks, hidden = [], 0
         for item in items:
             name, rationale = item.name, None
             if self._is_hidden(item):
                 hidden += 1
                 item.name = f"hidden check {hidden}"  # the real name may reveal what is checked
-                rationale = _rationale(item)
+                # Students see only this line of a hidden check.
+                lines = (getattr(item, "obj", None).__doc__ or "").strip().splitlines()
+                rationale = lines[0] if lines else "a hidden check of this exercise fails"
             weight = _marker(item).kwargs.get("weight", 1)
             exercise, robust = exercise_of(item), _is_robust(item)
             checks.append(Check(item.name, exercise, weight, robust, rationale, name))
@@ -117,10 +116,7 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Announce a check to the runner, and start the check's time limit.
-
-        In a sandbox, this also starts the worker process that runs the student's code.
-        """
+        """Announce a check, and start its time limit and, in a sandbox, its worker process."""
         self.send(Started(item.name))
         about.forget()
         about.read = _marker(item).kwargs.get("read", "")
@@ -144,7 +140,7 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report the verdict on a check to the runner, with a message for the student if it failed.
+        """Report the verdict on a check, with a message for the student if it failed.
 
         An error outside the body of the check is the grader's fault, not the student's.
         """
@@ -179,10 +175,7 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the folders that contain the student's code from the paths in a message.
-
-        Without these folders, the message is the same on the student's machine and in the grader.
-        """
+        """Shorten the paths in a message, so that it is the same in the grader."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
@@ -207,7 +200,6 @@ def run_all(checks: list[pytest.Item]) -> None:
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Create the object that runs the student's code, in this process or in sandboxed workers."""
     if config.worker is None:
         return InProcess(config)
     from autograder.isolation.in_worker import InWorker  # not in handouts
@@ -215,15 +207,6 @@ def _engine(config: Config) -> InProcess | InWorker:
     return InWorker(
         config.engine, config.time_limit, config.stack_file, config.complete, config.worker
     )
-
-
-def _rationale(item: pytest.Item) -> str:
-    """Return the first line of a hidden check's docstring.
-
-    It is the only part of a hidden check that students see, so it should tell them what went wrong.
-    """
-    words = (getattr(item, "obj", None).__doc__ or "").strip()
-    return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
 
 def exercise_of(item: pytest.Item) -> str:
@@ -244,7 +227,7 @@ def _is_robust(item: pytest.Item) -> bool:
 
 
 def main() -> int:
-    """Run the checks described in the configuration file that is given on the command line."""
+    """Run the checks of the configuration file that is given on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -260,10 +243,7 @@ def main() -> int:
 def pytest_arguments(
     tests: Sequence[str], root: Path | str, seed: str, engine: Iterable[Path | str]
 ) -> list[str]:
-    """Assemble the command line with which pytest runs checks.
-
-    The paths in ``tests`` are relative to the folder ``root``.
-    """
+    """Assemble pytest's command line. The paths in ``tests`` are relative to ``root``."""
     arguments = [*tests, "--capture=no", f"--rootdir={root}", f"--seed={seed}"]
     arguments += [f"--engine={folder}" for folder in engine]
     for plugin in UNUSED_PLUGINS.split():

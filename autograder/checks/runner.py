@@ -1,7 +1,7 @@
 """Run a chapter's checks in a separate process, and return the verdict on each.
 
 Each check has a time limit. If a check hangs or its process dies, the remaining checks run in a new
-process. All of this also works on Windows, but only without a sandbox.
+process.
 """
 
 from __future__ import annotations
@@ -51,9 +51,9 @@ def run_checks(
 ) -> list[Verdict]:
     """Run a chapter's checks on a student's code, and return the verdict on each check.
 
-    If ``exercises`` is given, only the checks of those exercises and their prerequisites run. To
-    show the progress, ``on_verdict`` is called after each verdict with the number of verdicts so
-    far and the total number of checks. ``Request`` and ``Run`` explain the other arguments.
+    If ``exercises`` is given, only the checks of those exercises and their prerequisites run. After
+    each verdict, ``on_verdict`` is called with the number of verdicts so far and the total number
+    of checks. ``process`` runs a process, and passes its events to the run.
 
     Raises:
         GraderError: The checks could not be run.
@@ -75,10 +75,7 @@ def run_checks(
 
 
 class Run:
-    """One run of a chapter's checks, which may take several processes to finish.
-
-    A function such as ``run_process`` starts each process, and passes its events to the run.
-    """
+    """One run of a chapter's checks, which may take several processes to finish."""
 
     def __init__(
         self,
@@ -102,19 +99,13 @@ class Run:
 
     @property
     def limit(self) -> float:
-        """The number of seconds that the next check may take.
-
-        The limit becomes shorter once a function has hung twice, to save the student time.
-        """
+        """The number of seconds that the next check may take."""
         hurried = len(set(self.loops)) < len(self.loops)
         return self.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The number of verdicts so far, and the number of modules that could not be imported.
-
-        If neither number has grown when a process ends, starting another process is pointless.
-        """
+        """The number of verdicts so far, and the number of modules that could not be imported."""
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
@@ -149,11 +140,7 @@ class Run:
         self.take(event)
 
     def take(self, event: Event) -> None:
-        """Handle an event from the check process, such as a verdict.
-
-        Raises:
-            GraderError: The event is about a check that is not part of this run.
-        """
+        """Handle an event from the check process, such as a verdict."""
         doing, self.current = self.current, None
         match event:
             case events.Importing() | events.Started():
@@ -197,7 +184,7 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def _with_rejected_data(self, message: Message) -> Message:
-        """Explain a failure to read a file of measurements that was rejected, such as drops.csv."""
+        """Explain a failure to read a data file that was rejected, such as drops.csv."""
         for module, why in self.broken.items():
             name = module.partition(".")[2]
             if "." in name and name in message.title + message.got:
@@ -216,7 +203,7 @@ class Run:
         """Record that a check hung, and skip the exercise's other checks, which then fail.
 
         In a sandbox, where they may still earn points, they are skipped only if a check of a
-        prerequisite has hung too. Return True if any was skipped.
+        prerequisite has hung too. Return whether any was skipped.
         """
         before = len(self.verdicts)
         if not self.request.sandbox or self.hung & needs_of(self.request.chapter, exercise):

@@ -1,8 +1,4 @@
-"""Explain that a check failed because the student has deleted or renamed a function.
-
-If a function that the student should write is missing, Python reports only that a name does not
-exist. This module adds that the student has removed the stub, and says how to restore it.
-"""
+"""Explain that a check failed because the student has deleted or renamed a stub."""
 
 from __future__ import annotations
 
@@ -24,10 +20,10 @@ Defined = Callable[[str], set[str] | None]
 def explain_deleted(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Explain a failed check to a student who has deleted or renamed a function.
+    """Return the message of a failed check with how to restore the stub, if one is missing.
 
-    If the check failed for any other reason, return its message unchanged. ``edits`` maps each
-    exercise to the full names of the functions to write, such as vector.Vector3.dot.
+    ``edits`` maps each exercise to the full names of the functions to write, such as
+    vector.Vector3.dot.
     """
     # The functions that Python's error mentions come before those that the check calls.
     says = f"{message.title}\n{message.got}"  # Python's message is in one of them

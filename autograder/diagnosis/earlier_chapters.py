@@ -1,8 +1,7 @@
 """Find out which failures in a chapter come from mistakes in earlier chapters.
 
-The chapter's checks run a second time, with our solutions in place of the student's earlier
-chapters. If a failed check now passes, an earlier chapter was to blame, and the check is marked as
-inherited.
+The chapter's checks run again, with our solutions in place of the student's earlier chapters. If a
+failed check now passes, an earlier chapter was to blame, and the check is marked as inherited.
 """
 
 from __future__ import annotations
@@ -26,10 +25,7 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Use our solutions instead of the student's code for the ``given`` chapters.
-
-    This context manager yields the folders to search for code. The first is a temporary folder with
-    copies of our solutions, and the folders in ``engine`` follow.
+    """Yield the folders to search for code, with our solutions to the ``given`` chapters first.
 
     Raises:
         ValueError: ``root`` does not contain our solution to a given chapter.
@@ -72,12 +68,9 @@ def run_on_given(
 ) -> list[Verdict]:
     """Run a chapter's checks again, with our solutions in place of the student's earlier chapters.
 
-    Return the new verdicts. The list is empty if our solutions are not available, or if a second
-    run would reveal nothing new: the student wrote no earlier chapter, only unwritten functions
-    fail, or an endless loop in this chapter would run again.
-
-    Raises:
-        GraderError: The checks cannot be run.
+    Return no verdicts if our solutions are not available, or if a second run would reveal nothing
+    new: the student wrote no earlier chapter, only unwritten functions fail, or an endless loop in
+    this chapter would run again.
     """
     lost = [verdict for verdict in verdicts if _is_lost(verdict)]
     hung = [v.message.where for v in lost if v.message.kind is Kind.HUNG]
@@ -99,10 +92,9 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Replace the verdict on each check that failed in both runs by the one of the second run.
+    """Replace the verdicts on checks that failed in both runs by those of the second run.
 
-    There, only the student's code in this chapter can have caused the failure. The second verdict
-    therefore explains it better.
+    There, only the student's code in this chapter can have caused the failure.
     """
     second = {verdict.name: verdict for verdict in again if _is_lost(verdict)}
     return [second.get(v.name, v) if _is_lost(v) else v for v in verdicts]
@@ -113,9 +105,8 @@ def suspects(
 ) -> list[Chapter]:
     """List earlier chapters that may have caused a failure, because they fail checks themselves.
 
-    A handout contains no solutions, so the checks cannot be repeated with correct earlier chapters.
-    Unwritten functions do not count, and neither do robust checks, which students leave open until
-    the physics works.
+    This is for handouts, which contain no solutions. Unwritten functions do not count, and neither
+    do robust checks, which students leave open until the physics works.
     """
     if all(_is_unwritten(verdict) for verdict in verdicts if _is_lost(verdict)):
         return []

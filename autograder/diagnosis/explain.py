@@ -27,10 +27,7 @@ def explain_exception(
 ) -> Message:
     """Build the message that explains to a student why an exception ended a check.
 
-    An exception that reports a wrong value already contains its message. For any other exception,
-    the message shows the check's call, the exception, the student's line and a likely mistake.
-
-    ``complete`` lists modules that the student uses but did not write, such as
+    ``complete`` lists files that the student uses but did not write, such as
     ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
     describes the original error.
     """
@@ -66,11 +63,7 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message that explains to a student why a module cannot be imported.
-
-    ``complete`` lists the files that students receive as finished code. The message points to a
-    line in one of these files only if the traceback contains no line that the student wrote.
-    """
+    """Build the message that explains to a student why a module cannot be imported."""
     file = file_of(module)
     if fault.missing_module == module:
         title = f"{file} is missing: it was not handed in, was renamed, or is in another folder"
@@ -92,8 +85,7 @@ def explain_import(
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
     """Build the message for a check that ran out of time, with the line that was running.
 
-    ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
-    the student's code can write to that file too.
+    ``stack`` is a stack trace from a file to which the student's code can write, too.
     """
     says = f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?"
     folders = [folder.resolve() for folder in engine_folders]
@@ -109,7 +101,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Decode the escape sequences that Python writes for special characters in a stack trace."""
+    """Decode the special characters in a stack trace."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
@@ -128,14 +120,11 @@ def _unwritten(fault: Fault, frames: list[Place]) -> Message:
 def _likely(
     fault: Fault, place: Place | None, engine_folders: list[Path], cause: str = ""
 ) -> tuple[str, str]:
-    """Guess which mistake caused an exception at ``place`` in a student's code.
+    """Return the most likely mistake behind an exception, and a second possibility, or "".
 
-    Return the most likely mistake and a second possibility. Either may be an empty string.
-
-    If the exception clearly comes from a mistake in the use of Python, only that mistake is
-    returned. What Python's error proves comes before ``cause``, the mistake that the check
-    suggests, and a guess comes after it. If the exception comes from a ``raise`` statement in the
-    student's line, only ``cause`` is returned.
+    A mistake that is clearly one in the use of Python stands alone. What Python's error proves
+    comes before ``cause``, the mistake that the check suggests, and a guess comes after it. If the
+    student's own line raises the exception, only ``cause`` is returned.
     """
     text, line = fault.first_line, place.source if place else ""
     if place and fault.unknown and fault.type == "NameError":
@@ -155,10 +144,7 @@ def _likely(
 
 
 def _with_source(frames: list[Place], engine_folders: list[Path]) -> Place | None:
-    """Return the last of these places with the text of its line, for the failure message.
-
-    The line is read from the first of the folders that contains the file.
-    """
+    """Return the last of these places with the text of its line, for the failure message."""
     if not frames:
         return None
     place = frames[-1]

@@ -43,39 +43,25 @@ class StudentLeft(BaseException):
 
 @dataclass(frozen=True)
 class Fault:
-    """A description of an exception in a student's code that can be sent to another process.
-
-    Attributes:
-        frames: The lines of the traceback that are in the student's files.
-        syntax: For a syntax error, the file, the line number and the text that Python could not
-            parse.
-        unknown: The name that does not exist, if that caused the exception.
-        none: The expression that was None, if that caused the exception and it is known.
-    """
+    """A description of an exception in a student's code that can be sent to another process."""
 
     type: str
     text: str
-    frames: list[Place] = field(default_factory=list)
-    syntax: tuple[str, int, str] | None = None
+    frames: list[Place] = field(default_factory=list)  # lines of the traceback in student files
+    syntax: tuple[str, int, str] | None = None  # the file, line and text that cannot be parsed
     missing_module: str = ""
-    unknown: Unknown | None = None
-    none: str = ""
+    unknown: Unknown | None = None  # the name that does not exist, if that is the cause
+    none: str = ""  # the expression that was None, if that is the cause
 
     @property
     def first_line(self) -> str:
-        """The type and text of the exception, as in "ZeroDivisionError: division by zero".
-
-        If the text has several lines or is very long, only its beginning is included.
-        """
+        """The type and text, as in "ZeroDivisionError: division by zero", cut to one line."""
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception, with the lines of its traceback that are in ``folders``.
-
-    The line that raised the exception comes last.
-    """
+    """Describe an exception, with the lines of its traceback that are in ``folders``."""
     syntax = None
     text = text_of(error)
     if isinstance(error, SyntaxError):

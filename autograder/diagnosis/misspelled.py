@@ -1,7 +1,6 @@
 """Find the name that a student probably meant when the code uses one that does not exist.
 
-The existing names are known only to the process that runs the student's code. So that process finds
-the most similar one, and reports it as plain data.
+Only the process that runs the student's code knows the existing names. It reports plain data.
 """
 
 from __future__ import annotations
@@ -23,20 +22,13 @@ IMPORTED = re.compile(r"cannot import name '(\w+)'")
 
 @dataclass(frozen=True)
 class Unknown:
-    """A name or attribute that the student's code uses but that does not exist.
-
-    Attributes:
-        of: The type or file that lacks the name. It is empty for a variable.
-        nearest: The most similar name that exists.
-        slots: The attributes that the class allows, if the code tried to set another one.
-        module: True if the name is a standard library module that was not imported.
-    """
+    """A name or attribute that the student's code uses but that does not exist."""
 
     name: str
-    of: str = ""
-    nearest: str = ""
-    slots: list[str] = field(default_factory=list)
-    module: bool = False
+    of: str = ""  # the type or file that lacks the name, or "" for a variable
+    nearest: str = ""  # the most similar name that exists
+    slots: list[str] = field(default_factory=list)  # what the class allows, if the code sets it
+    module: bool = False  # whether it is a standard library module that was not imported
 
     def explain(self) -> str:
         """Suggest what to use in place of the name, or return "" if nothing is similar."""
@@ -71,7 +63,7 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def innermost(traceback: TracebackType | None) -> TracebackType | None:
-    """Return the innermost entry of a traceback, where the error was raised."""
+    """Return the last entry of a traceback, where the error was raised."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     return traceback
@@ -126,11 +118,7 @@ def _attributes(value: Any) -> set[str]:
 
 
 def _slots(kind: type) -> list[str]:
-    """List the attributes that a student may assign to, if a class limits them with __slots__.
-
-    A private slot such as _damping is listed only if there is a property damping, or if all slots
-    are private.
-    """
+    """List what a class with __slots__ can hold, without slots that only it should use."""
     if kind.__dictoffset__:
         return []  # it accepts any attribute
     listed = [vars(base).get("__slots__", ()) for base in kind.__mro__]

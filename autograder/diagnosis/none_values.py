@@ -1,8 +1,4 @@
-"""Find the expression that was None when Python raised an error.
-
-Python's error only says that something on the line is None. The position of the instruction that
-failed says which expression it was.
-"""
+"""Find the expression that was None, from the position of the instruction that failed."""
 
 from __future__ import annotations
 
@@ -18,10 +14,9 @@ NOT_OF_NONE = ("has no attribute", "subscriptable", "item assignment", "callable
 
 
 def none_in(error: BaseException, says: str) -> str:
-    """Return the expression in the student's code whose value was None, such as "self.other".
+    """Return the expression whose value was None, such as "self.other", or "" if it is not known.
 
-    ``says`` is the text of the error. If it has another cause, or if the expression is long or
-    cannot be found, return an empty string.
+    ``says`` is the text of the error.
     """
     last = innermost(error.__traceback__)
     if "NoneType" not in says or last is None:

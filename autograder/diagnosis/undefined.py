@@ -18,14 +18,11 @@ from autograder.text.similar import nearest
 
 @dataclass(frozen=True)
 class MissingName:
-    """A function or class that a student's module should define but does not.
-
-    ``nearest`` is the most similar name that the module does define.
-    """
+    """A function or class that a student's module should define but does not."""
 
     module: str
     name: str
-    nearest: str = ""
+    nearest: str = ""  # the most similar name that the module does define
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
@@ -54,10 +51,7 @@ def file_of(module: str) -> str:
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Create a placeholder for a module that cannot be imported.
-
-    Checks can import any name from it. If a check calls such a name, it ends with the message.
-    """
+    """Create a module from which checks can import any name. A check that calls it ends."""
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module

@@ -97,7 +97,7 @@ ATTEMPTS = {
     ),
     "import_tests": ("from tests.shared.expect import expect_close", f"{NO_MODULE}'tests'"),
     "import_for_types": (
-        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import numpy\nreturn TYPE_CHECKING",
+        "import typing\nif typing.TYPE_CHECKING: import numpy\nreturn typing.TYPE_CHECKING",
         "False",
     ),
     "import_relative_own": ("from .small import double; return double(3)", "6"),
@@ -156,7 +156,7 @@ ATTEMPTS = {
         "3",
     ),
     "metaclass": (
-        "class M(type):\n    def __call__(cls): return 'made'\nclass C(metaclass=M): pass\nreturn C()",
+        "class M(type):\n    def __call__(_): return 'made'\nclass C(metaclass=M): 1\nreturn C()",
         "made",
     ),
     "slots": ("class C:\n    __slots__ = ('x',)\nC().y = 1", "no attribute 'y'"),

@@ -11,7 +11,6 @@ In the grader, the sandbox does that.
 
 from __future__ import annotations
 
-import _thread
 import builtins
 import importlib
 import importlib.util
@@ -47,8 +46,7 @@ REFUSED = (
     "os.rename os.link os.symlink",
 )
 PATHS = {event: number for number, events in enumerate(REFUSED) for event in events.split()}
-# Not every version of Python has an audit event for these.
-THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
+THREAD_STARTERS = ("_start_new_thread", "_start_joinable_thread")  # the second since Python 3.13
 # We use the numbers that Linux gives these errors, because Python in a browser has others.
 NOT_PERMITTED = 1, "Operation not permitted"
 NOT_FOUND = 2, "No such file or directory"
@@ -139,9 +137,8 @@ def restrict(code: StudentsCode) -> None:
     sys.addaudithook(hear)
     real_system = os.system
     os.system = lambda command: NOT_STARTED if code.is_calling() else real_system(command)
-    for module in (_thread, threading):
-        for name in filter(partial(hasattr, module), THREAD_STARTERS.split()):
-            setattr(module, name, _without_threads(code, getattr(module, name)))
+    for name in filter(partial(hasattr, threading), THREAD_STARTERS):
+        setattr(threading, name, _without_threads(code, getattr(threading, name)))
 
 
 def _refuse(paths: int, *arguments: Any) -> None:

@@ -11,11 +11,12 @@ import shutil
 import sys
 import textwrap
 import tomllib
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from autograder.checks.runner import run_checks
+from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, load_chapter
 from small import RIGHT, make_root
@@ -85,12 +86,9 @@ def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verd
     (home / "ch90_small/data").mkdir()
     for name in ("ch90_small/notes.txt", "ch90_small/data/more.txt", "notes.txt"):
         (home / name).write_text("mine\n", encoding="utf-8")
-    beside = run_checks(chapter, [home], seed="1", root=root)
-    behind = run_checks(chapter, [graded], seed="1", root=root, sandbox=behind_walls())
-    return (
-        {verdict.name: verdict for verdict in beside},
-        {verdict.name: verdict for verdict in behind},
-    )
+    run = partial(run_checks, chapter, seed="1", root=root, limits=Limits(30.0))
+    beside, behind = run([home]), run([graded], sandbox=behind_walls())
+    return {v.name: v for v in beside}, {v.name: v for v in behind}
 
 
 def told(verdict: Verdict) -> tuple[str, str]:

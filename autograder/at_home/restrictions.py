@@ -1,12 +1,11 @@
 """Restrict what a student's code may import and do, at home as in the grader.
 
-The grader has no packages, only Python's standard library and the files that students hand in or
-receive from us. Its sandbox lets no code write files, start programs or threads, or open sockets.
-This module refuses the same imports and operations in both places, before the system does. So a
-student learns about them early, and sees the same error on every machine.
+The grader has only Python's standard library and the files that students hand in or receive from
+us. Its sandbox lets no code write files, start programs or threads, or open sockets. This module
+refuses the same in both places, so a student learns about it early and sees the same error.
 
-This does not stop hostile code, because some operations, such as os.pipe, cannot be noticed here.
-In the grader, the sandbox does that.
+It does not stop hostile code, because some operations, such as os.pipe, cannot be noticed here. In
+the grader, the sandbox does that.
 """
 
 from __future__ import annotations
@@ -73,19 +72,12 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        self.change(folders, graded, ours)
-
-    def change(
-        self,
-        folders: Iterable[Path],
-        graded: Mapping[str, Collection[str]],
-        ours: Collection[str] = (),
-    ) -> None:
-        """Change which code is restricted. In a browser, one process runs all checks."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours
         self._known: dict[str, bool | None] = {}
+
+    change = __init__  # in a browser, one process runs the checks on one code after the other
 
     def is_calling(self) -> bool:
         """Return True if the student's code started the current import or operation.

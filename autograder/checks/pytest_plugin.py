@@ -108,7 +108,8 @@ class Recorder:
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
         """Run the checks of each exercise in a forked copy of this process, unless in a sandbox."""
-        if session.testsfailed or not self.engine.forks:
+        forks = isinstance(self.engine, InProcess) and self.engine.forks
+        if session.testsfailed or not forks:
             return None  # pytest reports a failed collection, or runs the checks as usual
         for _, group in groupby(session.items, exercise_of):
             run_forked(partial(run_all, list(group)))

@@ -39,7 +39,6 @@ class InWorker:
     Every worker imports the student's modules afresh, so one check cannot affect the next.
     """
 
-    forks = False  # each check has a process of its own anyway
     session: Session | None = None
 
     def __init__(

@@ -227,8 +227,8 @@ def _is_robust(item: pytest.Item) -> bool:
     return item.get_closest_marker("robust") is not None
 
 
-def main() -> int:
-    """Run the checks of the configuration file that is given on the command line."""
+def run_and_exit() -> NoReturn:
+    """Run the checks of the configuration file on the command line, and end the process."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -238,7 +238,9 @@ def main() -> int:
         wire.flush()
 
     arguments = pytest_arguments(config.tests, config.root, config.seed, config.engine)
-    return int(pytest.main(arguments, plugins=[Recorder(config, send)]))
+    code = int(pytest.main(arguments, plugins=[Recorder(config, send)]))
+    sys.stderr.flush()
+    os._exit(code)  # threads or exit handlers of the student's code must not keep the process
 
 
 def pytest_arguments(
@@ -250,14 +252,6 @@ def pytest_arguments(
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]
     return arguments
-
-
-def run_and_exit() -> NoReturn:
-    """Run the checks, and end the process at once with pytest's exit code."""
-    # Threads or exit handlers of the student's code must not keep the process from ending.
-    code = main()
-    sys.stderr.flush()
-    os._exit(code)
 
 
 if __name__ == "__main__":

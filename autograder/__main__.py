@@ -13,7 +13,7 @@ import sys
 from autograder.checks.runner import GraderError
 from autograder.commands import command as line_of
 from autograder.commands import find_engine, prepare, sentence
-from autograder.diagnosis.given import with_given
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import (
     Chapter,
     Exercise,

@@ -12,11 +12,9 @@ from pathlib import Path
 from types import ModuleType
 
 from autograder.accepted_files import rejected_modules
-from autograder.at_home.allowed_acts import limit_acts
-from autograder.at_home.allowed_imports import limit_imports
-from autograder.at_home.students_code import StudentsCode, graded_files
+from autograder.at_home.restrictions import StudentsCode, graded_files, restrict
 from autograder.commands import find_engine
-from autograder.diagnosis.given import with_given
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import load_chapters, select_chapters
 
 
@@ -64,7 +62,5 @@ def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") ->
         _limited.add(tuple(folders))
         chapters = load_chapters()
         ours = [f"{chapter.name}/{file}" for chapter in chapters for file in chapter.complete]
-        code = StudentsCode(folders, graded_files(chapters), ours)
-        limit_imports(code)
-        limit_acts(code)
+        restrict(StudentsCode(folders, graded_files(chapters), ours))
         rejected.reasons = rejected_modules(chapters, folders)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-from autograder.at_home.students_code import LIBRARY
+from autograder.at_home.restrictions import LIBRARY
 from autograder.commands import LackingError, advice
 from autograder.diagnosis.faults import is_inside
 from autograder.diagnosis.slips import slip_of

@@ -1,7 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. The student's code is limited to the imports and
-operations that the grader allows. Otherwise, code that works at home could fail when it is graded.
+This is how checks run on a student's own machine. The student's code has the imports, operations,
+memory and recursion depth that the grader allows, so that it does not fail only when it is graded.
 """
 
 from __future__ import annotations
@@ -10,56 +10,54 @@ import faulthandler
 import gc
 import importlib
 import os
+import signal
 import sys
-from collections.abc import Callable, Collection, Mapping, Sequence
+import traceback
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
+from types import FrameType
 
-from autograder.at_home.allowed_acts import limit_acts
-from autograder.at_home.allowed_imports import limit_imports
-from autograder.at_home.students_code import StudentsCode
-from autograder.at_home.surroundings import Depth, MemoryWatch, leave_home
-from autograder.checks.apart import CAN_COPY
+from autograder.at_home.restrictions import StudentsCode, restrict
+from autograder.checks.arrange import Config
 from autograder.checks.events import Event, Imported, Importing
+from autograder.checks.forked import CAN_FORK
 from autograder.checks.printed import CappedText
 from autograder.definitions import read_definitions
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import fault_of
-from autograder.diagnosis.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.diagnosis.undefined import MissingNameError, answer_for_missing, broken_module
 from autograder.message import Message
 
 Send = Callable[[Event], None]  # sends an event to the runner
-CALLS = 13  # nested calls of pytest and the check between start() and the student's code
+VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
+# The first is needed by Python itself on Windows, and the second turns breakpoint() off.
+NEEDED = ("SYSTEMROOT", "PYTHONBREAKPOINT")
+DEPTH = 1000  # nested calls, which is the recursion limit of a process in the grader
+# The student's code may use this many bytes on top of what the process uses already. The grader
+# allows 512 MB in all, of which Python needs about 30 MB.
+MEMORY = 490 << 20
+ROOM = 100 << 20  # bytes of these, which are left to explain what happened
+LOOK_EVERY = 0.02  # s of processor time between two looks at the memory
 
 
 class InProcess:
     """Runs the student's code in the same process as the checks, for use on a student's machine."""
 
-    def __init__(
-        self,
-        engine: list[str],
-        time_limit: float,
-        stack_file: str,
-        complete: Sequence[str],
-        graded: Mapping[str, Collection[str]],
-        *,
-        apart: bool,
-    ) -> None:
-        self.engine = [Path(folder).resolve() for folder in engine]
-        self.time_limit = time_limit
-        self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - open until the process ends
-        self.complete = complete
-        self.graded = graded
-        self.apart = apart and CAN_COPY
+    forks = CAN_FORK  # whether each exercise runs in a forked copy of the process
+    depth = DEPTH
+
+    def __init__(self, config: Config) -> None:
+        self.config = config
+        self.engine = [Path(folder).resolve() for folder in config.engine]
+        self.stack_file = Path(config.stack_file).open("wb")  # noqa: SIM115 - open until the end
         self.printed: list[str] = []
         self.streams = sys.stdin, sys.stdout, sys.stderr
-        self.depth = Depth()
-        self.memory = MemoryWatch()
+        self.recursion_limit = sys.getrecursionlimit()
+        self.memory_limit = 0  # bytes, or 0 if there is none
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules one by one, before pytest imports the checks.
-
-        If a module cannot be imported, only the checks that use it fail.
-        """
+        """Import the student's modules one by one, before pytest imports the checks."""
         self.surround()
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
@@ -78,15 +76,11 @@ class InProcess:
     def surround(self) -> None:
         """Give the student's code the same restrictions and environment as when it is graded."""
         leave_home()
-        code = StudentsCode(self.engine, self.graded)
-        limit_imports(code)
-        limit_acts(code)
+        self.memory_limit = limit_memory()
+        restrict(StudentsCode(self.engine, self.config.graded))
 
     def after_collection(self) -> None:
-        """Exclude all objects that exist now from garbage collection.
-
-        This lets a forked copy of the process share more of its memory with the original.
-        """
+        """Let a forked copy of the process share more of its memory with the original."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -97,23 +91,22 @@ class InProcess:
         except MissingNameError as error:  # the module uses another module that is broken
             sys.modules[module] = broken_module(module, error.message)
         except BaseException as error:  # including SystemExit
-            message = explain_import(
-                fault_of(error, self.engine), module, self.engine, self.complete
-            )
+            fault = fault_of(error, self.engine)
+            message = explain_import(fault, module, self.engine, self.config.complete)
             sys.modules[module] = broken_module(module, message)
         finally:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """List the names that a student's file defines.
-
-        Return None if the file defines nothing, is missing, or is not valid Python.
-        """
+        """List the names that a student's file defines, or return None if it defines nothing."""
         return read_definitions(file)
 
     def start(self, *, hidden: bool = False) -> None:  # noqa: ARG002 - nothing is hidden at home
         """Start the time limit of a check, and begin to capture what the student's code prints."""
-        self.depth.adapt(CALLS)
+        if sys.getrecursionlimit() == self.recursion_limit:  # the student's code has not changed it
+            on_the_stack = len([*traceback.walk_stack(None)])
+            self.recursion_limit = self.depth + on_the_stack
+            sys.setrecursionlimit(self.recursion_limit)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
         self.start_clock()
@@ -128,14 +121,54 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Start the time limit for a check.
+        """Limit the time and the memory of a check.
 
-        When it runs out, the process writes a stack trace and exits, even if the student's code is
-        stuck in an endless loop.
+        When the time runs out, the process writes a stack trace and exits. Shortly before the
+        memory is used up, a MemoryError ends the check, since at the limit Python may not even be
+        able to explain what happened.
         """
-        faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
-        self.memory.start()
+        seconds = self.config.time_limit
+        faulthandler.dump_traceback_later(seconds, exit=True, file=self.stack_file)
+        if self.memory_limit:
+            signal.signal(signal.SIGPROF, partial(_look_at_memory, self.memory_limit - ROOM))
+            signal.setitimer(signal.ITIMER_PROF, LOOK_EVERY, LOOK_EVERY)
 
     def stop_clock(self) -> None:
-        self.memory.stop()
+        if self.memory_limit:
+            signal.setitimer(signal.ITIMER_PROF, 0.0)
         faulthandler.cancel_dump_traceback_later()
+
+
+def leave_home() -> None:
+    """Replace the arguments, the variables and the working folder of this process for good."""
+    sys.argv[:], sys.orig_argv[:] = [""], []
+    kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
+    os.environ.clear()
+    os.environ |= VARIABLES | kept
+    os.chdir("/")
+
+
+def limit_memory() -> int:
+    """Limit the memory of this process on Linux, and return how many bytes it may use, or 0."""
+    if sys.platform != "linux":
+        return 0  # a limit would stop Python itself
+    import resource
+
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    limit = _memory_in_use() + MEMORY
+    if most != resource.RLIM_INFINITY:
+        limit = min(limit, most)
+    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+    return limit
+
+
+def _look_at_memory(most: int, _: int, __: FrameType | None) -> None:
+    """Handle a signal that comes while the student's code runs."""
+    if _memory_in_use() > most:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        raise MemoryError
+
+
+def _memory_in_use() -> int:
+    pages = Path("/proc/self/statm").read_text(encoding="ascii").split()[0]
+    return int(pages) * os.sysconf("SC_PAGE_SIZE")

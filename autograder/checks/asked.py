@@ -1,8 +1,7 @@
 """Store the parts of the message that a check shows if it fails.
 
-Before a check calls the student's code, it stores three parts: the call, the likely mistake behind
-a wrong result, and the section to read. The message shows all three if the result is wrong or the
-student's code raises an exception.
+Before a check calls the student's code, it stores the call, the likely mistake behind a wrong
+result, and the section to read. The message shows them also if the code raises an exception.
 """
 
 from __future__ import annotations
@@ -22,8 +21,7 @@ class Words(TypedDict, total=False):
     """Parts of a failure message that a check sets for only one of its comparisons.
 
     ``call``, ``cause`` and ``read`` replace the parts that the check has stored, and ``then`` is
-    appended to the call. ``unit`` is a unit such as "m/s" or a plural noun such as "contacts". It
-    follows both the returned and the expected number in the message.
+    appended to the call. ``unit``, such as "m/s" or "contacts", follows both numbers.
     """
 
     call: str
@@ -36,9 +34,8 @@ class Words(TypedDict, total=False):
 class About:
     """The parts of a check's failure message: the call, the likely mistake and the section to read.
 
-    A check sets them before it calls the student's code. To change only some of them, call the
-    object with the new values, or assign to an attribute, as in ``about.call += "; v.x"``. The call
-    may be a function that writes it, because only a check that fails needs it.
+    To change only some of them, call the object with the new values, or assign to an attribute. The
+    call may be a function that writes it, because only a check that fails needs it.
     """
 
     def __init__(self) -> None:
@@ -64,10 +61,7 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[Text, str, str]:
-        """Return the call, the likely mistake and the section to read for one comparison.
-
-        ``words`` contains the parts that differ from those that the check has stored.
-        """
+        """Return the call, the likely mistake and the section to read for one comparison."""
         call, then = words.get("call", self._call), words.get("then", "")
         whole = (lambda: written(call) + then) if then else call
         return whole, words.get("cause", self.cause), words.get("read", self.read)
@@ -87,20 +81,14 @@ about = About()
 
 
 def short_numbers(text: str) -> str:
-    """Shorten the computed numbers in a string, for example from 0.30000000000000004 to 0.3.
-
-    Numbers with ten or more decimal places are rounded to six significant digits. All others stay
-    as they are.
-    """
+    """Round the numbers in a text that have ten or more decimal places to six digits."""
     return LONG.sub(lambda number: f"{float(number[0]):.6g}", text)
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
     """Decorate a helper so that it restores the parts of the failure message when it returns.
 
-    A check stores these parts in ``about``. The helper may replace them to describe its own calls.
-    If the helper raises an exception, its own parts are kept, because the failure message needs
-    them.
+    If the helper raises an exception, its own parts are kept, because the message needs them.
     """
 
     @wraps(helper)

@@ -1,7 +1,4 @@
-"""Find out whether a check calls one of the student's functions.
-
-The answer is based on the expression in the check's failure message, such as "v.dot(w)".
-"""
+"""Find out from a check's failure message whether it calls one of the student's functions."""
 
 from __future__ import annotations
 
@@ -24,7 +21,7 @@ OPERATORS = {  # for each special method, the operator that calls it
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return True if a check's expression, such as "v.dot(w)", calls the function ``name``.
+    """Return True if an expression such as "v.dot(w)" calls a function.
 
     ``name`` is the function's full name in the manifest, such as vector.Vector3.dot.
     """
@@ -39,10 +36,9 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return True if a check's expression creates an object of the class that contains a method.
+    """Return True if an expression creates an object of the class that contains a method.
 
-    ``name`` is the full name of the method. For vector.Vector3.dot, the result is True if the
-    expression contains a call such as "Vector3(1, 2, 3)". For a function outside any class, the
+    It does so for vector.Vector3.dot if it calls Vector3. For a function outside any class, the
     result is always True.
     """
     _, *path = name.split(".")

@@ -13,11 +13,9 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 
 
 def presentable(message: Message) -> Message:
-    """Make a failure message safe to display.
+    """Escape special characters, remove memory addresses, and shorten long texts.
 
-    Special characters are escaped, memory addresses are removed because they differ in every run,
-    and long texts are shortened. All text that comes from a student's code passes through this
-    function.
+    All text that comes from a student's code passes through this function.
     """
     message = with_texts(message, lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else with_texts(message, _cut)

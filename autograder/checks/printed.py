@@ -9,10 +9,7 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """A text stream that captures the first 4000 characters that student code prints.
-
-    The rest is discarded, so a print statement in an endless loop cannot fill the memory.
-    """
+    """A text stream that keeps only the beginning, so that endless printing fills no memory."""
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

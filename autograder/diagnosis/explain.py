@@ -10,10 +10,9 @@ from pathlib import Path
 from autograder.checks.asked import about, short_numbers
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
-from autograder.diagnosis.missing import file_of
-from autograder.diagnosis.nearest import explain_unknown
-from autograder.diagnosis.nothing import explain_none
-from autograder.diagnosis.slips import PERHAPS, POWER, fact_of, slip_of
+from autograder.diagnosis.none_values import explain_none
+from autograder.diagnosis.slips import POWER, fact_of, guess_of, slip_of
+from autograder.diagnosis.undefined import file_of
 from autograder.message import ExpectationError, Kind, Message, Place
 
 ESCAPED = re.compile(
@@ -28,30 +27,27 @@ def explain_exception(
 ) -> Message:
     """Build the message that explains to a student why an exception ended a check.
 
-    An exception that reports a wrong value already contains its message. For any other exception,
-    the message shows the check's call, the exception, the student's line and a likely mistake.
-
-    If the exception is a common Python error, the likely mistake is our explanation of that error.
-    Otherwise it is the mistake that the check has stored in ``about``.
-
-    ``complete`` lists modules that the student uses but did not write, such as
+    ``complete`` lists files that the student uses but did not write, such as
     ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
     describes the original error.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
-    written = [frame for frame in fault.frames if not _is_given(frame, complete)]
+    # If code raised it that the student did not write, the mistake is in the line that called this
+    # code. Students never write constructors.
+    given = ("__init__", "__setattr__")
+    written = [f for f in fault.frames if f.function not in given and f.file not in complete]
     own = written or fault.frames
     if isinstance(error, AssertionError) and not own:
         return error.message if isinstance(error, ExpectationError) else Message(text_of(error))
-    deepest = own[-1] if own else None
     if isinstance(error, NotImplementedError):
-        return _unwritten(fault, deepest)
+        return _unwritten(fault, own)
+    # The check called the code of the first file. The error itself may come from a function of
+    # another file that this code calls.
+    first = [frame for frame in own if frame.file == own[0].file]
+    where, deepest = (_with_source(frames, engine_folders) for frames in (first, own))
     # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
-    where = _in_first_file(own)
-    where, deepest = (place and _with_source(place, engine_folders) for place in (where, deepest))
-    line = deepest.source if deepest else ""
-    likely, other = _likely(fault, cause, line, _course_import(fault, deepest, engine_folders))
+    likely, other = _likely(fault, deepest, engine_folders, cause)
     return Message(
         called=short_numbers(about.call),
         got=fault.first_line,
@@ -67,82 +63,76 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message that explains to a student why a module cannot be imported.
-
-    ``complete`` lists the files that students receive as finished code. The message points to a
-    line in one of these files only if the traceback contains no line that the student wrote.
-    """
+    """Build the message that explains to a student why a module cannot be imported."""
     file = file_of(module)
     if fault.missing_module == module:
         title = f"{file} is missing: it was not handed in, was renamed, or is in another folder"
         return Message(title, kind=Kind.BROKEN)
-    text, where = fault.first_line, None
     if fault.type == "NotImplementedError":  # the module calls a stub while it is imported
-        return _unwritten(fault, fault.frames[-1] if fault.frames else None)
+        return _unwritten(fault, fault.frames)
     if fault.syntax:
-        text = fault.text
         source, line, words = fault.syntax
-        where = Place(source or file, line, source=words)
-        title = f"{file} cannot be read: {text}"
+        where: Place | None = Place(source or file, line, source=words)
+        title = f"{file} cannot be read: {fault.text}"
     else:
-        title = f"{file} cannot be imported: {text}"
+        title = f"{file} cannot be imported: {fault.first_line}"
         written = [frame for frame in fault.frames if frame.file not in complete]
-        if own := written or fault.frames:
-            where = _with_source(own[-1], engine_folders)
-    likely, _ = _likely(fault, course=_course_import(fault, where, engine_folders))
+        where = _with_source(written or fault.frames, engine_folders)
+    likely, _ = _likely(fault, where, engine_folders)
     return Message(title, where=where, likely=likely, kind=Kind.BROKEN)
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
     """Build the message for a check that ran out of time, with the line that was running.
 
-    ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
-    the student's code can write to that file too.
+    ``stack`` is a stack trace from a file to which the student's code can write, too.
     """
-    hung = Message(
-        f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
-        kind=Kind.HUNG,
-    )
+    says = f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?"
     folders = [folder.resolve() for folder in engine_folders]
     for file, line, name in STACK_LINE.findall(stack):
         for path in (file, _unescaped(file)):  # a Windows folder such as \xfaces looks escaped
             try:
                 if is_inside(path, folders):
-                    return replace(hung, where=Place(short(path), int(line), _unescaped(name)))
+                    where = Place(short(path), int(line), _unescaped(name))
+                    return Message(says, where=where, kind=Kind.HUNG)
             except (ValueError, OSError):
                 continue  # not a valid file name on any system
-    return hung
-
-
-def _unwritten(fault: Fault, where: Place | None) -> Message:
-    """Build the message for a stub that the student has not written yet."""
-    says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
-    named = EXERCISE.match(says)
-    title, exercise = f"{Kind.UNWRITTEN.value}: {says}", named[1] if named else ""
-    return Message(title, where=where, kind=Kind.UNWRITTEN, exercise=exercise)
+    return Message(says, kind=Kind.HUNG)
 
 
 def _unescaped(text: str) -> str:
-    """Decode the escape sequences that Python writes for special characters in a stack trace."""
+    """Decode the special characters in a stack trace."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> tuple[str, str]:
-    """Guess which mistake caused an exception in a student's code.
+def _unwritten(fault: Fault, frames: list[Place]) -> Message:
+    """Build the message for a stub that the student has not written yet."""
+    says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
+    named = EXERCISE.match(says)
+    return Message(
+        f"{Kind.UNWRITTEN.value}: {says}",
+        where=frames[-1] if frames else None,
+        kind=Kind.UNWRITTEN,
+        exercise=named[1] if named else "",
+    )
 
-    Return the most likely mistake and a second possibility. Either may be an empty string.
 
-    If the exception clearly comes from a mistake in the use of Python, only that mistake is
-    returned. What Python's error proves comes before ``cause``, the mistake that the check
-    suggests, and a guess comes after it. If the exception comes from a ``raise`` statement in the
-    student's ``line``, only ``cause`` is returned. ``course`` is the import that would make an
-    undefined name known.
+def _likely(
+    fault: Fault, place: Place | None, engine_folders: list[Path], cause: str = ""
+) -> tuple[str, str]:
+    """Return the most likely mistake behind an exception, and a second possibility, or "".
+
+    A mistake that is clearly one in the use of Python stands alone. What Python's error proves
+    comes before ``cause``, the mistake that the check suggests, and a guess comes after it. If the
+    student's own line raises the exception, only ``cause`` is returned.
     """
-    if course:
-        return course, ""
-    text = fault.first_line
-    meant = explain_unknown(fault.unknown) if fault.unknown else ""
-    if slip := meant or slip_of(text):
+    text, line = fault.first_line, place.source if place else ""
+    if place and fault.unknown and fault.type == "NameError":
+        name = fault.unknown.name
+        if module := module_that_defines(name, place.file, engine_folders):
+            words = f"Write from {module} import {name} at the top of the file."
+            return f"{name} is not imported. {words}", ""
+    if slip := (fault.unknown and fault.unknown.explain()) or slip_of(text):
         return slip, ""
     if cause and f"raise {text.partition(':')[0]}" in line:
         return cause, ""
@@ -150,44 +140,14 @@ def _likely(fault: Fault, cause: str = "", line: str = "", course: str = "") -> 
         return POWER, ""
     if fact := explain_none(fault.none) if fault.none else fact_of(text):
         return fact, cause
-    perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
-    return (cause, perhaps) if cause else (perhaps, "")
+    return (cause, guess_of(text)) if cause else (guess_of(text), "")
 
 
-def _in_first_file(frames: list[Place]) -> Place | None:
-    """Return the deepest line in the file whose code the check called.
-
-    The error itself may come from a function of another file that this line calls.
-    """
-    own = [frame for frame in frames if frame.file == frames[0].file]
-    return own[-1] if own else None
-
-
-def _course_import(fault: Fault, place: Place | None, engine_folders: list[Path]) -> str:
-    """Return the import that an undefined name needs, if the course defines the name."""
-    if not (place and fault.unknown and fault.type == "NameError"):
-        return ""
-    module = module_that_defines(fault.unknown.name, place.file, engine_folders)
-    if not module:
-        return ""
-    name = fault.unknown.name
-    return f"{name} is not imported. Write from {module} import {name} at the top of the file."
-
-
-def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return True if an exception was raised in code that the student did not write.
-
-    The mistake is then in the student's line that called this code. Constructors are included,
-    because students never write them.
-    """
-    return place.function in ("__init__", "__setattr__") or place.file in complete
-
-
-def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Return ``place`` with the text of its source line, so that the failure message can show it.
-
-    The line is read from the first folder in ``engine_folders`` that contains the file.
-    """
+def _with_source(frames: list[Place], engine_folders: list[Path]) -> Place | None:
+    """Return the last of these places with the text of its line, for the failure message."""
+    if not frames:
+        return None
+    place = frames[-1]
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

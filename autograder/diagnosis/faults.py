@@ -1,7 +1,6 @@
 """Describe an exception in a student's code as data that can be sent to another process.
 
-The student's code may run in a sandboxed worker process. With this description, an exception can be
-explained to students in the same way wherever it was raised.
+With this description, an exception is explained in the same way wherever it was raised.
 """
 
 from __future__ import annotations
@@ -13,8 +12,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from autograder.diagnosis.nearest import Unknown, unknown_of
-from autograder.diagnosis.nothing import none_in
+from autograder.diagnosis.misspelled import Unknown, unknown_of
+from autograder.diagnosis.none_values import none_in
 from autograder.message import Message, Place
 
 MOST_FRAMES = 50
@@ -22,11 +21,7 @@ GOING_FURTHER = "going_further"  # the folder of a chapter with what goes beyond
 
 
 class CheckEnded(BaseException):
-    """Raised to end a check with a message for the student.
-
-    It derives from BaseException, so that an ``except Exception`` in the student's code cannot
-    catch it.
-    """
+    """Raised to end a check with a message, even if the student's code has ``except Exception``."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
@@ -48,40 +43,25 @@ class StudentLeft(BaseException):
 
 @dataclass(frozen=True)
 class Fault:
-    """A description of an exception in a student's code that can be sent to another process.
-
-    Attributes:
-        frames: The lines of the traceback that are in the student's files.
-        syntax: For a syntax error, the file, the line number and the text that Python could not
-            parse.
-        unknown: The name that does not exist, if that caused the exception.
-        none: The expression that was None, if that caused the exception and it is known.
-    """
+    """A description of an exception in a student's code that can be sent to another process."""
 
     type: str
     text: str
-    frames: list[Place] = field(default_factory=list)
-    syntax: tuple[str, int, str] | None = None
+    frames: list[Place] = field(default_factory=list)  # lines of the traceback in student files
+    syntax: tuple[str, int, str] | None = None  # the file, line and text that cannot be parsed
     missing_module: str = ""
-    unknown: Unknown | None = None
-    none: str = ""
+    unknown: Unknown | None = None  # the name that does not exist, if that is the cause
+    none: str = ""  # the expression that was None, if that is the cause
 
     @property
     def first_line(self) -> str:
-        """The type and text of the exception, as in "ZeroDivisionError: division by zero".
-
-        If the text has several lines or is very long, only its beginning is included.
-        """
+        """The type and text, as in "ZeroDivisionError: division by zero", cut to one line."""
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception as data that can be sent to another process.
-
-    The description includes only those lines of the traceback that are in ``folders``, where the
-    student's code is. The line that raised the exception comes last.
-    """
+    """Describe an exception, with the lines of its traceback that are in ``folders``."""
     syntax = None
     text = text_of(error)
     if isinstance(error, SyntaxError):

@@ -12,185 +12,148 @@ NOT_IMPLEMENTED = (
     "__add__ should do that, because Python then raises the TypeError. Any other method must raise "
     "the error itself."
 )
-NOT_HANDED_IN = (
-    "Your code imports a file that does not exist or is not handed in. Correct the name, or move "
-    "the code of that file into a file that an exercise names. An import must include the folder: "
-    "from ch02_vectors.vector import Vector3"
-)
-ONLY_COMPUTES = (
-    "Your engine should only compute. Remove any code that writes files, reads files outside the "
-    "engine, starts programs or threads, or uses the network. None of that works in the grader."
-)
-NO_KEYBOARD = (
-    "Your code waits for keyboard input, but nobody can type anything during a check. Remove the "
-    "call to input."
-)
-NO_DEBUGGER = (
-    "A check does not stop at breakpoint(). To stop there, debug the exercise instead of checking "
-    "it, as in make debug EX=B2.3 (without make: python -m autograder debug B2.3)."
-)
-UNPACKED = (
-    "There are more or fewer values than names to store them in. Print the value that this line "
-    "unpacks, and check in the docstring what it should be."
-)
-WRONG_ARGUMENT = (
-    "The error names an argument that has the wrong type. Look at what your line passes for it."
-)
-METHOD = (
-    "Your code uses a method as if it were the method's result. Add parentheses after the name to "
-    "call it."
-)
-NO_RESULT = (
-    "A function of math got a number for which it has no result, such as sqrt of a negative "
-    "number. Check the signs on this line."
-)
 POWER = "In Python, powers are written with **. The operator ^ is bitwise exclusive or."
 # Some mistakes in Python cause error messages that are hard to understand. We recognize each of
 # them by a part of its message. Since the check itself can only suggest a mistake in the physics,
 # we show our explanation instead.
-SLIPS = (
-    ("NotImplementedType", NOT_IMPLEMENTED),
-    (
-        "MemoryError",
-        "Your code needs more memory than a check may use. Does a loop never end, while a list in "
-        "it gets longer and longer?",
+SLIPS = {
+    "NotImplementedType": NOT_IMPLEMENTED,
+    "MemoryError": (
+        "Your code needs more memory than a check may use. Does a loop never end, while a list "
+        "in it gets longer and longer?"
     ),
-    (
-        "SystemExit",
-        "Your code stops the Python interpreter, so the check cannot continue. Remove the call to "
-        "sys.exit, exit or quit.",
+    "SystemExit": (
+        "Your code stops the Python interpreter, so the check cannot continue. Remove the call "
+        "to sys.exit, exit or quit."
     ),
-    ("EOF when reading", NO_KEYBOARD),
-    ("BdbQuit", NO_DEBUGGER),
-    (
-        "circular import",
+    "EOF when reading": (
+        "Your code waits for keyboard input, but nobody can type anything during a check. Remove "
+        "the call to input."
+    ),
+    "BdbQuit": (
+        "A check does not stop at breakpoint(). To stop there, debug the exercise instead of "
+        "checking it, as in make debug EX=B2.3 (without make: python -m autograder debug B2.3)."
+    ),
+    "circular import": (
         "Two files import each other, so neither can be loaded first. Remove one of the imports, "
-        "and move the code that both files need into the one that is still imported.",
+        "and move the code that both files need into the one that is still imported."
     ),
-    ("No module named 'ch0", NOT_HANDED_IN),
-    ("(unknown location)", NOT_HANDED_IN),
-    (
-        "No module named",
+    "No module named 'ch0|(unknown location)": (
+        "Your code imports a file that does not exist or is not handed in. Correct the name, or "
+        "move the code of that file into a file that an exercise names. An import must include "
+        "the folder: from ch02_vectors.vector import Vector3"
+    ),
+    "No module named": (
         "Your engine may import only Python's standard library and the files of the chapters. An "
-        "import of such a file must include its folder: from ch02_vectors.vector import Vector3",
+        "import of such a file must include its folder: from ch02_vectors.vector import Vector3"
     ),
-    (
-        "No such file or directory",
+    "No such file or directory": (
         "Your code runs in a different folder, so a relative path doesn't find the file. Use "
         "Path(__file__).with_name(...) for a file next to your code, and read only files that an "
-        "exercise names.",
+        "exercise names."
     ),
-    ("Permission denied", ONLY_COMPUTES),
-    ("Operation not permitted", ONLY_COMPUTES),
-    ("start new thread", ONLY_COMPUTES),
-    (
-        "must be a Vector3, got None",
+    "Permission denied|Operation not permitted|start new thread": (
+        "Your engine should only compute. Remove any code that writes files, reads files outside "
+        "the engine, starts programs or threads, or uses the network. None of that works in the "
+        "grader."
+    ),
+    "must be a Vector3, got None": (
         "You used the result of a method that works in place. Such a method changes its vector "
-        "and returns None, so call it on its own line and don't use its result.",
+        "and returns None, so call it on its own line and don't use its result."
     ),
-    (
-        "has no setter",
-        "Your code assigns to a property that has no setter, so it can only be read.",
+    "has no setter": (
+        "Your code assigns to a property that has no setter, so it can only be read."
     ),
-    ("for ^", POWER),
-    (
-        "is not defined",
+    "for ^": POWER,
+    "is not defined": (
         "Python doesn't know this name. Check its spelling, and make sure that the file imports "
-        "it at the top.",
+        "it at the top."
     ),
-    (
-        "local variable",
+    "local variable": (
         "Your code reads this variable before assigning a value to it. Give it a value on every "
-        "path that leads to this line.",
+        "path that leads to this line."
     ),
-    (
-        "unexpected keyword",
-        "A parameter in your def line has a different name than in the docstring. Use the name in "
-        "the docstring, because callers pass this argument by name.",
+    "unexpected keyword": (
+        "A parameter in your def line has a different name than in the docstring. Use the name "
+        "in the docstring, because callers pass this argument by name."
     ),
-    (
-        "maximum recursion",
+    "maximum recursion": (
         "A function calls itself too many times. Perhaps an operator or method uses itself, or a "
-        "property reads or assigns its own name.",
+        "property reads or assigns its own name."
     ),
-    ("method'", METHOD),  # such as "'method' object is not iterable"
-    ("method object", METHOD),  # such as "cannot unpack non-iterable method object"
-)
+    "method'|method object": (
+        "Your code uses a method as if it were the method's result. Add parentheses after the "
+        "name to call it."
+    ),
+}
 # What these errors say is certain, but what led to it may be a mistake in the physics. So we show
 # the mistake that the check suggests, too, after our explanation.
-FACTS = (
-    (
-        "real number, not '",
+FACTS = {
+    "real number, not '": (
         "A number is needed here. Vector3 takes three numbers, so write Vector3(*numbers) for a "
-        "list or a tuple of them.",
+        "list or a tuple of them."
     ),
-    (
-        "'tuple'",
+    "'tuple'": (
         "A value on this line is a tuple, because a function with several results returns them "
-        "as a tuple. Unpack the tuple into separate names before you use the results.",
+        "as a tuple. Unpack the tuple into separate names before you use the results."
     ),
-    (
-        "NoneType",
+    "NoneType": (
         "A value on this line is None. Either nothing was assigned to it yet, or it comes from a "
-        "function that has no return statement.",
+        "function that has no return statement."
     ),
-    ("values to unpack", UNPACKED),
-    ("cannot unpack", UNPACKED),
-    ("'Vector3' object is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
-    (
-        "object is not iterable",
-        "A list or a tuple is needed here. If there is only one element, put it in brackets, as in "
-        "[contact].",
+    "values to unpack|cannot unpack": (
+        "There are more or fewer values than names to store them in. Print the value that this "
+        "line unpacks, and check in the docstring what it should be."
     ),
-    (
-        "index out of range",
+    "'Vector3' object is not subscriptable": "A Vector3 has no index. Read v.x, v.y and v.z.",
+    "object is not iterable": (
+        "A list or a tuple is needed here. If there is only one element, put it in brackets, as "
+        "in [contact]."
+    ),
+    "index out of range": (
         "The index is past the end. The last of n elements has the index n - 1, so a loop that "
-        "reads the elements i and i + 1 must stop one earlier.",
+        "reads the elements i and i + 1 must stop one earlier."
     ),
-    ("for //", "The operator // divides into whole numbers. Write / to divide."),
-    ("non-integer arg", "random.randint draws whole numbers. Use random.uniform for others."),
-    (
-        "'float' object has no attribute",
+    "for //": "The operator // divides into whole numbers. Write / to divide.",
+    "non-integer arg": "random.randint draws whole numbers. Use random.uniform for others.",
+    "'float' object has no attribute": (
         "A number is used here as if it were a vector. Perhaps the line that calls passes a "
-        "number, or a term of its sum lacks its vector.",
+        "number, or a term of its sum lacks its vector."
     ),
-    (" must be a number, got", WRONG_ARGUMENT),
-    (" must be a Vector3, got", WRONG_ARGUMENT),
-    (
-        "is not callable",
+    " must be a number, got| must be a Vector3, got": (
+        "The error names an argument that has the wrong type. Look at what your line passes for it."
+    ),
+    "is not callable": (
         "Your code calls a value that isn't a function. Perhaps this value is a property, which "
-        "needs no parentheses, or you used the same name for two things.",
+        "needs no parentheses, or you used the same name for two things."
     ),
-)
+}
 # These explanations are only guesses, so the mistake that the check suggests comes first.
-PERHAPS = (
-    ("math domain error", NO_RESULT),
-    ("expected a number in range", NO_RESULT),  # Python 3.14 words the error in these two ways
-    ("expected a nonnegative input", NO_RESULT),
-    (
-        "has no attribute",
-        "Perhaps you misspelled the name of the attribute, or the object has a different type than "
-        "you expect.",
+PERHAPS = {
+    "math domain error|expected a number in range|expected a nonnegative input": (
+        "A function of math got a number for which it has no result, such as sqrt of a negative "
+        "number. Check the signs on this line."
     ),
-    ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
-    ("TabError", "The indentation mixes tabs and spaces. Use four spaces for each level."),
-    ("unindent does not match", "Indent this line to match the block that it belongs to."),
-    ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
-    ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
-    (
-        "TypeError",
-        "A value on this line has the wrong type. Check the type of each value on the line.",
+    "has no attribute": (
+        "Perhaps you misspelled the name of the attribute, or the object has a different type "
+        "than you expect."
     ),
-)
+    "unterminated": "A quotation mark is missing here or further up. A docstring needs three.",
+    "TabError": "The indentation mixes tabs and spaces. Use four spaces for each level.",
+    "unindent does not match": "Indent this line to match the block that it belongs to.",
+    "unexpected indent": "This line is indented too far. Use four spaces for each level.",
+    "expected an indented block": "Write the body of this block, and indent it by four spaces.",
+    "TypeError": (
+        "A value on this line has the wrong type. Check the type of each value on the line."
+    ),
+}
 LACKING = re.compile(r"missing (\d+) required (positional|keyword-only) arguments?: (.+)")
 TOO_MANY = re.compile(r"takes (?:from \d+ to )?(\d+) positional arguments? but (\d+) w")
 
 
 def fact_of(text: str) -> str:
     """Explain what an exception's text proves, or return an empty string."""
-    if words := _wrong_arguments(text):
-        return words
-    return next((fact for sign, fact in FACTS if sign in text), "")
+    return _wrong_arguments(text) or _first(FACTS, text)
 
 
 def _wrong_arguments(text: str) -> str:
@@ -212,9 +175,18 @@ def _wrong_arguments(text: str) -> str:
 
 
 def slip_of(text: str) -> str:
-    """Return an explanation of the common Python mistake that an exception's text reveals.
+    """Explain the common Python mistake that an exception's text reveals, or return ""."""
+    return _first(SLIPS, text)
 
-    For example, "circular import" in the text means that two files import each other. If the text
-    is not one that we recognize, return an empty string.
-    """
-    return next((slip for sign, slip in SLIPS if sign in text), "")
+
+def guess_of(text: str) -> str:
+    """Return a mistake that may have led to an exception, or "" if its text suggests none."""
+    return _first(PERHAPS, text)
+
+
+def _first(table: dict[str, str], text: str) -> str:
+    """Return the explanation of the first row that has a sign, separated by |, in the text."""
+    for signs, words in table.items():
+        if any(sign in text for sign in signs.split("|")):
+            return words
+    return ""

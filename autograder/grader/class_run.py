@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from autograder.checks.judge import is_stopped, stopping
+from autograder.checks.check_process import is_stopped, stopping
 from autograder.checks.runner import GraderError
 from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.grading import grade_submission, report_of_failure, still_valid

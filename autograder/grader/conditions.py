@@ -14,10 +14,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from autograder.checks.arrange import Behind, shared_by_checks
+from autograder.checks.arrange import SandboxSettings, shared_by_checks
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.diagnosis.given import has_reference, with_given
+from autograder.diagnosis.earlier_chapters import has_reference, with_given
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter, load_chapters
 from autograder.message import Kind, Message
@@ -69,7 +69,7 @@ class Conditions:
             root=self.root,
             exercises=exercises,
             limits=Limits(self.time_limit, run_limit),
-            behind=Behind(vars(self.level), missing=why, hidden=self.hidden, compiled=compiled),
+            sandbox=SandboxSettings(vars(self.level), why, self.hidden, compiled),
         )
 
     def whole(self, chapter: Chapter) -> Chapter:

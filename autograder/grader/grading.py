@@ -12,8 +12,13 @@ from pathlib import Path
 from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
 from autograder.checks.verdict import Point, Verdict
-from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
-from autograder.diagnosis.missing import file_of
+from autograder.diagnosis.earlier_chapters import (
+    below_and_not_given,
+    mark_inherited,
+    run_on_given,
+    with_given,
+)
+from autograder.diagnosis.undefined import file_of
 from autograder.grader.causes import causes_of
 from autograder.grader.conditions import Conditions, OnceForAll
 from autograder.grader.handed_in import notes_on, why_nothing

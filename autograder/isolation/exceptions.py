@@ -12,8 +12,8 @@ import re
 from typing import Any
 
 from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
-from autograder.diagnosis.nearest import MOST_SLOTS, Unknown
-from autograder.diagnosis.nothing import LONGEST as MOST_OF_AN_EXPRESSION
+from autograder.diagnosis.misspelled import MOST_SLOTS, Unknown
+from autograder.diagnosis.none_values import LONGEST as MOST_OF_AN_EXPRESSION
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
 from autograder.message import Place
 from autograder.text.clean import clean

@@ -13,8 +13,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
 from autograder.diagnosis.faults import CheckEnded
-from autograder.diagnosis.missing import MissingName
 from autograder.diagnosis.slips import NOT_IMPLEMENTED
+from autograder.diagnosis.undefined import MissingName
 from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
 from autograder.isolation.extra_time import extra_time
 from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack

@@ -22,7 +22,7 @@ from autograder.checks.arrange import Workers
 from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import Fault, StudentLeft
-from autograder.diagnosis.missing import while_imported
+from autograder.diagnosis.undefined import while_imported
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.launcher import Launcher
 from autograder.isolation.placeholders import ChapterFinder
@@ -62,7 +62,6 @@ class InWorker:
                 probes,
                 self.stack_file.parent,
                 time_limit,
-                fresh=worker.fresh,
             )
             for probes in dict.fromkeys([worker.probes, worker.hidden_probes])
         ]

@@ -96,7 +96,7 @@ class _Helper:
 
 def main() -> None:
     """Run the helper process until the grader ends."""
-    from autograder.checks import verdicts
+    from autograder.checks import pytest_plugin
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
 
     control = socket.socket(fileno=int(sys.argv[1]))
@@ -116,7 +116,7 @@ def main() -> None:
                 answer = os.fork()
                 if answer == 0:
                     control.close()
-                    _judge(order, descriptors, verdicts.run_and_exit)
+                    _judge(order, descriptors, pytest_plugin.run_and_exit)
                 with contextlib.suppress(OSError):  # the judge may have done so, or have ended
                     os.setpgid(answer, answer)  # the runner may now kill its group
             for descriptor in descriptors:

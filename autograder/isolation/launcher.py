@@ -26,7 +26,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NoReturn
 
-from autograder.checks.apart import how_it_ended
+from autograder.checks.forked import how_it_ended
 from autograder.diagnosis.faults import GraderFault
 from autograder.isolation.handles import Session
 from autograder.isolation.sandbox import Level

@@ -23,7 +23,7 @@ from typing import Any
 from autograder.checks.printed import CappedText
 from autograder.definitions import read_definitions
 from autograder.diagnosis.faults import fault_of
-from autograder.diagnosis.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.diagnosis.undefined import MissingNameError, answer_for_missing, broken_module
 from autograder.isolation.wire import (
     KNOWN_ERRORS,
     LONGEST_LINE,

@@ -26,9 +26,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from autograder.at_home.allowed_acts import limit_acts
-from autograder.at_home.allowed_imports import limit_imports
-from autograder.at_home.students_code import StudentsCode
+from autograder.at_home.restrictions import StudentsCode, restrict
 from autograder.checks.printed import CappedText
 from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation import sandbox
@@ -84,9 +82,7 @@ def _prepare_python(config: dict[str, Any]) -> None:
             package = ".".join(path.relative_to(folder).parts)
             importlib.import_module(package)  # it has no code, but Python remembers where it is
             importlib.util.find_spec(f"{package}.nothing")
-    code = StudentsCode(map(Path, config["engine"]), {})
-    limit_imports(code)
-    limit_acts(code)
+    restrict(StudentsCode(map(Path, config["engine"]), {}))
 
 
 def _answer(control: socket.socket, work: Callable[..., None], seconds: float) -> None:

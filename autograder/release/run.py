@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rich.progress import track
 
-from autograder.diagnosis.given import has_reference
+from autograder.diagnosis.earlier_chapters import has_reference
 from autograder.files import is_new
 from autograder.grader.class_folder import graded_folder
 from autograder.manifest import ROOT, Chapter, load_chapters

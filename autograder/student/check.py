@@ -9,7 +9,7 @@ from pathlib import Path
 
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict, with_needs
-from autograder.diagnosis.given import (
+from autograder.diagnosis.earlier_chapters import (
     below_and_not_given,
     explained_on_given,
     mark_inherited,

@@ -12,8 +12,8 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
-from autograder.checks.arrange import Behind
-from autograder.checks.runner import Limits, run_checks
+from autograder.checks.arrange import SandboxSettings
+from autograder.checks.runner import run_checks
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.class_list import read_class
@@ -25,25 +25,25 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of a check, of 20 submissions of a chapter, and of a sample class."""
-    behind = Behind(vars(best_level()))
+    """Set up the benchmarks of a check and of a sample class."""
+    sandbox = SandboxSettings(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
-    checks = [_one_check(second, behind, Target("at most", 8)), _one_check(last, behind, None)]
-    return [*checks, _twenty(behind), _sample_class(behind)]
+    checks = [_one_check(second, sandbox, Target("at most", 8)), _one_check(last, sandbox, None)]
+    return [*checks, _sample_class(sandbox)]
 
 
-def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
+def _one_check(chapter: Chapter, sandbox: SandboxSettings, target: Target | None) -> Measurement:
     """Measure the extra time per check in an isolated worker, with its start, in ms."""
 
-    def checked(where: Behind | None) -> int:
-        return len(run_checks(chapter, ENGINE, seed="1", behind=where))
+    def checked(where: SandboxSettings | None) -> int:
+        return len(run_checks(chapter, ENGINE, seed="1", sandbox=where))
 
     count = checked(None)
-    checked(behind)
+    checked(sandbox)
 
     def extra() -> float:
-        inside, beside = both(timer(partial(checked, behind)), timer(partial(checked, None)))
+        inside, beside = both(timer(partial(checked, sandbox)), timer(partial(checked, None)))
         return (inside - beside) / count * 1000
 
     what = (
@@ -52,39 +52,24 @@ def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measu
     return Measurement(what, extra, 9, target)
 
 
-def _twenty(behind: Behind) -> Measurement:
-    chapter = load_chapters()[0]
-
-    def grade(fresh: bool) -> None:
-        where = Behind(behind.level, fresh=fresh)
-        with ThreadPoolExecutor(AT_A_TIME) as pool:
-            run = partial(run_checks, chapter, ENGINE, behind=where, limits=Limits(run=600.0))
-            for _ in pool.map(lambda seed: run(seed=str(seed)), range(20)):
-                pass  # an exception of a run would be raised here
-
-    what = "20 submissions: a new interpreter per check / a fork per check"
-    figure = versus(timer(partial(grade, True)), timer(partial(grade, False)))
-    return Measurement(what, figure, 1, Target("at least", 2))
-
-
-def _sample_class(behind: Behind) -> Measurement:
+def _sample_class(sandbox: SandboxSettings) -> Measurement:
     """Grade a class with and without workers. Its endless loops run until the time limit."""
     submissions = read_class(ROOT / "sample_class").submissions
     chapters = load_chapters()
 
-    def grade(where: Behind | None) -> None:
+    def grade(where: SandboxSettings | None) -> None:
         with ThreadPoolExecutor(AT_A_TIME) as pool:
             for _ in pool.map(lambda one: grade_one(one.path, where), submissions):
                 pass
 
-    def grade_one(path: Path, where: Behind | None) -> None:
+    def grade_one(path: Path, where: SandboxSettings | None) -> None:
         with tempfile.TemporaryDirectory() as box:
             stage(path, chapters, Path(box))
             for chapter in chapters:
-                run_checks(chapter, [Path(box)], seed="1", behind=where)
+                run_checks(chapter, [Path(box)], seed="1", sandbox=where)
 
     what = "the sample class: in isolated workers / in the process of the checks"
-    figure = versus(timer(partial(grade, behind)), timer(partial(grade, None)))
+    figure = versus(timer(partial(grade, sandbox)), timer(partial(grade, None)))
     return Measurement(what, figure, 1)  # it takes a minute or two
 
 

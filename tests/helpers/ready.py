@@ -27,13 +27,13 @@ from typing import Any
 
 import pytest
 
-from autograder.checks.apart import CAN_COPY
-from autograder.checks.arrange import Config
+from autograder.checks.arrange import Config, Request
+from autograder.checks.check_process import environment
 from autograder.checks.events import Checks, Ended, Event, read_event, write_event
-from autograder.checks.judge import environment
-from autograder.checks.runner import Order, Run, run_checks
+from autograder.checks.forked import CAN_FORK
+from autograder.checks.pytest_plugin import Recorder, exercise_of, pytest_arguments, run_all
+from autograder.checks.runner import Run, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.checks.verdicts import Recorder, exercise_of, pytest_arguments, run_all
 from autograder.manifest import ROOT, Chapter
 
 _ready: dict[str, Ready] = {}  # keyed by chapter and seed
@@ -62,7 +62,7 @@ class Ready:
         self.top = self.folder / "engine"
         (self.top / chapter.name).mkdir(parents=True)
         self.engine = [self.top, ROOT / "solutions", ROOT / "chapters"]
-        self.process = self._start() if CAN_COPY else None
+        self.process = self._start() if CAN_FORK else None
 
     def clear(self) -> None:
         """Remove the changed modules from the folder."""
@@ -74,7 +74,7 @@ class Ready:
 
         ``edits`` names the functions that differ in ``top``.
         """
-        ran = Run(self._order(exercises))
+        ran = Run(self._request(exercises))
         events = self.folder / "events.txt"
         events.unlink(missing_ok=True)
         request = {"edits": sorted(edits), "exercises": exercises, "events": str(events)}
@@ -87,11 +87,11 @@ class Ready:
             return ran.outcome()
         return run_checks(self.chapter, self.engine, seed=self.seed, exercises=exercises)
 
-    def _order(self, exercises: list[str]) -> Order:
-        return Order(self.chapter, self.engine, exercises, self.seed, apart=False)
+    def _request(self, exercises: list[str]) -> Request:
+        return Request(self.chapter, self.engine, exercises, self.seed)
 
     def _start(self) -> subprocess.Popen[str]:
-        everything = Run(self._order([exercise.id for exercise in self.chapter.exercises]))
+        everything = Run(self._request([exercise.id for exercise in self.chapter.exercises]))
         config = self.folder / "config.pickle"
         config.write_bytes(pickle.dumps(everything.config(self.folder)))
         process = subprocess.Popen(
@@ -133,7 +133,7 @@ class WaitingRecorder(Recorder):
         with Path(request["events"]).open("w", encoding="utf-8", buffering=1) as events:
             self.send = lambda event: events.write(write_event(event))
             for edit in request["edits"]:
-                change(self.engine.engine[0] / self.config.arranged.chapter, edit)
+                change(self.engine.engine[0] / self.config.chapter, edit)
             self.send(Checks([check for check in checks.checks if check.exercise in wanted]))
             run_all([item for item in session.items if exercise_of(item) in wanted])
             self.send(Ended())
@@ -168,7 +168,8 @@ def main() -> None:
     events: list[Event] = []
     recorder = WaitingRecorder(config, events.append)
     recorder.events = events
-    pytest.main(pytest_arguments(config), plugins=[recorder])
+    arguments = pytest_arguments(config.tests, config.root, config.seed, config.engine)
+    pytest.main(arguments, plugins=[recorder])
 
 
 if __name__ == "__main__":

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from autograder.checks.arrange import Behind
+from autograder.checks.arrange import SandboxSettings
 from autograder.isolation.probe import best_level
 
 
 @cache
-def behind_walls() -> Behind:
+def behind_walls() -> SandboxSettings:
     """Return settings that run a student's code in workers, in the best sandbox of this machine."""
-    return Behind(vars(best_level()))
+    return SandboxSettings(vars(best_level()))

@@ -88,7 +88,7 @@ def lost(verdicts: list[Verdict]) -> dict[str, str]:
 def test_the_solution_earns_every_point(chapter: Chapter, seed: str, in_workers: bool) -> None:
     engine = [ROOT / "solutions", ROOT / "chapters"]
     behind = behind_walls() if in_workers else None
-    assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
+    assert lost(run_checks(chapter, engine, seed=seed, sandbox=behind)) == {}
 
 
 @pytest.mark.parametrize(
@@ -107,7 +107,7 @@ def test_the_second_solution_earns_every_point(
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
     copy_tree(second, tmp_path / chapter.name)
     engine = engine_with(tmp_path)
-    assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
+    assert lost(run_checks(chapter, engine, seed=seed, sandbox=behind)) == {}
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
@@ -219,6 +219,6 @@ def test_a_wrong_submission_is_told_the_same_both_ways(chapter: Chapter, depth: 
     write_wrong(chapter, firsts.values(), waiting.top)
     beside = waiting.run([wrong.edit for wrong in firsts.values()], with_needs(chapter, ids))
     behind = behind_walls()
-    assert beside == run_checks(chapter, waiting.engine, seed=SEED, exercises=ids, behind=behind)
+    assert beside == run_checks(chapter, waiting.engine, seed=SEED, exercises=ids, sandbox=behind)
     failed = {verdict.exercise for verdict in beside if verdict.status == "failed"}
     assert failed == set(ids)

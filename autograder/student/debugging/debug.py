@@ -11,7 +11,6 @@ import _thread
 import copy
 import os
 import sys
-import tempfile
 import threading
 from bdb import BdbQuit
 from collections.abc import Callable, Iterator, Sequence
@@ -22,10 +21,9 @@ from types import FrameType, TracebackType
 
 import pytest
 
-from autograder.checks.arrange import Config, arrange
+from autograder.checks.pytest_plugin import exercise_of, pytest_arguments
 from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.checks.verdicts import exercise_of, pytest_arguments
 from autograder.commands import command
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.message import Kind
@@ -65,12 +63,10 @@ def _run(
     """Run checks in this process, and stop in the student's code."""
     stops = Stops([f"{chapter.name}/{edit}" for edit in exercise.edit], folders)
     stops.install()
-    with tempfile.TemporaryDirectory(prefix="debug-") as name:
-        arranged = arrange(Path(name), chapter, folders, ROOT, None, [])
-        config = Config(arranged, [exercise.id], seed, Limits().check, False, "", {}, [])
-        failing = {check.name for check in checks if check.status != "passed"}
-        plugin = Debugging(stops, exercise, {check.name for check in checks}, failing)
-        pytest.main(pytest_arguments(config), plugins=[plugin])
+    failing = {check.name for check in checks if check.status != "passed"}
+    plugin = Debugging(stops, exercise, {check.name for check in checks}, failing)
+    arguments = pytest_arguments([f"tests/{chapter.name}"], ROOT, seed, folders)
+    pytest.main(arguments, plugins=[plugin])
 
 
 class Debugging:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from watchfiles import watch as changes_in
 
-from autograder.diagnosis.given import with_given
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import ROOT, Chapter
 from autograder.student.memory import Memory
 from autograder.student.reset import question, reset

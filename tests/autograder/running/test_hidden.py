@@ -138,7 +138,7 @@ def test_gradescope_gets_nothing_of_a_hidden_check_but_its_rationale(
         (
             "test_x.py",
             HIDDEN.replace("import pytest\n", "import pytest\nfrom judging import praise\n"),
-            "cannot be run: test_x.py imports praise, but judging.py has no praise. How a graded",
+            "cannot be run: (?s:.*)cannot import name .praise. from",
         ),
         ("notes.py", "", "there is no check in"),
     ],

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.checks.judge import environment
+from autograder.checks.check_process import environment
 from autograder.isolation.judges import ForkedJudge
 from autograder.manifest import ROOT
 

@@ -13,13 +13,14 @@ import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from autograder.checks import judge
+from autograder.checks import check_process
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.manifest import Chapter, load_chapter
+from autograder.manifest import load_chapter
 from autograder.message import Kind
 from autograder.scores import results_of, total
 from small import CHECKS, RIGHT, make_root
@@ -35,50 +36,43 @@ def root(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def chapter(root: Path) -> Chapter:
-    return load_chapter(root / "chapters/ch90_small")
+def run_beside(root: Path) -> Run:
+    """Runs the checks on a module with some code, in one process; returns the verdicts by name."""
+    chapter, file = load_chapter(root / "chapters/ch90_small"), root / "engine/ch90_small/small.py"
+
+    def run(code: str | None, **options: object) -> dict[str, Verdict]:
+        shutil.rmtree(root / "engine", ignore_errors=True)
+        file.parent.mkdir(parents=True)
+        if code is not None:
+            file.write_text(code, encoding="utf-8")
+        options = {"seed": "1", "limits": Limits(0.7)} | options
+        verdicts = run_checks(chapter, [root / "engine"], root=root, **options)  # type: ignore[arg-type]
+        return {verdict.name: verdict for verdict in verdicts}
+
+    return run
 
 
 @pytest.fixture(params=["beside the checks", "in a worker"])
-def run(request: pytest.FixtureRequest) -> Run:
+def run(request: pytest.FixtureRequest, run_beside: Run) -> Run:
     """Runs the checks both ways: each test that uses it holds for both."""
-    behind = behind_walls() if request.param == "in a worker" else None
-    return partial(run_checks_on, behind=behind)
-
-
-@pytest.fixture
-def run_beside() -> Run:
-    """Runs the checks and the student's code in one process."""
-    return run_checks_on
-
-
-def run_checks_on(
-    root: Path, chapter: Chapter, code: str | bytes | None, **options: object
-) -> dict[str, Verdict]:
-    """Run the checks on a module with this code; return the verdicts by name."""
-    engine = root / "engine"
-    shutil.rmtree(engine, ignore_errors=True)
-    (engine / "ch90_small").mkdir(parents=True)
-    if code is not None:
-        source = code.encode("utf-8") if isinstance(code, str) else code
-        (engine / "ch90_small/small.py").write_bytes(source)
-    options = {"seed": "1", "limits": Limits(0.7)} | options
-    verdicts = run_checks(chapter, [engine], root=root, **options)  # type: ignore[arg-type]
-    return {verdict.name: verdict for verdict in verdicts}
+    sandbox = behind_walls() if request.param == "in a worker" else None
+    return partial(run_beside, sandbox=sandbox)
 
 
 def says(verdicts: dict[str, Verdict], name: str) -> str:
     return str(verdicts[name].message)
 
 
+def results(root: Path, verdicts: dict[str, Verdict]) -> list[Any]:
+    return results_of(load_chapter(root / "chapters/ch90_small"), verdicts.values())
+
+
 def statuses(verdicts: dict[str, Verdict]) -> list[str]:
     return [verdict.status for verdict in verdicts.values()]
 
 
-def test_right_code_passes_and_its_points_follow_the_weights(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
-    verdicts = run(root, chapter, RIGHT)
+def test_right_code_passes_and_its_points_follow_the_weights(root: Path, run: Run) -> None:
+    verdicts = run(RIGHT)
     assert list(verdicts) == [
         "test_double",
         "test_double_of_zero",
@@ -86,47 +80,43 @@ def test_right_code_passes_and_its_points_follow_the_weights(
         "test_quadruple_of_zero",
     ]
     assert statuses(verdicts) == ["passed"] * 4
-    assert total(results_of(chapter, verdicts.values())) == (6.0, 6)
+    assert total(results(root, verdicts)) == (6.0, 6)
 
 
-def test_partial_credit_is_by_weight_and_a_failed_need_blocks(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_partial_credit_is_by_weight_and_a_failed_need_blocks(root: Path, run: Run) -> None:
     code = "def double(x):\n    return 0\n\n\ndef quadruple(x):\n    return double(double(x))\n"
-    verdicts = run(root, chapter, code)
+    verdicts = run(code)
     assert statuses(verdicts) == ["failed", "passed", "blocked", "passed"]
     assert verdicts["test_quadruple"].message.blocked.startswith(
         "blocked until B90.1 (Double) passes"
     )
-    results = results_of(chapter, verdicts.values())
-    assert [(r.status, r.score) for r in results] == [("failed", 1.0), ("blocked", 1.0)]
+    found = results(root, verdicts)
+    assert [(r.status, r.score) for r in found] == [("failed", 1.0), ("blocked", 1.0)]
 
 
-def test_an_endless_loop_says_where(root: Path, chapter: Chapter, run: Run) -> None:
+def test_an_endless_loop_says_where(run: Run) -> None:
     code = RIGHT.replace("return x + x", "while x:\n        pass\n    return 0")
-    verdicts = run(root, chapter, code)
+    verdicts = run(code)
     assert "did not finish within 0.7 seconds" in says(verdicts, "test_double")
     # The loop has two lines, and the time may be up on either.
     assert re.search(r"small\.py, line [34], in double", says(verdicts, "test_double"))
     other = str(verdicts["test_double_of_zero"].message)
-    if run.keywords["behind"]:  # when it is graded, a loop costs its own check
+    if run.keywords["sandbox"]:  # when it is graded, a loop costs its own check
         assert statuses(verdicts) == ["failed", "passed", "passed", "passed"]
     else:  # at home, the student need not wait for the other checks of the exercise
         assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
         assert other == "not run: another check of this exercise did not finish"
 
 
-def test_a_loop_that_uses_up_the_memory_says_where_and_is_run_once_at_home(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_a_loop_that_uses_up_the_memory_says_where_and_is_run_once_at_home(run: Run) -> None:
     loop = "rows = []\n    while x or True:\n        rows.append([x] * 100)"
     limits = Limits(30.0)
-    verdicts = run(root, chapter, RIGHT.replace("return x + x", loop), limits=limits)
+    verdicts = run(RIGHT.replace("return x + x", loop), limits=limits)
     assert "MemoryError" in says(verdicts, "test_double")
     assert re.search(r"small\.py, line [345], in double", says(verdicts, "test_double"))
     assert "Does a loop never end" in says(verdicts, "test_double")
     other = str(verdicts["test_double_of_zero"].message)
-    assert ("not run" in other) is not bool(run.keywords["behind"])
+    assert ("not run" in other) is not bool(run.keywords["sandbox"])
 
 
 @pytest.mark.parametrize(
@@ -142,18 +132,16 @@ def test_a_loop_that_uses_up_the_memory_says_where_and_is_run_once_at_home(
     ],
 )
 def test_leaving_costs_the_check_and_no_other(
-    root: Path, chapter: Chapter, run: Run, leave: str, status: str, words: str
+    run: Run, leave: str, status: str, words: str
 ) -> None:
-    verdicts = run(root, chapter, RIGHT.replace("return x + x", leave))
+    verdicts = run(RIGHT.replace("return x + x", leave))
     assert statuses(verdicts) == [status, status, "passed", "passed"]
     # What differs: the checks' own process is ended by what a worker only reports.
     assert re.search(words, says(verdicts, "test_double"))
 
 
-def test_an_object_is_told_in_the_same_words_in_every_run(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
-    verdicts = run(root, chapter, "def double(x):\n    raise ValueError(object())\n")
+def test_an_object_is_told_in_the_same_words_in_every_run(run: Run) -> None:
+    verdicts = run("def double(x):\n    raise ValueError(object())\n")
     assert "ValueError: <object object>\n" in says(verdicts, "test_double")
 
 
@@ -176,99 +164,84 @@ def test_an_object_is_told_in_the_same_words_in_every_run(
     ],
 )
 def test_a_module_that_cannot_be_used_fails_every_check_with_the_reason(
-    root: Path, chapter: Chapter, run: Run, code: str | bytes | None, words: str
+    root: Path, run: Run, code: str | bytes | None, words: str
 ) -> None:
-    verdicts = run(root, chapter, code)
+    verdicts = run(code)
     assert len(verdicts) == 4
     assert statuses(verdicts)[:2] == ["failed", "failed"]
     assert words in says(verdicts, "test_double")
-    assert total(results_of(chapter, verdicts.values()))[0] in (0.0, 2.0)
+    assert total(results(root, verdicts))[0] in (0.0, 2.0)
 
 
-def test_what_the_student_prints_is_shown_and_is_no_verdict(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_what_the_student_prints_is_shown_and_is_no_verdict(run: Run) -> None:
     forged = json.dumps({"event": "verdict", "name": "test_double", "status": "passed"})
     code = f"print({forged!r})\n" + RIGHT.replace("return x + x", f"print({forged!r}); return 1")
-    verdicts = run(root, chapter, code)
+    verdicts = run(code)
     assert verdicts["test_double"].status == "failed"
     assert f"printed   {forged}" in says(verdicts, "test_double")
 
 
-def test_a_message_has_a_length_that_people_read(root: Path, chapter: Chapter, run: Run) -> None:
-    verdicts = run(root, chapter, RIGHT.replace("return x + x", "raise ValueError('x' * 900_000)"))
+def test_a_message_has_a_length_that_people_read(root: Path, run: Run) -> None:
+    verdicts = run(RIGHT.replace("return x + x", "raise ValueError('x' * 900_000)"))
     assert "ValueError: xxx" in says(verdicts, "test_double")
     checks = root / "tests/ch90_small/test_small.py"
     shows = CHECKS.replace('"double must double"', "small.double(value)")
     checks.write_text(shows, encoding="utf-8")
-    verdicts = run(root, chapter, RIGHT.replace("return x + x", "return 'x' * 900_000"))
+    verdicts = run(RIGHT.replace("return x + x", "return 'x' * 900_000"))
     assert "xxx" in says(verdicts, "test_double")
     assert len(says(verdicts, "test_double")) < 9_000
 
 
-def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
-    root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_process_that_talks_nonsense_is_no_crash_of_ours(run_beside: Run) -> None:
     floods = "import os\n    for fd in range(3, 40):\n        try: os.write(fd, b'nonsense\\n')\n"
     floods += "        except OSError: pass\n    return 0"
     with pytest.raises(GraderError, match="sent an unknown event, 'nonsense"):
-        run_beside(root, chapter, RIGHT.replace("return x + x", floods))
-    monkeypatch.setattr(judge, "GRACE", 1.5)  # s; a busy machine starts slowly
-    quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
-    quiet += "    time.sleep(60)"
-    verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
-    assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
-    assert verdicts["test_double"].message.kind is Kind.HUNG
+        run_beside(RIGHT.replace("return x + x", floods))
 
 
 def test_after_a_silent_process_one_that_leaves_is_told_from_it(
-    root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
+    run_beside: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(judge, "GRACE", 1.5)  # s; a busy machine starts slowly
+    monkeypatch.setattr(check_process, "GRACE", 1.5)  # s; a busy machine starts slowly
     quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
     code = RIGHT.replace("return x + x", f"{quiet}    time.sleep(60)")
     code = code.replace("return 4 * x", "import os; os._exit(1)")
-    verdicts = run_beside(root, chapter, code)
+    verdicts = run_beside(code)
+    assert statuses(verdicts)[:2] == ["failed", "failed"]
     assert verdicts["test_double"].message.kind is Kind.HUNG
     assert "ended early" in says(verdicts, "test_quadruple")
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
-def test_a_child_that_a_student_leaves_behind_is_ended_and_not_waited_for(
-    root: Path, chapter: Chapter, run_beside: Run
-) -> None:
+def test_a_child_that_a_student_leaves_behind_is_ended_and_not_waited_for(run_beside: Run) -> None:
     start = time.monotonic()
     # os.fork is refused; the C library's is not noticed.
     code = "import ctypes, time\nif ctypes.CDLL(None).fork() == 0:\n    time.sleep(60)\n" + RIGHT
-    assert statuses(run_beside(root, chapter, code)) == ["passed"] * 4
+    assert statuses(run_beside(code)) == ["passed"] * 4
     assert time.monotonic() - start < 30.0  # half a second, and much for a busy machine
 
 
-def test_an_exception_that_hangs_or_fails_when_it_is_shown_costs_its_check(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_an_exception_that_hangs_or_fails_when_it_is_shown_costs_its_check(run: Run) -> None:
     for text, words in (
         ("while True: pass", "did not finish"),
         ("raise SystemExit", "cannot be shown"),
     ):
         error = f"class Odd(NotImplementedError):\n    def __str__(self):\n        {text}\n"
-        verdicts = run(root, chapter, error + RIGHT.replace("return x + x", "raise Odd"))
+        verdicts = run(error + RIGHT.replace("return x + x", "raise Odd"))
         assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
         assert words in says(verdicts, "test_double")
 
 
-def test_a_hang_in_the_last_check_costs_that_check_alone(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_a_hang_in_the_last_check_costs_that_check_alone(run: Run) -> None:
     code = RIGHT.replace("return 4 * x", "while x == 0: pass\n    return 4 * x")
-    assert statuses(run(root, chapter, code)) == ["passed", "passed", "passed", "failed"]
+    assert statuses(run(code)) == ["passed", "passed", "passed", "failed"]
 
 
-def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter, run: Run) -> None:
+def test_what_builds_on_a_hang_waits_for_it_once(run: Run) -> None:
     code = "def double(x):\n    while True: pass\n\n\ndef quadruple(x):\n    return double(x)\n"
-    verdicts = run(root, chapter, code)
+    verdicts = run(code)
     assert statuses(verdicts) == ["failed", "failed", "blocked", "blocked"]
-    if run.keywords["behind"]:
+    if run.keywords["sandbox"]:
         assert "0.7 seconds" in says(verdicts, "test_double_of_zero")
         # Two checks hung in double: from then on a check has a quarter of the time.
         assert "0.175 seconds" in says(verdicts, "test_quadruple")
@@ -280,82 +253,77 @@ def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter, r
     )
 
 
-def test_the_time_for_all_checks_is_limited(root: Path, chapter: Chapter, run: Run) -> None:
+def test_the_time_for_all_checks_is_limited(run: Run) -> None:
     start = time.monotonic()
     code = RIGHT.replace("return 4 * x", "import time; time.sleep(3)")
-    verdicts = run(root, chapter, code, limits=Limits(60.0, 2.0))
+    verdicts = run(code, limits=Limits(60.0, 2.0))
     assert time.monotonic() - start < 30.0  # two seconds, and much for a busy machine
     assert statuses(verdicts) == ["passed", "passed", "failed", "failed"]
     assert "time limit of 2 seconds for all checks was used up" in says(verdicts, "test_quadruple")
 
 
-def test_one_exercise_runs_with_what_it_needs_and_no_more(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_one_exercise_runs_with_what_it_needs_and_no_more(run: Run) -> None:
     seen: list[tuple[int, int]] = []
     verdicts = run(
-        root,
-        chapter,
         RIGHT,
         exercises=["B90.1"],
         on_verdict=lambda done, of: seen.append((done, of)),
     )
     assert list(verdicts) == ["test_double", "test_double_of_zero"]
     assert seen == [(0, 2), (1, 2), (2, 2)]
-    assert len(run(root, chapter, RIGHT, exercises=["90.1"])) == 4
+    assert len(run(RIGHT, exercises=["90.1"])) == 4
 
 
-def test_the_seed_decides_the_numbers(root: Path, chapter: Chapter, run: Run) -> None:
+def test_the_seed_decides_the_numbers(run: Run) -> None:
     code = "def double(x):\n    raise ValueError(x)\n"
-    messages = [run(root, chapter, code, seed=seed)["test_double"].message for seed in "112"]
+    messages = [run(code, seed=seed)["test_double"].message for seed in "112"]
     assert messages[0] == messages[1]
     assert messages[0] != messages[2]
 
 
 def test_an_edit_within_the_same_second_is_seen(
-    root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
+    root: Path, run_beside: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
-    assert run_beside(root, chapter, RIGHT)["test_double"].status == "passed"
+    assert run_beside(RIGHT)["test_double"].status == "passed"
     file = root / "engine/ch90_small/small.py"
     saved = file.stat().st_mtime_ns
     file.write_text(RIGHT.replace("x + x", "x - x"), encoding="utf-8")  # of the same length
     os.utime(file, ns=(saved, saved))
+    chapter = load_chapter(root / "chapters/ch90_small")
     verdicts = run_checks(chapter, [root / "engine"], seed="1", root=root)
     assert verdicts[0].status == "failed"
 
 
 def test_options_for_other_runs_of_pytest_do_not_reach_the_checks(
-    root: Path, chapter: Chapter, run: Run, monkeypatch: pytest.MonkeyPatch
+    run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PYTEST_ADDOPTS", "--no-such-option")
-    assert statuses(run(root, chapter, RIGHT)) == ["passed"] * 4
+    assert statuses(run(RIGHT)) == ["passed"] * 4
 
 
 @pytest.mark.parametrize(
     "broken", ["import nowhere\n", CHECKS.replace('("B90.1", weight=3)', "()"), "def f(:\n"]
 )
 def test_checks_that_cannot_run_are_our_fault_and_no_zero(
-    root: Path, chapter: Chapter, run: Run, broken: str
+    root: Path, run: Run, broken: str
 ) -> None:
     (root / "tests/ch90_small/test_small.py").write_text(broken, encoding="utf-8")
     with pytest.raises(GraderError):
-        run(root, chapter, RIGHT)
+        run(RIGHT)
 
 
-def test_a_fixture_that_fails_is_an_error_and_gives_no_score(
-    root: Path, chapter: Chapter, run: Run
-) -> None:
+def test_a_fixture_that_fails_is_an_error_and_gives_no_score(root: Path, run: Run) -> None:
     fixture = "\n\n@pytest.fixture\ndef rng():\n    raise OSError('no numbers today')\n"
     checks = root / "tests/ch90_small/test_small.py"
     checks.write_text(CHECKS + fixture, encoding="utf-8")
-    verdicts = run(root, chapter, RIGHT)
+    verdicts = run(RIGHT)
     assert statuses(verdicts) == ["error", "passed", "passed", "passed"]
-    results = results_of(chapter, verdicts.values())
-    assert [(result.status, result.score) for result in results] == [("error", None), ("passed", 2)]
+    found = results(root, verdicts)
+    assert [(result.status, result.score) for result in found] == [("error", None), ("passed", 2)]
 
 
-def test_no_check_for_an_exercise_is_an_error(root: Path, chapter: Chapter, run: Run) -> None:
+def test_no_check_for_an_exercise_is_an_error(root: Path, run: Run) -> None:
     (root / "tests/ch90_small/test_small.py").write_text("", encoding="utf-8")
-    results = results_of(chapter, run(root, chapter, RIGHT).values())
-    assert [(result.status, result.score) for result in results] == [("error", None)] * 2
+    found = results(root, run(RIGHT))
+    assert [(result.status, result.score) for result in found] == [("error", None)] * 2

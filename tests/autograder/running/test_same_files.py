@@ -120,7 +120,7 @@ def test_rejected_data_have_the_same_verdict_and_reason_at_home(
     behind = replace(
         behind_walls(), missing={"ch90_small.data.csv": Message(why, kind=Kind.BROKEN)}
     )
-    graded = run_checks(chapter, [root / "box"], seed="1", root=root, behind=behind)
+    graded = run_checks(chapter, [root / "box"], seed="1", root=root, sandbox=behind)
     home = run(root)
     assert [(v.status, str(v.message)) for v in home] == [
         (v.status, str(v.message)) for v in graded

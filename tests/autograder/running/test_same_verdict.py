@@ -9,11 +9,14 @@ import importlib.metadata
 import re
 import shutil
 import sys
+import textwrap
+import tomllib
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from autograder.checks.runner import run_checks
+from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, load_chapter
 from small import RIGHT, make_root
@@ -24,75 +27,8 @@ from walls import behind_walls
 OURS = "autograder autograder.student.screen autograder.isolation.student_side studies plots.draw"
 OURS += " tests chapters solutions expect draw lever conftest sitecustomize nowhere"
 NOT_GRADED = ("ch90_small.helper", "ch90_small.test_small")
-NO_MODULE = "ModuleNotFoundError: No module named "
 
-# Code of a function body, and words of what comes of it. Each is tried in a check of its own.
-ATTEMPTS = {
-    "import_pytest": ("import pytest", f"{NO_MODULE}'pytest'"),
-    "import_a_part": ("import numpy.linalg", f"{NO_MODULE}'numpy'"),
-    "import_or_do_without": (
-        "try:\n    import numpy\nexcept ImportError as error:\n    return 'without', error.name",
-        "('without', 'numpy')",
-    ),
-    "import_by_name": ("import importlib; importlib.import_module('numpy')", f"{NO_MODULE}'numpy'"),
-    "import_in_exec": ("exec('import numpy', {})", f"{NO_MODULE}'numpy'"),
-    "import_relative": ("from .helper import x", f"{NO_MODULE}'ch90_small.helper'"),
-    "import_from_folder": ("from ch90_small import helper", "cannot import name 'helper'"),
-    "import_in_library": ("import pydoc; return pydoc.locate('numpy')", "None"),
-    "import_itself": ("from ch90_small.small import double; return double(2)", "4"),
-    "read_from_here": ("return open('tests/conftest.py').read()", "No such file or directory"),
-    "read_not_graded": ("return open(HERE + '/notes.txt').read()", "No such file or directory"),
-    "read_in_subfolder": (
-        "return open(HERE + '/data/more.txt').read()",
-        "No such file or directory",
-    ),
-    "read_beside_chapters": ("return open(HERE + '/../notes.txt').read()", "No such file"),
-    "list_subfolder": ("import os; return os.listdir(HERE + '/data')", "No such file or directory"),
-    "read_nowhere": ("return open('/nowhere/notes.txt').read()", "PermissionError: [Errno 13]"),
-    "write_nowhere": ("open('/nowhere/notes.txt', 'w')", "PermissionError: [Errno 13]"),
-    "read_own": ("return len(open(__file__).read()) > 100", "True"),
-    "read_others": ("return open('/etc/passwd').read()", "PermissionError: [Errno 13]"),
-    "write": ("open('/tmp/written-by-a-student', 'w')", "PermissionError: [Errno 13]"),
-    "write_own": ("open(__file__, 'a')", "PermissionError: [Errno 13]"),
-    "make_folder": ("import os; os.mkdir('/tmp/made-by-a-student')", "PermissionError: [Errno 1]"),
-    "remove": ("import os; os.remove(__file__)", "PermissionError: [Errno 1]"),
-    "rename": ("import os; os.rename(__file__, __file__ + '2')", "PermissionError: [Errno 1]"),
-    "list": ("import os; return os.listdir('/tmp')", "PermissionError: [Errno 13]"),
-    "temporary": ("import tempfile; tempfile.TemporaryFile()", "No usable temporary directory"),
-    "run": ("import subprocess; subprocess.run(['true'])", "PermissionError: [Errno 1]"),
-    "clear_screen": ("import os; return os.system('clear')", "32512"),
-    "fork": ("import os; os.fork()", "PermissionError: [Errno 1]"),
-    "thread": ("import threading; threading.Thread(target=int).start()", "can't start new thread"),
-    "socket": ("import socket; socket.socket()", "PermissionError: [Errno 1]"),
-    "name": ("import socket; socket.getaddrinfo('example.org', 80)", "gaierror"),
-    "signal": ("import os; os.kill(os.getpid(), 0)", "PermissionError: [Errno 1]"),
-    "type": ("return input()", "EOFError: EOF when reading a line"),
-    "stop": ("exit()", "SystemExit"),
-    "help": ("return help.__class__.__name__", "_Helper"),
-    "where": ("import os; return os.getcwd()", "'/'"),
-    "arguments": ("import sys; return sys.argv, sys.orig_argv", "([''], [])"),
-    "user": ("import os; return os.environ['HOME']", "KeyError: 'HOME'"),
-    "encoding": ("return open(__file__).encoding.lower()", "'utf-8'"),
-    "much_memory": ("return len(bytearray(350 << 20))", "367001600"),
-    "too_much_memory": ("return len(bytearray(560 << 20))", "MemoryError"),
-    "deep": ("def f(n): return n and 1 + f(n - 1)\nreturn f(950)", "950"),
-    "too_deep": ("def f(n): return n and 1 + f(n - 1)\nreturn f(1050)", "RecursionError"),
-    "deeper": (
-        "import sys\nsys.setrecursionlimit(10**5)\ndef f(n): return n and 1 + f(n - 1)\n"
-        "return f(5000)",
-        "5000",
-    ),
-    "count": ("global COUNT\nCOUNT += 1\nreturn COUNT", "1"),
-    "count_again": ("global COUNT\nCOUNT += 1\nreturn COUNT", "1"),
-    "change_built_in": ("import builtins\nbuiltins.abs = str\nreturn abs(-1)", "'-1'"),
-    "use_built_in": ("return abs(-1)", "1"),
-    "print": ("print('here', 1.5)", "printed   here 1.5"),
-    "print_much": ("print('x' * 10**6)", f"printed   {'x' * 2000}"),
-    "print_error": ("import sys; print('there', file=sys.stderr)", "printed   there"),
-    "print_odd": ("print('\\ud800')", r"printed   \ud800"),
-    "leave": ("import os; os._exit(3)", "with exit code 3"),
-    "crash": ("import ctypes; ctypes.string_at(0)", "Python crashed"),
-}
+ATTEMPTS = tomllib.loads(Path(__file__).with_name("attempts.toml").read_text(encoding="utf-8"))
 MODULE = """
 import os
 
@@ -145,16 +81,14 @@ def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verd
         shutil.rmtree(engine, ignore_errors=True)
         (engine / "ch90_small").mkdir(parents=True)
         (engine / "ch90_small/small.py").write_text(code, encoding="utf-8")
+        (engine / "ch90_small/drops.csv").write_text("1,2", encoding="utf-8")
     (home / "ch90_small/helper.py").write_text("x = 1\n", encoding="utf-8")
     (home / "ch90_small/data").mkdir()
     for name in ("ch90_small/notes.txt", "ch90_small/data/more.txt", "notes.txt"):
         (home / name).write_text("mine\n", encoding="utf-8")
-    beside = run_checks(chapter, [home], seed="1", root=root)
-    behind = run_checks(chapter, [graded], seed="1", root=root, behind=behind_walls())
-    return (
-        {verdict.name: verdict for verdict in beside},
-        {verdict.name: verdict for verdict in behind},
-    )
+    run = partial(run_checks, chapter, seed="1", root=root, limits=Limits(30.0))
+    beside, behind = run([home]), run([graded], sandbox=behind_walls())
+    return {v.name: v for v in beside}, {v.name: v for v in behind}
 
 
 def told(verdict: Verdict) -> tuple[str, str]:
@@ -165,9 +99,14 @@ def told(verdict: Verdict) -> tuple[str, str]:
 def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small chapter with a check for each attempt, which fails with what came of it."""
     root = make_root(tmp_path_factory.mktemp("same"))
+    manifest = root / "chapters/ch90_small/chapter.toml"
+    text = manifest.read_text(encoding="utf-8")
+    manifest.write_text(
+        text.replace("edit =", 'files = ["drops.csv"]\nedit =', 1), encoding="utf-8"
+    )
     checks = ["import pytest", "from ch90_small.small import imports, try_"]
-    for name in ATTEMPTS:  # what is left behind is gone in the next exercise
-        exercise = "90.1" if name in ("count_again", "use_built_in") else "B90.1"
+    for name, attempt in ATTEMPTS.items():
+        exercise = "90.1" if attempt.get("again") else "B90.1"
         checks += [f"@pytest.mark.exercise('{exercise}')", f"def test_{name}():"]
         checks += [f"    pytest.fail(try_({name!r}))"]
     checks += ["@pytest.mark.exercise('B90.1')", "def test_imports():"]
@@ -182,8 +121,8 @@ def verdicts(root: Path) -> tuple[dict[str, Verdict], dict[str, Verdict]]:
     if not behind_walls().level["seccomp"]:
         pytest.skip("there are no walls here that refuse all of it")
     code = MODULE
-    for name, (body, _) in ATTEMPTS.items():
-        code += f"\n\ndef try_{name}():\n" + re.sub("(?m)^", "    ", body) + "\n"
+    for name, attempt in ATTEMPTS.items():
+        code += f"\n\ndef try_{name}():\n" + textwrap.indent(attempt["code"], "    ") + "\n"
     return both_ways(root, code)
 
 
@@ -192,7 +131,7 @@ def test_an_attempt_comes_to_the_same(
     name: str, verdicts: tuple[dict[str, Verdict], dict[str, Verdict]]
 ) -> None:
     home, graded = (verdicts_of[f"test_{name}"] for verdicts_of in verdicts)
-    assert ATTEMPTS[name][1] in str(graded.message)
+    assert ATTEMPTS[name]["says"] in str(graded.message)
     assert told(home) == told(graded)
 
 

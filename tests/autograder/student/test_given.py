@@ -13,7 +13,12 @@ import pytest
 
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.diagnosis.given import explained_on_given, mark_inherited, run_on_given, with_given
+from autograder.diagnosis.earlier_chapters import (
+    explained_on_given,
+    mark_inherited,
+    run_on_given,
+    with_given,
+)
 from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.handouts.handout import make_handout

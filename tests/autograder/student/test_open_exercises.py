@@ -200,6 +200,6 @@ def test_a_step_that_lets_no_frame_pass_earns_nothing(tmp_path: Path) -> None:
     (folder / "own_step.py").write_text(forged, encoding="utf-8")
     engine = [tmp_path, ROOT / "solutions", ROOT / "chapters"]
     chapter = load_chapter(ROOT / "chapters/ch06_springs")
-    verdicts = run_checks(chapter, engine, seed="1", exercises=["G6.3"], behind=behind_walls())
+    verdicts = run_checks(chapter, engine, seed="1", exercises=["G6.3"], sandbox=behind_walls())
     assert [verdict.status for verdict in verdicts] == ["failed"] * 4
     assert all(verdict.on_chart is None for verdict in verdicts)

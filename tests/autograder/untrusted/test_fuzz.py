@@ -88,7 +88,7 @@ def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder
     """Every check has a verdict of the student's, and whoever loses it reads why."""
     engine = [folder, ROOT / "solutions", ROOT / "chapters"]
     verdicts = run_checks(
-        chapter, engine, seed="1", exercises=exercises, behind=behind_walls(), limits=Limits(1.0)
+        chapter, engine, seed="1", exercises=exercises, sandbox=behind_walls(), limits=Limits(1.0)
     )
     assert {verdict.exercise for verdict in verdicts} == {*with_needs(chapter, exercises)}
     for verdict in verdicts:

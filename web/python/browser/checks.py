@@ -9,7 +9,7 @@ from typing import Any
 
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict
-from autograder.diagnosis.given import with_given
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.message import Kind
 from autograder.scores import results_of
@@ -60,7 +60,7 @@ class Runs:
     ) -> None:
         self.chapter = chapter
         self.exercise = exercise
-        self.run = partial(run_checks, judge=processes.judge)
+        self.run = partial(run_checks, process=processes.run)
         self.seed = seed
         self.memory = memories.setdefault(seed, Memory(seed))
         self.memory.run = self.run

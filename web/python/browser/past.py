@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from autograder.checks.check_process import Ending
 from autograder.checks.events import Event, Started, write_event
-from autograder.checks.judge import Ending
 from autograder.checks.runner import Run
 from autograder.checks.verdict import Verdict
 from autograder.diagnosis.explain import explain_hang
@@ -67,14 +67,14 @@ class Processes:
         """True while checks are being run, and False while earlier reports are replayed."""
         return not self.past
 
-    def judge(self, run: Run) -> Ending:
+    def run(self, run: Run) -> Ending:
         """Run a set of checks as if in a process of its own, and return how that process ended.
 
         If an earlier web worker has already run these checks, replay its reports instead.
         """
-        order = run.order
+        request = run.request
         # Folders with given modules have a different name each time, so only their number counts.
-        key = f"{order.chapter.name} on {len(order.engine)}: {' '.join(order.exercises)}"
+        key = f"{request.chapter.name} on {len(request.engine)}: {' '.join(request.exercises)}"
         for past in self.past:
             if past.run == key:
                 return self._repeat(run, past)
@@ -109,10 +109,10 @@ def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
     """
     if not isinstance(run.current, Started):
         return None
-    check, order = run.checks[run.current.name], run.order
-    why = explain_hang(stack, run.limit, order.engine)
+    check, request = run.checks[run.current.name], run.request
+    why = explain_hang(stack, run.limit, request.engine)
     verdict = Verdict(check.name, check.exercise, check.weight, "failed", why, robust=check.robust)
-    result = result_of(order.chapter.exercise(check.exercise), [verdict])
+    result = result_of(request.chapter.exercise(check.exercise), [verdict])
     os.chdir(ROOT)  # the student's code ran in another folder
-    failure = failure_of(order.chapter, result, order.engine)
+    failure = failure_of(request.chapter, result, request.engine)
     return failure_to_page(failure) if failure else None

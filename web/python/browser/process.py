@@ -20,14 +20,11 @@ from typing import Any
 
 import pytest
 
-from autograder.at_home.allowed_acts import limit_acts
-from autograder.at_home.allowed_imports import limit_imports
-from autograder.at_home.in_process import InProcess, Send
-from autograder.at_home.students_code import StudentsCode
-from autograder.at_home.surroundings import Depth, leave_home
+from autograder.at_home.in_process import InProcess, Send, leave_home
+from autograder.at_home.restrictions import StudentsCode, restrict
 from autograder.checks.arrange import Config
-from autograder.checks.judge import MOST_STDERR, Ending
-from autograder.checks.verdicts import Recorder, pytest_arguments
+from autograder.checks.check_process import MOST_STDERR, Ending
+from autograder.checks.pytest_plugin import Recorder, pytest_arguments
 from autograder.manifest import ROOT
 from web.python.browser.watchdog import watchdog
 
@@ -41,8 +38,7 @@ def install_limits() -> None:
 
     Call this once, before the first run.
     """
-    limit_imports(code)
-    limit_acts(code)
+    restrict(code)
 
 
 def compile_once() -> None:
@@ -66,10 +62,12 @@ class InBrowser(InProcess):
     watchdog reports code that runs for too long, and the page then ends the web worker.
     """
 
+    forks = False
+
     def surround(self) -> None:
         """Set up the same environment and limits for the student's code as in the grader."""
         leave_home()
-        code.change(self.engine, self.graded)
+        code.change(self.engine, self.config.graded)
 
     def after_collection(self) -> None:
         """Do nothing, because a browser cannot fork a process.
@@ -79,7 +77,7 @@ class InBrowser(InProcess):
 
     def start_clock(self) -> None:
         """Start the watchdog, which interrupts the student's code when a check takes too long."""
-        watchdog.start(self.time_limit)
+        watchdog.start(self.config.time_limit)
 
     def stop_clock(self) -> None:
         watchdog.stop()
@@ -109,17 +107,11 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
         os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
-        engine = InBrowser(
-            config.arranged.engine,
-            config.time_limit,
-            config.stack_file,
-            config.arranged.complete,
-            config.arranged.graded,
-            apart=False,
-        )
+        engine = InBrowser(config)
         if shallow:
-            engine.depth = Depth(SHALLOW)
-        pytest.main(pytest_arguments(config), plugins=[BrowserRecorder(config, send, engine)])
+            engine.depth = SHALLOW
+        arguments = pytest_arguments(config.tests, config.root, config.seed, config.engine)
+        pytest.main(arguments, plugins=[BrowserRecorder(config, send, engine)])
     return Ending(stderr=said.getvalue()[-MOST_STDERR:].strip())
 
 

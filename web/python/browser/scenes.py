@@ -15,8 +15,8 @@ from pathlib import Path
 from types import ModuleType
 
 from autograder.accepted_files import rejected_modules
-from autograder.at_home.students_code import graded_files
-from autograder.diagnosis.given import with_given
+from autograder.at_home.restrictions import graded_files
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import load_chapters
 from lab.broken_off import FIRST_LIMIT, TIME_LIMIT, why_it_broke_off
 from lab.host import Host, Message

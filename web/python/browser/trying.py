@@ -12,11 +12,11 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from autograder.at_home.students_code import graded_files
+from autograder.at_home.restrictions import graded_files
 from autograder.checks.printed import LONGEST, CappedText
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.diagnosis.explain import explain_hang
 from autograder.diagnosis.faults import fault_of
-from autograder.diagnosis.given import with_given
 from autograder.manifest import chapters_below, load_chapters
 from autograder.student.interpreter import import_engine
 from autograder.student.show import show

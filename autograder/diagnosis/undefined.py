@@ -12,27 +12,23 @@ from types import ModuleType
 from typing import Any
 
 from autograder.diagnosis.faults import CheckEnded
-from autograder.diagnosis.nearest import nearest
 from autograder.message import Message
+from autograder.text.similar import nearest
 
 
 @dataclass(frozen=True)
 class MissingName:
-    """A function or class that a student's module should define but does not.
-
-    ``nearest`` is the most similar name that the module does define.
-    """
+    """A function or class that a student's module should define but does not."""
 
     module: str
     name: str
-    nearest: str = ""
+    nearest: str = ""  # the most similar name that the module does define
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
         """Build the message for a check that fails because this function or class is missing."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
-        likely = f"Did you mean {self.nearest}?" if self.nearest else ""
-        return Message(says, likely=likely)
+        return Message(says, likely=f"Did you mean {self.nearest}?" if self.nearest else "")
 
 
 class MissingNameError(CheckEnded):
@@ -55,22 +51,14 @@ def file_of(module: str) -> str:
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Create a placeholder for a student's module that cannot be imported.
-
-    Checks can import any name from the placeholder. If a check calls such a name, the check ends
-    with the message ``why``.
-    """
+    """Create a module from which checks can import any name. A check that calls it ends."""
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Create a ``__getattr__`` for a module that returns a placeholder for any missing name.
-
-    Checks can then import a name that the student's module does not define. Calling the placeholder
-    ends the check with a message that names what is missing.
-    """
+    """Create a ``__getattr__`` for a module that returns a placeholder for any missing name."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -80,13 +68,10 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
     return answer
 
 
-def while_imported(module: str, message: Message) -> Message:
+def while_imported(module: str, why: Message) -> Message:
     """Build the message for a module that hung or ended the process when it was imported."""
-    return Message(
-        f"{file_of(module)} cannot be imported: {message.title}",
-        where=message.where,
-        kind=message.kind,
-    )
+    title = f"{file_of(module)} cannot be imported: {why.title}"
+    return Message(title, where=why.where, kind=why.kind)
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:

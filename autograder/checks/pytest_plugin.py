@@ -1,9 +1,8 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
-The runner starts this program as ``python -m autograder.checks.verdicts FILE``, and reads one JSON
-object from each line of its output. Each object reports an event, such as the start of a check or
-its verdict. The verdicts come from pytest's own reports and not from printed text, because the
-student's code could print anything.
+The runner starts this program, and reads an event, such as a verdict, from each line of its output.
+The verdicts come from pytest's own reports and not from printed text, because the student's code
+could print anything.
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ import os
 import pickle
 import sys
 import traceback
-from collections.abc import Generator
+from collections.abc import Generator, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import groupby
@@ -23,13 +22,13 @@ import pytest
 from _pytest.runner import runtestprotocol
 
 from autograder.at_home.in_process import InProcess, Send
-from autograder.checks.apart import run_in_a_copy
 from autograder.checks.arrange import Config
 from autograder.checks.asked import about
 from autograder.checks.events import Check, Checks, Decided, Ended, Event, Started, write_event
+from autograder.checks.forked import run_forked
+from autograder.diagnosis.deleted import explain_deleted
 from autograder.diagnosis.explain import explain_exception
 from autograder.diagnosis.faults import CheckEnded, GraderFault, StudentLeft, fault_of
-from autograder.diagnosis.gone import explain_gone
 from autograder.message import NOTHING, Message, with_texts
 from autograder.text.wrapping import few_lines
 
@@ -49,9 +48,7 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` is the object that runs the student's code, either in this process or in a sandbox.
-    By default, it is chosen according to the configuration. Our own tests can pass a different
-    engine.
+    ``engine`` runs the student's code, by default as the configuration says.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -62,10 +59,10 @@ class Recorder:
 
     def pytest_sessionstart(self) -> None:
         """Import the student's modules before pytest collects the checks that use them."""
-        self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
+        self.engine.open(self.config.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """After pytest has collected all checks, prepare the engine to run the student's code."""
+        """Prepare the engine to run the student's code in checks."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
@@ -82,26 +79,22 @@ class Recorder:
         """
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
-            if (exercise := exercise_of(item)) not in self.config.arranged.known:
+            if (exercise := exercise_of(item)) not in self.config.edits:
                 raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise, {exercise}")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
-        real_names = [item.name for item in items]
-        hidden = [item for item in items if self._is_hidden(item)]
-        for number, item in enumerate(hidden, 1):
-            item.user_properties.append(("rationale", _rationale(item)))
-            item.name = f"hidden check {number}"  # the real name may reveal what is checked
-        checks = [
-            Check(
-                item.name,
-                exercise_of(item),
-                _marker(item).kwargs.get("weight", 1),
-                _is_robust(item),
-                _properties(item).get("rationale"),
-                real_name,
-            )
-            for item, real_name in zip(items, real_names, strict=True)
-        ]
+        checks, hidden = [], 0
+        for item in items:
+            name, rationale = item.name, None
+            if self._is_hidden(item):
+                hidden += 1
+                item.name = f"hidden check {hidden}"  # the real name may reveal what is checked
+                # Students see only this line of a hidden check.
+                lines = (getattr(item, "obj", None).__doc__ or "").strip().splitlines()
+                rationale = lines[0] if lines else "a hidden check of this exercise fails"
+            weight = _marker(item).kwargs.get("weight", 1)
+            exercise, robust = exercise_of(item), _is_robust(item)
+            checks.append(Check(item.name, exercise, weight, robust, rationale, name))
         self.send(Checks(checks))
         left_out = [item for item in items if item.name in self.config.done]
         config.hook.pytest_deselected(items=left_out)
@@ -109,29 +102,21 @@ class Recorder:
 
     def _is_hidden(self, item: pytest.Item) -> bool:
         """Return True if an instructor supplied this check, and students may not see it."""
-        return item.path.is_relative_to(Path(self.config.arranged.root) / "tests/hidden")
+        return item.path.is_relative_to(Path(self.config.root) / "tests/hidden")
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """Run the checks of each exercise in a forked copy of this process.
-
-        This prevents one exercise from affecting another through a counter or a cache in the
-        student's code. If the student's code runs in a sandbox, or the system cannot fork, pytest
-        runs the checks as usual.
-        """
-        apart = isinstance(self.engine, InProcess) and self.engine.apart
-        if session.testsfailed or not apart:  # if the collection failed, pytest reports that
-            return None
+        """Run the checks of each exercise in a forked copy of this process, unless in a sandbox."""
+        forks = isinstance(self.engine, InProcess) and self.engine.forks
+        if session.testsfailed or not forks:
+            return None  # pytest reports a failed collection, or runs the checks as usual
         for _, group in groupby(session.items, exercise_of):
-            run_in_a_copy(partial(run_all, list(group)))
+            run_forked(partial(run_all, list(group)))
         return True
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Announce a check to the runner, and start the check's time limit.
-
-        In a sandbox, this also starts the worker process that runs the student's code.
-        """
+        """Announce a check, and start its time limit and, in a sandbox, its worker process."""
         self.send(Started(item.name))
         about.forget()
         about.read = _marker(item).kwargs.get("read", "")
@@ -155,7 +140,7 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report the verdict on a check to the runner, with a message for the student if it failed.
+        """Report the verdict on a check, with a message for the student if it failed.
 
         An error outside the body of the check is the grader's fault, not the student's.
         """
@@ -169,33 +154,29 @@ class Recorder:
             error = call.excinfo.value
             ours = report.when != "call" or isinstance(error, GraderFault)
             status = "error" if ours else "failed"
-            arranged = self.config.arranged
             if isinstance(error, CheckEnded):
                 message = error.message
             elif isinstance(error, (pytest.fail.Exception, GraderFault)):
                 message = Message(str(error))
             else:
-                message = explain_exception(error, self.engine.engine, arranged.complete)
+                message = explain_exception(error, self.engine.engine, self.config.complete)
             if not ours:
-                edits = arranged.edits
-                message = explain_gone(message, exercise_of(item), edits, self._defined)
+                edits = self.config.edits
+                message = explain_deleted(message, exercise_of(item), edits, self._defined)
         if report.when == "call":
             printed = self.engine.stop()
             if printed and message:
                 message = replace(message, printed=few_lines(printed, *MOST_KEPT))
         if report.when == "call" or status == "error":
-            known = _properties(item)
             # A point on the chart could reveal what a hidden check measures.
-            point = None if "rationale" in known else known.get("on_chart")
+            hidden = self._is_hidden(item)
+            point: Any = None if hidden else dict(item.user_properties).get("on_chart")
             message = with_texts(message, self._without_folders)
             self.send(Decided(item.name, status, message, point))
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the folders that contain the student's code from the paths in a message.
-
-        Without these folders, the message is the same on the student's machine and in the grader.
-        """
+        """Shorten the paths in a message, so that it is the same in the grader."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
@@ -203,8 +184,7 @@ class Recorder:
     def _defined(self, module: str) -> set[str] | None:
         """Return the names that a student's module defines, or None if they are not known."""
         if module not in self.definitions:
-            arranged = self.config.arranged
-            places = [Path(folder) / arranged.chapter for folder in arranged.engine]
+            places = [Path(folder) / self.config.chapter for folder in self.config.engine]
             files = [file for place in places if (file := place / f"{module}.py").is_file()]
             self.definitions[module] = self.engine.definitions(files[0]) if files else None
         return self.definitions[module]
@@ -221,27 +201,13 @@ def run_all(checks: list[pytest.Item]) -> None:
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Create the object that runs the student's code, in this process or in sandboxed workers."""
-    arranged = config.arranged
-    where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
-    if arranged.worker is None:
-        return InProcess(*where, arranged.graded, apart=config.apart)
+    if config.worker is None:
+        return InProcess(config)
     from autograder.isolation.in_worker import InWorker  # not in handouts
 
-    return InWorker(*where, arranged.worker)
-
-
-def _properties(item: pytest.Item) -> dict[str, Any]:
-    return dict(item.user_properties)
-
-
-def _rationale(item: pytest.Item) -> str:
-    """Return the first line of a hidden check's docstring.
-
-    It is the only part of a hidden check that students see, so it should tell them what went wrong.
-    """
-    words = (getattr(item, "obj", None).__doc__ or "").strip()
-    return words.splitlines()[0] if words else "a hidden check of this exercise fails"
+    return InWorker(
+        config.engine, config.time_limit, config.stack_file, config.complete, config.worker
+    )
 
 
 def exercise_of(item: pytest.Item) -> str:
@@ -261,8 +227,8 @@ def _is_robust(item: pytest.Item) -> bool:
     return item.get_closest_marker("robust") is not None
 
 
-def main() -> int:
-    """Run the checks described in the configuration file that is given on the command line."""
+def run_and_exit() -> NoReturn:
+    """Run the checks of the configuration file on the command line, and end the process."""
     config: Config = pickle.loads(Path(sys.argv[1]).read_bytes())
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -271,25 +237,21 @@ def main() -> int:
         wire.write(write_event(event))
         wire.flush()
 
-    return int(pytest.main(pytest_arguments(config), plugins=[Recorder(config, send)]))
+    arguments = pytest_arguments(config.tests, config.root, config.seed, config.engine)
+    code = int(pytest.main(arguments, plugins=[Recorder(config, send)]))
+    sys.stderr.flush()
+    os._exit(code)  # threads or exit handlers of the student's code must not keep the process
 
 
-def pytest_arguments(config: Config) -> list[str]:
-    """Assemble the command line with which pytest runs the checks of a chapter."""
-    arranged = config.arranged
-    arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
-    arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
+def pytest_arguments(
+    tests: Sequence[str], root: Path | str, seed: str, engine: Iterable[Path | str]
+) -> list[str]:
+    """Assemble pytest's command line. The paths in ``tests`` are relative to ``root``."""
+    arguments = [*tests, "--capture=no", f"--rootdir={root}", f"--seed={seed}"]
+    arguments += [f"--engine={folder}" for folder in engine]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]
     return arguments
-
-
-def run_and_exit() -> NoReturn:
-    """Run the checks, and end the process at once with pytest's exit code."""
-    # Threads or exit handlers of the student's code must not keep the process from ending.
-    code = main()
-    sys.stderr.flush()
-    os._exit(code)
 
 
 if __name__ == "__main__":

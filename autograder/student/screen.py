@@ -19,10 +19,10 @@ from autograder.message import Kind
 from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.failure import print_failure
-from autograder.student.finish import print_finish
+from autograder.student.finish import end_of
 from autograder.student.points import points_line, points_of
 from autograder.student.written import all_pass
-from autograder.text.wrapping import plain_console, print_wrapped
+from autograder.text.wrapping import print_wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -37,33 +37,6 @@ STYLES = {
     "error": "magenta",
 }
 WORKS = "works"
-
-
-class ProgressBar:
-    """Shows the student on a terminal how many checks have run so far."""
-
-    title = ""
-    _bar = None
-
-    def __enter__(self) -> ProgressBar:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.stop()
-
-    @property
-    def console(self) -> Console:
-        return plain_console()
-
-    def show(self, done: int, of: int) -> None:
-        from rich.progress import Progress
-
-        if self._bar is None:
-            self._bar = Progress(console=self.console, transient=True)
-            self._task = self._bar.add_task(self.title)
-            self._bar.start()
-        self._bar.update(self._task, description=self.title, completed=done, total=of)
 
 
 def print_report(
@@ -92,7 +65,9 @@ def print_report(
         words = passed_words(reports, exercise, engine, given, changed=bool(changed))
         style = "red" if changed else "bold green"
         console.print(words, style=style, markup=False, soft_wrap=True)
-    print_finish(console, reports, exercise, engine, given)
+    lines = end_of(reports, exercise, engine, given)
+    for words, style in [("", ""), *lines] if lines else []:
+        console.print(words, style=style, markup=False, soft_wrap=True)
     return not first and not changed
 
 

@@ -30,8 +30,8 @@ from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
-from autograder.student.points import points_of
 from autograder.student.chapter_results import ChapterResults
+from autograder.student.points import points_of
 from autograder.student.screen import first_open
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in, make_root

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 
 from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import Result, result_of
 from autograder.student import finish
-from autograder.student.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
 from autograder.student.chapter_results import ChapterResults
+from autograder.student.finish import DRAWN_WITH, end_of, finish_lines, is_finished
 from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
@@ -49,10 +47,7 @@ def ids(chapter: Chapter, *but: str) -> list[str]:
 def shown(
     reports: list[ChapterResults], exercise: Exercise | None = None, engine: list[Path] = SOLUTIONS
 ) -> str:
-    console = Console(file=io.StringIO(), width=80)
-    print_finish(console, reports, exercise, engine, [])
-    assert isinstance(console.file, io.StringIO)
-    return console.file.getvalue()
+    return "".join(f"\n{line}" for line, _ in end_of(reports, exercise, engine, []))
 
 
 @pytest.mark.parametrize("number", CHAPTERS)

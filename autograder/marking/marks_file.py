@@ -9,7 +9,7 @@ import csv
 import io
 from pathlib import Path
 
-from autograder.alone import alone
+from autograder.file_lock import locked
 from autograder.manifest import Chapter
 from autograder.reports.marks import HEADER, Mark, Marks, read_marks, read_rows, row_of
 from autograder.reports.texts import replace_file
@@ -50,7 +50,7 @@ class MarksFile:
             ChangedError: The old mark in the file differs from ``seen``.
             ValueError: A line in the file is invalid. The file is left unchanged.
         """
-        with alone(self.path.parent / ".marks.lock"):
+        with locked(self.path.parent / ".marks.lock"):
             separator, rows = read_rows(self.path, self.chapters, self.people)
             old = next((r for r in rows if (r.report, r.exercise) == (student, exercise)), None)
             if (old.mark if old else None) != seen:

@@ -16,7 +16,7 @@ import secrets
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.alone import alone
+from autograder.file_lock import locked
 from autograder.submissions.class_list import ClassList, Member
 from autograder.submissions.csv_rows import Mistakes, as_cell, read_csv
 
@@ -41,7 +41,7 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
         OSError: The key file cannot be read or written.
     """
     # Two runs that begin together use the same secret.
-    with alone(path.with_name(f".{path.name}.lock")):
+    with locked(path.with_name(f".{path.name}.lock")):
         secret = _secret_in(path) if path.exists() else "s" + secrets.token_hex(20)
         rows = {}
         coded = []

@@ -10,7 +10,7 @@ from pathlib import Path
 
 @contextmanager
 def locked(lock: Path) -> Iterator[None]:
-    """Run the block when no other process is in one with this lock file. Being killed unlocks it."""
+    """Run the block when no other process is in one with this file. A kill unlocks it."""
     with lock.open("w", encoding="utf-8") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield

@@ -106,6 +106,7 @@ def _files(
     yield root / "requirements.lock"
     yield root / "LICENSE"
     yield from (root / "autograder").rglob("*.py")
+    yield root / "autograder" / "commands.toml"  # to name the next command
     yield from (root / "autograder/reports/templates").iterdir()
     yield from shared_by_checks(root)
     for chapter in chapters:

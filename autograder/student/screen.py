@@ -14,7 +14,7 @@ from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.files import from_here
 from autograder.handouts.lock import read_lock, stub_hash
-from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, numbers_of
+from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind
 from autograder.scores import Result, extra_possible, of_possible, place_on_chart, total
 from autograder.student.chapter_results import ChapterResults
@@ -77,16 +77,12 @@ def first_open(
     """Find the exercise that the student should fix first, or return None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
-    if not exercise:
-        open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
     if exercise:  # for the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
+    else:
+        open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
     # All physics comes before any robust check.
-    return min(
-        open_ones,
-        key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)),
-        default=None,
-    )
+    return min(open_ones, key=lambda p: (p[1].works, URGENCY.get(p[1].status, 0)), default=None)
 
 
 def passed_words(
@@ -97,10 +93,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that tells the student that all checks pass.
-
-    ``changed`` is True if the student has edited a file that should stay unchanged.
-    """
+    """Return the sentence that all checks pass. Edited originals (``changed``) are named there."""
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""
@@ -109,9 +102,9 @@ def passed_words(
     return all_pass([report.chapter for report in reports], engine, on_given)
 
 
-def changed_notes(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[str]:
+def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
     """Warn the student about edited files that the grader will replace with the originals."""
-    locked, notes = read_lock(root), []
+    locked, notes = read_lock(), []
     for name in chapter.complete:
         path = engine[0] / chapter.name / name
         known = locked.get(f"chapters/{chapter.name}/{name}")

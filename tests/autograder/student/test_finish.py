@@ -81,6 +81,7 @@ def test_it_says_what_one_can_do_what_to_play_what_is_open_and_what_comes_next()
     assert "1 robust check; the first: make check EX=B3.3 ENGINE=solutions" in words
     assert f"chapter 4, The particle engine. {CHAPTERS[4].summary}" in words
     assert "Open nothing" in " ".join(shown([report_of(CH03)]).split())
+    assert "\nNext" not in shown([report_of(CHAPTERS[9])]), "it is the last chapter"
 
 
 def test_questions_and_projects_that_are_open_are_named() -> None:
@@ -90,10 +91,6 @@ def test_questions_and_projects_that_are_open_are_named() -> None:
     assert "P4.2a" in five
     assert "P4.2b" in five
     assert "SCENE=sniper" not in five
-
-
-def test_the_last_chapter_has_no_next() -> None:
-    assert "\nNext" not in shown([report_of(CHAPTERS[9])])
 
 
 def test_of_several_chapters_the_last_finished_one_until_the_next_is_begun() -> None:

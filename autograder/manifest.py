@@ -97,10 +97,14 @@ def _read_chapter(path: Path, text: str) -> Chapter:
         where = f"{path}, exercise {entry.get('id', '(without an id)')}"
         _check(where, entry, Exercise)
         exercise = Exercise(**entry)
-        if exercise.kind not in KINDS:
-            raise ValueError(f"{where}: kind must be one of {', '.join(KINDS)}")
-        if exercise.stars not in (1, 2, 3) or exercise.points <= 0 or len(exercise.chart) == 1:
-            raise ValueError(f"{where}: stars must be 1 to 3, points positive, chart two axes")
+        for key, fits, what in (
+            ("kind", exercise.kind in KINDS, f"one of {', '.join(KINDS)}"),
+            ("stars", exercise.stars in (1, 2, 3), "1, 2 or 3"),
+            ("points", exercise.points > 0, "a positive number"),
+            ("chart", len(exercise.chart) in (0, 2), "the names of the cost and the error"),
+        ):
+            if not fits:
+                raise ValueError(f"{where}: {key} must be {what}, got {getattr(exercise, key)!r}")
         seen = [other.id for other in exercises]
         if exercise.id in seen:
             raise ValueError(f"{where} is listed twice")
@@ -119,16 +123,19 @@ def _check(where: str, entry: dict[str, Any], kind: type) -> None:
     if unknown := entry.keys() - known.keys():
         raise ValueError(f"{where}: unknown key {min(unknown)!r}")
     for name, item in known.items():
-        if name not in entry and item.default is item.default_factory is MISSING:
-            raise ValueError(f"{where}: {name!r} is missing")
-        value = entry.get(name)
-        fits = {
-            "str": isinstance(value, str),
-            "float": type(value) in (int, float),
-            "list[str]": isinstance(value, list) and all(isinstance(v, str) for v in value),
-        }
-        if name in entry and not fits.get(str(item.type), True):
-            raise ValueError(f"{where}: {name} must be of the type {item.type}, got {value!r}")
+        if name not in entry:
+            if item.default is item.default_factory is MISSING:
+                raise ValueError(f"{where}: {name!r} is missing")
+            continue
+        value = entry[name]
+        is_texts = isinstance(value, list) and all(isinstance(text, str) for text in value)
+        for type_name, fits, what in (
+            ("str", isinstance(value, str), "a string"),
+            ("float", type(value) in (int, float), "a positive number"),
+            ("list[str]", is_texts, "a list of strings"),
+        ):
+            if item.type == type_name and not fits:
+                raise ValueError(f"{where}: {name} must be {what}, got {value!r}")
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:

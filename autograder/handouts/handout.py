@@ -33,29 +33,6 @@ STUDENT_TOOLS = {
     "scenes": "*.py",
 }
 
-README = """\
-# Game physics: {titles}
-
-In this assignment you write part of a game physics engine. Your files are under `chapters/`, and
-you can check your work as often as you like. You need Python 3.11 or newer. If you have make, the
-first command sets up everything else. If you have no make, as on most Windows computers, use the
-Python commands in [chapters/README.md](chapters/README.md).
-
-    make watch          check your current exercise whenever you save its file
-    make check          show the state of every exercise, and the first thing to fix
-    make check EX={example}  check one exercise and the exercises it builds on
-    make debug EX={example}  stop in your function where one of its checks fails
-    make python         try your engine in an interpreter
-    make hint EX={example}   show a hint; N=2 shows the second hint too
-    make reset EX={example}  restore its stub, and keep a copy of your work
-    make lab            run scenes with your own engine in the browser
-    make plot           draw pictures with your own engine, into build/plots/
-
-The README of each chapter is the lesson. The page `reference.md` beside it lists the exercises, and
-shows which functions belong to which section of the book. Write your answers to written questions
-into `answers.md`. When you are done, hand in the folders under `chapters/` that you have edited.
-Only the files named in the table of exercises are graded, so put your helper functions there too.
-"""
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
 CHARTS = "charts.py"  # these scenes draw charts of the reference, so students don't need them
 LESSONS = "figures.py"  # draws the pictures of the lessons
@@ -139,7 +116,8 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         _copy(modules, out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
     example = chapters[0].exercises[0].id
-    heading, _, body = README.format(titles=titles, example=example).partition("\n\n")
+    readme = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
+    heading, _, body = readme.format(titles=titles, example=example).partition("\n\n")
     _write(out / "README.md", "\n\n".join(filter(None, [heading, about, body])))
     _remove_dead_links(out)
 

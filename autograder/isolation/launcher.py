@@ -51,8 +51,8 @@ class Launcher:
     the helper functions of checks that must run in a worker. ``folder`` is for temporary files, and
     ``seconds`` is how long a worker may take to answer.
 
-    If ``fresh`` is set, each worker gets a launcher of its own. That is slower, but without seccomp
-    it is the only way to keep one worker from affecting the next.
+    Without seccomp, each worker gets a launcher of its own. That is slower, but then it is the only
+    way to keep one worker from affecting the next.
     """
 
     def __init__(
@@ -62,14 +62,12 @@ class Launcher:
         probes: str,
         folder: Path,
         seconds: float,
-        *,
-        fresh: bool = False,
     ) -> None:
         self.level = level
         self.engine = engine
         self.folders = [*engine, probes]
         self.seconds = seconds
-        self.fresh = fresh or (not level.seccomp and level.is_sandbox)
+        self.fresh = not level.seccomp and level.is_sandbox
         self._own = folder
         self._compiled: dict[str, bytes] = {}
         self._log = self._new_file()  # output of the launcher itself

@@ -10,7 +10,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from autograder.alone import alone
+from autograder.file_lock import locked
 from autograder.reports.marks import Mark
 from autograder.reports.texts import replace_file
 
@@ -48,7 +48,7 @@ class MarkedAnswers:
     def save(self) -> None:
         """Write what is new, and keep what make grade or make mark has written in the meantime."""
         if self._new:
-            with alone(self.path.with_name(f"{NAME}.lock")):
+            with locked(self.path.with_name(f"{NAME}.lock")):
                 self._kept = self._read() | self._new
                 text = json.dumps(self._kept, indent=1, sort_keys=True, ensure_ascii=False)
                 replace_file(self.path, text + "\n")

@@ -8,7 +8,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.alone import alone
+from autograder.file_lock import locked
 from autograder.manifest import Chapter
 from autograder.reports.marks import HEADER, Mark, Row, read_rows
 from autograder.reports.texts import replace_file
@@ -42,7 +42,7 @@ def change_mark(
         ValueError: A line in the file is invalid. The file is left unchanged.
     """
     path = path.resolve()  # the file itself, if the path is a link
-    with alone(path.parent / ".marks.lock"):
+    with locked(path.parent / ".marks.lock"):
         separator, rows = read_rows(path, chapters, people)
         old = next((row for row in rows if (row.report, row.exercise) == answer), None)
         if (old.mark if old else None) != seen:

@@ -86,6 +86,7 @@ def _files(
     for name in ("pyproject.toml", "autograder/locks/requirements.lock", "LICENSE"):
         yield ROOT / name
     yield from (ROOT / "autograder").rglob("*.py")
+    yield ROOT / "autograder" / "commands.toml"  # to name the next command
     yield from (ROOT / "autograder/reports/templates").iterdir()
     yield from shared_by_checks(ROOT)
     for chapter in chapters:

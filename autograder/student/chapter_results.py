@@ -1,11 +1,29 @@
-"""The results of checking a student's code, from which the screen and the pages are made."""
+"""Run the checks of a chapter on a student's code, and remember the results."""
 
 from __future__ import annotations
 
+import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-from autograder.manifest import Chapter
-from autograder.scores import Result
+from autograder.checks.runner import GraderError, run_checks
+from autograder.checks.verdict import Verdict, with_needs
+from autograder.diagnosis.earlier_chapters import (
+    below_and_not_given,
+    explained_on_given,
+    mark_inherited,
+    run_on_given,
+    suspects,
+)
+from autograder.manifest import Chapter, Exercise
+from autograder.scores import Result, results_of
+from autograder.text.wrapping import plain_console
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 
 @dataclass(frozen=True)
@@ -20,3 +38,104 @@ class ChapterResults:
     results: list[Result]
     on_reference: list[Result]
     suspects: list[Chapter]
+
+
+class ProgressBar:
+    """Shows the student on a terminal how many checks have run so far."""
+
+    title = ""
+    _bar = None
+
+    def __enter__(self) -> ProgressBar:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    @property
+    def console(self) -> Console:
+        return plain_console()
+
+    def show(self, done: int, of: int) -> None:
+        from rich.progress import Progress
+
+        if self._bar is None:
+            self._bar = Progress(console=self.console, transient=True)
+            self._task = self._bar.add_task(self.title)
+            self._bar.start()
+        self._bar.update(self._task, description=self.title, completed=done, total=of)
+
+
+def report_on(
+    chapter: Chapter,
+    exercise: Exercise | None,
+    folders: list[Path],
+    given: list[Chapter],
+    run: Callable[..., list[Verdict]],
+    progress: ProgressBar,
+) -> ChapterResults:
+    """Run the checks of a chapter, or of one exercise and its prerequisites, on a student's code.
+
+    A check that fails only because of a mistake in an earlier chapter is reported as inherited.
+    """
+    progress.title = f"chapter {chapter.number}"
+    wanted = with_needs(chapter, [exercise.id] if exercise else None)
+    below = below_and_not_given(chapter, given)
+    first = run(chapter, folders, exercises=wanted, on_verdict=progress.show)
+    try:
+        again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
+    except GraderError:  # use the first run alone
+        again = []
+    verdicts = explained_on_given(mark_inherited(first, again), again)
+    results, better = (
+        [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
+        for outcome in (verdicts, again)
+    )
+    doubtful = [] if again else suspects(first, folders, below, run)
+    return ChapterResults(chapter, results, better if again else [], doubtful)
+
+
+class Memory:
+    """Runs checks on a student's code, and caches the results until the student changes a file."""
+
+    def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:
+        self.seed = seed
+        self.run = run
+        self.known: dict[tuple[str, ...], list[Verdict]] = {}
+
+    def __call__(
+        self,
+        chapter: Chapter,
+        engine: list[Path],
+        *,
+        exercises: list[str] | None = None,
+        on_verdict: Callable[[int, int], None] | None = None,
+    ) -> list[Verdict]:
+        """Return the results of a chapter's checks, or of some exercises and what they need."""
+        wanted = with_needs(chapter, exercises)
+        state = state_of(engine, chapter)
+        for ids in (with_needs(chapter, None), wanted):
+            if known := self.known.get((state, *ids)):
+                return [verdict for verdict in known if verdict.exercise in wanted]
+        verdicts = self.run(
+            chapter, engine, seed=self.seed, exercises=wanted, on_verdict=on_verdict
+        )
+        if state_of(engine, chapter) == state:  # otherwise it is unclear which files were checked
+            self.known[(state, *wanted)] = verdicts
+        return verdicts
+
+
+def state_of(engine: list[Path], chapter: Chapter) -> str:
+    """Compute a hash of all the student's files that can affect the checks of a chapter."""
+    state = hashlib.sha256()
+    for number, folder in enumerate(engine):
+        for file in sorted(folder.glob("ch??_*/*.*")):
+            name = file.parent.name
+            if name <= chapter.name and file.suffix in (".py", ".csv", ".md"):
+                try:
+                    content = hashlib.sha256(file.read_bytes()).hexdigest()
+                except OSError:  # it was just deleted, or is an editor's dangling link
+                    continue
+                state.update(f"{number} {name}/{file.name} {content}\n".encode())
+    return f"{chapter.name} {state.hexdigest()}"

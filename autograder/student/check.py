@@ -1,26 +1,17 @@
-"""Check a student's code, and find out which failures come from mistakes in earlier chapters."""
+"""Check a student's code, and print the results."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from autograder.checks.runner import GraderError, run_checks
-from autograder.checks.verdict import Verdict, with_needs
-from autograder.diagnosis.earlier_chapters import (
-    below_and_not_given,
-    explained_on_given,
-    mark_inherited,
-    run_on_given,
-    suspects,
-    with_given,
-)
+from autograder.checks.runner import run_checks
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import Chapter, Exercise
-from autograder.scores import result_of, results_of
-from autograder.student.chapter_results import ChapterResults
-from autograder.student.screen import ProgressBar, print_report
+from autograder.scores import result_of
+from autograder.student.chapter_results import ProgressBar, report_on
+from autograder.student.screen import print_report
 from autograder.student.written import print_written
 
 
@@ -55,32 +46,3 @@ def check(
                 report = replace(report, results=own, on_reference=better)
             reports.append(report)
     return print_report(progress.console, reports, exercise, engine, given)
-
-
-def report_on(
-    chapter: Chapter,
-    exercise: Exercise | None,
-    folders: list[Path],
-    given: list[Chapter],
-    run: Callable[..., list[Verdict]],
-    progress: ProgressBar,
-) -> ChapterResults:
-    """Run the checks of a chapter, or of one exercise and its prerequisites, on a student's code.
-
-    A check that fails only because of a mistake in an earlier chapter is reported as inherited.
-    """
-    progress.title = f"chapter {chapter.number}"
-    wanted = with_needs(chapter, [exercise.id] if exercise else None)
-    below = below_and_not_given(chapter, given)
-    first = run(chapter, folders, exercises=wanted, on_verdict=progress.show)
-    try:
-        again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
-    except GraderError:  # use the first run alone
-        again = []
-    verdicts = explained_on_given(mark_inherited(first, again), again)
-    results, better = (
-        [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
-        for outcome in (verdicts, again)
-    )
-    doubtful = [] if again else suspects(first, folders, below, run)
-    return ChapterResults(chapter, results, better if again else [], doubtful)

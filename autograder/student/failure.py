@@ -87,7 +87,8 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
         console.print(words, style="magenta")
         return
     print_wrapped(console, failure.heading, "bold")
-    print_rows(console, [*failure.diagnosis, *_printed(failure.printed)])
+    printed = [("printed", failure.printed)] if failure.printed else []
+    print_rows(console, [*failure.diagnosis, *printed])
     print_wrapped(console, "", "")
     for number, step in enumerate(failure.steps):
         print_wrapped(console, step, "" if number else "bold")
@@ -95,11 +96,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
     """Shorten what the student's code has printed to a row, or no row if it printed nothing."""
-    return _printed(few_lines(printed, lines, characters)) if printed else []
-
-
-def _printed(printed: str) -> list[Row]:
-    return [("printed", printed)] if printed else []
+    return [("printed", few_lines(printed, lines, characters))] if printed else []
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from autograder.commands import command, engine_variables
 from autograder.files import from_here
@@ -18,26 +17,9 @@ from autograder.scores import Result
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.written import listed, open_questions
 
-if TYPE_CHECKING:
-    from rich.console import Console
-
-
 WIDTH = 79
 LABEL = 10  # width of the column with the labels
 DRAWN_WITH = "engine.txt"  # this file beside the pictures says whose engine has drawn them
-
-
-def print_finish(
-    console: Console,
-    reports: list[ChapterResults],
-    exercise: Exercise | None,
-    engine: list[Path],
-    given: list[Chapter],
-) -> None:
-    """Print the closing screen of a finished chapter, or a list of scenes to play, if any."""
-    lines = end_of(reports, exercise, engine, given)
-    for words, style in [("", ""), *lines] if lines else []:
-        console.print(words, style=style, markup=False, soft_wrap=True)
 
 
 def end_of(

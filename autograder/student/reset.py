@@ -17,7 +17,7 @@ from autograder.handouts.bodies import put_back
 from autograder.handouts.stubs import messages_of, pristine_stub, without_bodies
 from autograder.manifest import ROOT, Chapter, Exercise
 
-COPIES = ROOT / "build" / "reset"
+KEPT = ROOT / "build" / "reset"
 
 
 @dataclass(frozen=True)
@@ -35,12 +35,7 @@ class Change:
 
 
 def reset(
-    chapter: Chapter,
-    exercise: Exercise,
-    engine: Path,
-    copies: Path = COPIES,
-    *,
-    whole: bool = False,
+    chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = KEPT, *, whole: bool = False
 ) -> str:
     """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
 
@@ -70,12 +65,7 @@ def reset(
 
 
 def question(
-    chapter: Chapter,
-    exercise: Exercise,
-    engine: Path,
-    copies: Path = COPIES,
-    *,
-    whole: bool = False,
+    chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = KEPT, *, whole: bool = False
 ) -> str:
     """Return the question that asks a student to confirm the reset of an exercise.
 
@@ -110,7 +100,12 @@ def planned(
         messages = messages_of(alone, name)
         if whole:
             before = file.read_bytes() if file.exists() else b""
-            changes.append(Change(file, before, _whole_stub(chapter, name), [*messages]))
+            if (stub := pristine_stub(chapter, name)) is None:
+                raise ValueError(
+                    f"{name} cannot be restored, because this folder has neither the reference nor "
+                    "the folder stubs. Copy the file from the handout again"
+                )
+            changes.append(Change(file, before, stub.encode(), [*messages]))
         else:
             changes.append(_change(chapter, exercise, file, messages))
     return [change for change in changes if change.gone] or changes
@@ -150,16 +145,6 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
         back = command("reset", EX=exercise.id, WHOLE="1", **elsewhere)
         way = f"restore the whole file (a copy is kept): {back}"
     raise ValueError(f"nothing was reset in {from_here(file)}: {why}. Fix that, or {way}")
-
-
-def _whole_stub(chapter: Chapter, file: str) -> bytes:
-    stub = pristine_stub(chapter, file)
-    if stub is None:
-        raise ValueError(
-            f"{file} cannot be restored, because this folder has neither the reference nor the "
-            "folder stubs. Copy the file from the handout again"
-        )
-    return stub.encode()
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:

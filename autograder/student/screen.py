@@ -14,15 +14,15 @@ from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.files import from_here
 from autograder.handouts.lock import read_lock, stub_hash
-from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, numbers_of
+from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind
 from autograder.scores import Result, extra_possible, of_possible, total
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.failure import print_failure
-from autograder.student.finish import print_finish
+from autograder.student.finish import end_of
 from autograder.student.points import points_line, points_of
 from autograder.student.written import all_pass
-from autograder.text.wrapping import plain_console, print_wrapped
+from autograder.text.wrapping import print_wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -37,33 +37,6 @@ STYLES = {
     "error": "magenta",
 }
 WORKS = "works"
-
-
-class ProgressBar:
-    """Shows the student on a terminal how many checks have run so far."""
-
-    title = ""
-    _bar = None
-
-    def __enter__(self) -> ProgressBar:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.stop()
-
-    @property
-    def console(self) -> Console:
-        return plain_console()
-
-    def show(self, done: int, of: int) -> None:
-        from rich.progress import Progress
-
-        if self._bar is None:
-            self._bar = Progress(console=self.console, transient=True)
-            self._task = self._bar.add_task(self.title)
-            self._bar.start()
-        self._bar.update(self._task, description=self.title, completed=done, total=of)
 
 
 def print_report(
@@ -92,7 +65,9 @@ def print_report(
         words = passed_words(reports, exercise, engine, given, changed=bool(changed))
         style = "red" if changed else "bold green"
         console.print(words, style=style, markup=False, soft_wrap=True)
-    print_finish(console, reports, exercise, engine, given)
+    lines = end_of(reports, exercise, engine, given)
+    for words, style in [("", ""), *lines] if lines else []:
+        console.print(words, style=style, markup=False, soft_wrap=True)
     return not first and not changed
 
 
@@ -102,16 +77,12 @@ def first_open(
     """Find the exercise that the student should fix first, or return None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
-    if not exercise:
-        open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
     if exercise:  # for the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
+    else:
+        open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
     # All physics comes before any robust check.
-    return min(
-        open_ones,
-        key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)),
-        default=None,
-    )
+    return min(open_ones, key=lambda p: (p[1].works, URGENCY.get(p[1].status, 0)), default=None)
 
 
 def passed_words(
@@ -122,10 +93,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that tells the student that all checks pass.
-
-    ``changed`` is True if the student has edited a file that should stay unchanged.
-    """
+    """Return the sentence that all checks pass. Edited originals (``changed``) are named there."""
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""
@@ -134,9 +102,9 @@ def passed_words(
     return all_pass([report.chapter for report in reports], engine, on_given)
 
 
-def changed_notes(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[str]:
+def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
     """Warn the student about edited files that the grader will replace with the originals."""
-    locked, notes = read_lock(root), []
+    locked, notes = read_lock(), []
     for name in chapter.complete:
         path = engine[0] / chapter.name / name
         known = locked.get(f"chapters/{chapter.name}/{name}")

@@ -20,7 +20,7 @@ from rich.console import Console
 from rich.progress import track
 
 from autograder.accepted_files import NotTakenError
-from autograder.alone import alone
+from autograder.file_lock import locked
 from autograder.files import is_new, replace_bytes
 from autograder.submissions.find import SILENT, is_skipped, printable
 from autograder.submissions.zips import is_folder, is_unsafe, open_zip, path_in_zip, read_entry
@@ -66,7 +66,7 @@ def class_folder(path: Path) -> Path:
     folder = path.with_suffix("")
     digest, unpacked, console = _digest(path), _read_marker(folder), plain_console()
     if unpacked.zip != digest:
-        with alone(path.with_name(f".{path.name}.lock")):  # another command may be unpacking it
+        with locked(path.with_name(f".{path.name}.lock")):  # another command may be unpacking it
             unpacked = _read_marker(folder)
             if unpacked.zip != digest:
                 unpacked = _unpack(path, folder, unpacked, digest, console)

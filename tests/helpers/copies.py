@@ -1,4 +1,4 @@
-"""Copy a folder without its bytecode, and read the reference's files."""
+"""Copy a folder without its bytecode, read the reference's files, and edit a file."""
 
 from __future__ import annotations
 
@@ -27,3 +27,13 @@ def reference(*chapters: str) -> dict[str, str]:
         for name in chapter.handed_in
     ]
     return {file: (ROOT / "solutions" / file).read_text(encoding="utf-8") for file in files}
+
+
+def edit(file: Path, *changes: str) -> str:
+    """Replace texts in a file, old and new ones in turn. Return the new text."""
+    text = file.read_text(encoding="utf-8")
+    for old, new in zip(changes[::2], changes[1::2], strict=True):
+        assert old in text
+        text = text.replace(old, new)
+    file.write_text(text, encoding="utf-8")
+    return text

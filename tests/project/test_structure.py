@@ -219,10 +219,10 @@ def test_links_between_pages_lead_somewhere() -> None:
         (('title = "Vectors"\n', ""), "'title' is missing"),
         (("picture = ", "pictures = "), "unknown key 'pictures'"),
         (('picture = "cross_product"', "picture = 3"), "picture must be a string, got 3"),
-        (("you_can = [", "you_can = [2, "), "you_can must be a list of sentences, got [2, "),
+        (("you_can = [", "you_can = [2, "), "you_can must be a list of strings, got [2, "),
         (
             ("needs = []", "needs = []\nplay = 'throw'"),
-            "play must be a list of scenes, got 'throw'",
+            "play must be a list of strings, got 'throw'",
         ),
     ],
 )

@@ -1,8 +1,7 @@
 """Run an exercise's checks until one fails, and stop in the student's function at that call.
 
-The checks first run as usual, in a process of their own. The check that fails then runs twice in
-this process. The first run counts the calls of the exercise's functions until the failure, and the
-second run stops at the last of them.
+The check that fails in a process of its own then runs twice in this one. The first run counts the
+calls of the exercise's functions until the failure, and the second stops at the last of them.
 """
 
 from __future__ import annotations
@@ -15,6 +14,7 @@ import threading
 from bdb import BdbQuit
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from pdb import Pdb
 from types import FrameType, TracebackType
@@ -69,16 +69,14 @@ def _run(
     pytest.main(arguments, plugins=[plugin])
 
 
+@dataclass
 class Debugging:
     """A pytest plugin that runs the chosen checks, and stops in the student's function."""
 
-    def __init__(
-        self, stops: Stops, exercise: Exercise, names: set[str], failing: set[str]
-    ) -> None:
-        self.stops = stops
-        self.exercise = exercise
-        self.names = names
-        self.failing = failing
+    stops: Stops
+    exercise: Exercise
+    names: set[str]
+    failing: set[str]
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Leave out all other checks."""
@@ -158,8 +156,8 @@ def _fails(check: Callable[[], object]) -> bool:
     """Run a check, and return True if it fails. BdbQuit, which ends the debugger, is passed on."""
     try:
         check()
-    except BdbQuit:
-        raise
-    except BaseException:  # including KeyboardInterrupt, which ends an endless loop
+    except BaseException as error:  # including KeyboardInterrupt, which ends an endless loop
+        if isinstance(error, BdbQuit):
+            raise
         return True
     return False

@@ -1,6 +1,6 @@
 """Put a stop at the beginning of each of a student's functions while its module is imported.
 
-The stop is one statement, ``if call_counts(...): breakpoint()``, in front of the function's own
+The stop is one statement, ``if call_counts(): breakpoint()``, in front of the function's own
 code. It works with pdb as well as with the debugger of an editor, and the line numbers stay those
 of the file. The file itself does not change.
 """
@@ -15,6 +15,7 @@ from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import CodeType, FrameType
 
+from autograder.definitions import functions
 from autograder.diagnosis.faults import is_inside, short
 
 NAME = "__stop_at_this_call__"  # of a built-in function
@@ -39,49 +40,34 @@ class Stops:
         setattr(builtins, NAME, self.count)
         setattr(SourceFileLoader, "get_code", lambda loader, name: self.get_code(loader, name))  # noqa: B010
 
-    def count(self, name: str) -> bool:
+    def count(self) -> bool:
         """Count the call of a function, and return True if it is the one to stop at."""
-        if name not in self.edits or self._is_inside_another(sys._getframe(2)):
-            return False
+        frame: FrameType | None = sys._getframe(1)  # of the function itself
+        while frame and (frame := frame.f_back):
+            code = frame.f_code
+            if f"{_module(code.co_filename)}.{code.co_qualname}" in self.edits:
+                return False
         self.calls += 1
         return self.calls == self.at
 
-    def _is_inside_another(self, frame: FrameType | None) -> bool:
-        while frame is not None:
-            code = frame.f_code
-            if f"{_module(code.co_filename)}.{code.co_qualname}" in self.edits:
-                return True
-            frame = frame.f_back
-        return False
-
     def get_code(self, loader: SourceFileLoader, fullname: str) -> CodeType | None:
         """Compile a module of the student's with stops. Python's cached bytecode has none."""
-        if not is_inside(loader.path, self.folders):
+        path = loader.path
+        if not is_inside(path, self.folders):
             return LOAD(loader, fullname)
-        tree = ast.parse(loader.get_data(loader.path), loader.path)
-        _add_stops(tree, _module(loader.path))
-        return compile(tree, loader.path, "exec", dont_inherit=True)
+        tree = ast.parse(loader.get_data(path), path)
+        for name, node in functions(tree).items():
+            if f"{_module(path)}.{name}" in self.edits:
+                first = min(1, len(node.body) - 1) if ast.get_docstring(node) is not None else 0
+                (stop,) = ast.parse(f"if {NAME}(): breakpoint()").body
+                # On the line of the def, because a debugger goes on to the next line.
+                for part in ast.walk(stop):
+                    if isinstance(part, ast.stmt | ast.expr):
+                        part.lineno = part.end_lineno = node.lineno
+                node.body.insert(first, stop)
+        return compile(tree, path, "exec", dont_inherit=True)
 
 
 def _module(path: str) -> str:
     """Return a file's folder and name, such as ch02_vectors/vector."""
     return short(path).removesuffix(".py")
-
-
-def _add_stops(node: ast.AST, name: str) -> None:
-    """Put a stop into each function below a node, after the function's docstring."""
-    for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.ClassDef):
-            _add_stops(child, f"{name}.{child.name}")
-        elif isinstance(child, ast.FunctionDef):
-            setter = any(
-                isinstance(d, ast.Attribute) and d.attr == "setter" for d in child.decorator_list
-            )
-            own = f"{name}.{child.name}{'.setter' if setter else ''}"
-            first = min(1, len(child.body) - 1) if ast.get_docstring(child) is not None else 0
-            (stop,) = ast.parse(f"if {NAME}({own!r}): breakpoint()").body
-            # On the line of the def, because a debugger goes on to the next line.
-            for part in ast.walk(stop):
-                if isinstance(part, ast.stmt | ast.expr):
-                    part.lineno = part.end_lineno = child.lineno
-            child.body.insert(first, stop)

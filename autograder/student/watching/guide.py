@@ -10,10 +10,9 @@ from autograder.checks.runner import GraderError
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result, result_of
-from autograder.student.chapter_results import ChapterResults
+from autograder.student.chapter_results import ChapterResults, state_of
 from autograder.student.failure import failure_of
 from autograder.student.finish import end_of
-from autograder.student.memory import state_of
 from autograder.student.screen import STYLES, inherited_notes
 from autograder.student.watching.edits import Edits
 from autograder.student.watching.latest import LatestResults, lacks_anything, lacks_physics

@@ -7,11 +7,8 @@ from pathlib import Path
 from autograder.checks.verdict import asked_for
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result
-from autograder.student.chapter_results import ChapterResults
-from autograder.student.check import report_on
-from autograder.student.memory import Memory
+from autograder.student.chapter_results import ChapterResults, Memory, ProgressBar, report_on
 from autograder.student.points import bar
-from autograder.student.screen import ProgressBar
 
 
 class LatestResults:

@@ -14,7 +14,7 @@ from watchfiles import watch as changes_in
 
 from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import ROOT, Chapter
-from autograder.student.memory import Memory
+from autograder.student.chapter_results import Memory
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.watching import keys

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT
-from copies import copy_tree
+from copies import copy_tree, edit
 from terminal import Terminal
 
 VECTOR = "ch02_vectors/vector.py"
@@ -22,9 +22,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
     def debug(exercise: str, old: str, new: str) -> Terminal:
         copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
-        text = (tmp_path / VECTOR).read_text(encoding="utf-8")
-        assert text.count(old) == 1
-        (tmp_path / VECTOR).write_text(text.replace(old, new), encoding="utf-8")
+        edit(tmp_path / VECTOR, old, new)
         opened.append(Terminal(ROOT, "debug", exercise, "--engine", str(tmp_path)))
         return opened[-1]
 

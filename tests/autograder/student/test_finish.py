@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 
 from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import Result, result_of
 from autograder.student import finish
 from autograder.student.chapter_results import ChapterResults
-from autograder.student.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
+from autograder.student.finish import DRAWN_WITH, end_of, finish_lines, is_finished
 from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
@@ -49,10 +47,7 @@ def ids(chapter: Chapter, *but: str) -> list[str]:
 def shown(
     reports: list[ChapterResults], exercise: Exercise | None = None, engine: list[Path] = SOLUTIONS
 ) -> str:
-    console = Console(file=io.StringIO(), width=80)
-    print_finish(console, reports, exercise, engine, [])
-    assert isinstance(console.file, io.StringIO)
-    return console.file.getvalue()
+    return "".join(f"\n{line}" for line, _ in end_of(reports, exercise, engine, []))
 
 
 @pytest.mark.parametrize("number", CHAPTERS)
@@ -86,6 +81,7 @@ def test_it_says_what_one_can_do_what_to_play_what_is_open_and_what_comes_next()
     assert "1 robust check; the first: make check EX=B3.3 ENGINE=solutions" in words
     assert f"chapter 4, The particle engine. {CHAPTERS[4].summary}" in words
     assert "Open nothing" in " ".join(shown([report_of(CH03)]).split())
+    assert "\nNext" not in shown([report_of(CHAPTERS[9])]), "it is the last chapter"
 
 
 def test_questions_and_projects_that_are_open_are_named() -> None:
@@ -95,10 +91,6 @@ def test_questions_and_projects_that_are_open_are_named() -> None:
     assert "P4.2a" in five
     assert "P4.2b" in five
     assert "SCENE=sniper" not in five
-
-
-def test_the_last_chapter_has_no_next() -> None:
-    assert "\nNext" not in shown([report_of(CHAPTERS[9])])
 
 
 def test_of_several_chapters_the_last_finished_one_until_the_next_is_begun() -> None:

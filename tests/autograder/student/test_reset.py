@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import ast
 import shutil
+from functools import partial
 from pathlib import Path
-from subprocess import CompletedProcess
 from types import SimpleNamespace
 
 import pytest
 
 from autograder.__main__ import main
 from autograder.definitions import functions
-from autograder.handouts.bodies import put_back
+from autograder.handouts.bodies import put_back, with_bodies
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.student.reset import question, reset
 from made import made_stubs
@@ -44,56 +44,38 @@ def taken_apart(source: str, names: set[str]) -> tuple[dict[str, str], str]:
     return parts, rest + "".join(lines[at:])
 
 
-def edited(chapter: Chapter, file: str, exercises: set[str] | None = None) -> set[str]:
-    """Return the names in a file that these exercises, or all of them, have students write."""
-    stem = file.removesuffix(".py")
-    return {
-        name.removeprefix(f"{stem}.")
-        for exercise in chapter.exercises
-        for name in exercise.edit
-        if name.startswith(f"{stem}.") and (exercises is None or exercise.id in exercises)
-    }
+def edited(chapter: Chapter, file: str, exercise_id: str = "") -> set[str]:
+    """Return the names in a file that an exercise, or any of them, has students write."""
+    parts = [name.partition(".") for e in chapter.exercises for name in e.edit]
+    if exercise_id:
+        parts = [name.partition(".") for name in chapter.exercise(exercise_id).edit]
+    return {name for module, _, name in parts if f"{module}.py" == file}
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
-def test_all_exercises_reset_are_the_bodies_of_the_stubs(chapter: Chapter, tmp_path: Path) -> None:
+def test_an_exercise_is_reset_and_all_else_stays(chapter: Chapter, tmp_path: Path) -> None:
+    """Imports, constants and helpers stay too: another exercise may use them."""
     engine = engine_of(chapter, tmp_path / "engine")
+    texts = {path: path.read_text(encoding="utf-8") for path in engine.rglob("*.py")}
     for exercise in chapter.exercises:
-        if exercise.edit:
-            reset(chapter, exercise, engine, tmp_path / "copies")
-    for name in chapter.edited_files:
-        solution = (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
-        after = (engine / chapter.name / name).read_text(encoding="utf-8")
-        names = edited(chapter, name)
-        stub = made_stubs()[f"chapters/{chapter.name}/{name}"]
-        assert taken_apart(after, names)[0] == taken_apart(stub, names)[0]
-        # Imports, constants and helpers are left: another exercise may use them.
-        assert taken_apart(after, names)[1] == taken_apart(solution, names)[1]
-
-
-@pytest.mark.parametrize(
-    ("number", "exercise_id"), [(2, "B2.5"), (3, "B3.1"), (6, "6.4"), (9, "B9.3")]
-)
-def test_one_exercise_is_reset_and_the_answers_to_the_others_stay(
-    number: int, exercise_id: str, tmp_path: Path
-) -> None:
-    chapter = next(chapter for chapter in CHAPTERS if chapter.number == number)
-    engine = engine_of(chapter, tmp_path / "engine")
-    reset(chapter, chapter.exercise(exercise_id), engine, tmp_path / "copies")
-    changed = 0
-    for name in chapter.edited_files:
-        solution = (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
-        after = (engine / chapter.name / name).read_text(encoding="utf-8")
-        own = edited(chapter, name, {exercise_id})
-        now, rest = taken_apart(after, own)
-        assert rest == taken_apart(solution, own)[1]
-        assert now == taken_apart(made_stubs()[f"chapters/{chapter.name}/{name}"], own)[0]
-        changed += after != solution
-    assert changed
+        if not exercise.edit:
+            continue
+        reset(chapter, exercise, engine, tmp_path / "copies")
+        for path, before in texts.items():
+            names = edited(chapter, path.name, exercise.id)
+            texts[path] = path.read_text(encoding="utf-8")
+            now, rest = taken_apart(texts[path], names)
+            assert rest == taken_apart(before, names)[1]
+            stub = made_stubs()[f"chapters/{chapter.name}/{path.name}"]
+            assert now == taken_apart(stub, names)[0]
+            assert (texts[path] != before) == bool(names)
 
 
 def test_the_file_as_it_was_is_kept_and_no_copy_is_overwritten(tmp_path: Path) -> None:
     engine, copies = engine_of(CH02, tmp_path / "engine"), tmp_path / "copies"
+    asked = question(CH02, CH02.exercise("B2.4"), engine, copies)
+    for words in ("B2.4", "Vector3.normalize, Vector3.normalized", "vector.py", str(copies)):
+        assert words in asked
     file = engine / CH02.name / "vector.py"
     first = file.read_bytes()
     said = reset(CH02, CH02.exercise("B2.5"), engine, copies)
@@ -107,28 +89,47 @@ def test_the_file_as_it_was_is_kept_and_no_copy_is_overwritten(tmp_path: Path) -
     assert sorted((copies / CH02.name).iterdir()) == kept
 
 
-def test_a_students_own_way_of_writing_stays(tmp_path: Path) -> None:
-    """Line ends of Windows, a second indent, an answer on the line of the def, a lost end."""
-    file = tmp_path / CH02.name / "exercises.py"
-    file.parent.mkdir()
-    before = (
-        "import math  # mine\r\n\r\n"
-        "def angle(a, b): 'Return it.'; return math.pi\r\n\r\n"
-        "async def other():\r\n  return 'ä'"
-    )
-    exercise = next(e for e in CH02.exercises if e.edit and e.edit[0].startswith("exercises."))
-    name = exercise.edit[0].removeprefix("exercises.")
-    before = before.replace("angle", name)
-    file.write_bytes(before.encode())
-    alone = [e for e in CH02.exercises if e.edit == [f"exercises.{name}"]]
-    reset(CH02, alone[0], tmp_path, tmp_path / "copies")
-    text = file.read_bytes().decode()
-    assert text.startswith(f"import math  # mine\r\n\r\ndef {name}(a, b):")
-    assert text.endswith("async def other():\r\n  return 'ä'")
-    assert text.count("\n") == text.count("\r\n")
-    body = functions(ast.parse(text))[name].body
-    wanted = f"raise NotImplementedError('Exercise {exercise.id}: {exercise.title}')"
-    assert [ast.unparse(node) for node in body] == ["'Return it.'", wanted]
+@pytest.mark.parametrize(
+    ("above", "body", "stub", "below"),
+    [
+        ("def f():", " 'Doc.'; return 1", "\n    'Doc.'\n    RAISE", ""),
+        ("\ufeffdef f():", " return 1", "\n    RAISE", "\n"),  # with a BOM
+        (
+            "import x  # ä\r\n\r\n@x\r\ndef f(a,\r\n  b):",
+            "\r\n\tif a:\r\n\t\tf()",
+            "\r\n\tRAISE",
+            "",
+        ),
+        (
+            "class C:\n def f(s, x='ä'): 'ö'; f()\n\ndef f():  # ä",
+            "\n  return 2",
+            "\n  RAISE",
+            "\n#",
+        ),
+        ("def f():", "\n  return 'ö'  # ä", "\n  RAISE", "\nasync def g():\n  return 'ä'"),
+    ],
+)
+def test_a_students_own_way_of_writing_stays(above: str, body: str, stub: str, below: str) -> None:
+    after = with_bodies((above + body + below).encode(), {"f": "RAISE"})
+    assert after.decode() == above + stub + below
+
+
+@pytest.mark.parametrize(
+    ("left", "result"),
+    [
+        (b"class C:\r\n\tx = 1", b"class C:\r\n\tx = 1\r\n\r\n\tdef f(self):\r\n\t    RAISE\r\n"),
+        (b"class C: pass\n", None),
+        (b"", b"class C:\n    x = 1\n\n    def f(self):\n        RAISE\n"),
+    ],
+    ids=["tabs", "a class on one line", "no class"],
+)
+def test_a_stub_comes_back_in_the_students_own_way(left: bytes, result: bytes | None) -> None:
+    stub = b"class C:\n    x = 1\n\n    def f(self):\n        RAISE\n"
+    if result is None:
+        with pytest.raises(ValueError, match="does not fit"):
+            put_back(left, stub, ["C.f"])
+    else:
+        assert put_back(left, stub, ["C.f"]) == result
 
 
 @pytest.mark.parametrize(
@@ -213,43 +214,32 @@ def test_a_class_that_was_deleted_comes_back_whole(tmp_path: Path) -> None:
     assert functions(ast.parse(text)).keys() == members
 
 
-def test_the_question_names_the_exercise_the_functions_and_the_copy(tmp_path: Path) -> None:
-    engine = engine_of(CH02, tmp_path / "engine")
-    asked = question(CH02, CH02.exercise("B2.4"), engine, tmp_path / "copies")
-    for words in ("B2.4", "Vector3.normalize, Vector3.normalized", "vector.py", "copies"):
-        assert words in asked
-
-
 def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     root = make_students_root(tmp_path)
+    reset_by = partial(typed, "autograder", "reset", cwd=root, PYTHONPATH=str(root))
     file = root / "chapters/ch90_small/small.py"
     file.write_text(RIGHT, encoding="utf-8")
-    done = autograder(root, "reset", "b90.1")
+    done = reset_by("b90.1")
     assert done.returncode == 0, done.stderr
     stub = 'raise NotImplementedError("Exercise B90.1: Double")'
     assert file.read_text(encoding="utf-8") == RIGHT.replace("return x + x", stub)
     assert "your previous file: build/reset/ch90_small/small-1.py" in done.stdout
     file.write_bytes(b"x = (\n")
-    for arguments in (("reset", "B90.1"), ("reset", "B90.1", "--whole")):
-        done = autograder(root, *arguments)
+    for options in ((), ("--whole",)):
+        done = reset_by("B90.1", *options)
         assert done.returncode == 2
         assert "opy the file from the handout again" in done.stderr
         assert file.read_bytes() == b"x = (\n"
     kept = root / "stubs/ch90_small/small.py"  # as a handout has it
     kept.parent.mkdir(parents=True)
     kept.write_text(STUB, encoding="utf-8")
-    assert "EX=B90.1 WHOLE=1" in autograder(root, "reset", "B90.1").stderr
-    assert autograder(root, "reset", "B90.1", "--whole").returncode == 0
+    assert "EX=B90.1 WHOLE=1" in reset_by("B90.1").stderr
+    assert reset_by("B90.1", "--whole").returncode == 0
     assert file.read_text(encoding="utf-8") == STUB
-    file.write_text(RIGHT.partition("def quadruple")[0], encoding="utf-8")
-    done = autograder(root, "reset", "90.1")
-    assert "restored the missing stub" in done.stdout
-    written = file.read_text(encoding="utf-8")
-    assert written == RIGHT.partition("def quadruple")[0] + STUB[STUB.index("def quadruple") :]
-
-
-def autograder(root: Path, *arguments: str) -> CompletedProcess[str]:
-    return typed("autograder", *arguments, cwd=root, PYTHONPATH=str(root))
+    start = RIGHT.partition("def quadruple")[0]
+    file.write_text(start, encoding="utf-8")
+    assert "restored the missing stub" in reset_by("90.1").stdout
+    assert file.read_text(encoding="utf-8") == start + STUB[STUB.index("def quadruple") :]
 
 
 @pytest.mark.parametrize(("answer", "says", "code"), [("n", "Nothing was", 1), ("y", "stub", 0)])

@@ -104,6 +104,26 @@ def test_points_by_tier_whatever_the_number_of_checks(passing: str, points: floa
     assert result_of(exercise, alone).score == (10.0 if "robust" in passing else 0.0)
 
 
+@pytest.mark.parametrize(
+    ("physics", "robust", "status"),
+    [
+        ("inherited", "failed", "inherited"),
+        ("blocked", "failed", "blocked"),
+        ("passed", "failed", "failed"),
+        ("passed", "passed", "passed"),
+    ],
+)
+def test_an_exercise_is_in_the_state_of_its_physics_first(
+    physics: str, robust: str, status: str
+) -> None:
+    exercise = exercise_of("B3.1", "Mass", "build", 5)
+    checks = [
+        Verdict("a", exercise.id, 1, physics, ""),
+        Verdict("b", exercise.id, 1, robust, "", robust=True),
+    ]
+    assert result_of(exercise, checks).status == status
+
+
 def test_the_screen_shows_physics_before_robust_checks(
     chapter: Chapter, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -12,33 +12,15 @@ import pytest
 from autograder.manifest import ROOT
 from autograder.message import laid_out
 from autograder.text.wrapping import cut, few_lines, wrapped, wrapped_rows
-from small import RIGHT
+from small import MANIFEST, RIGHT
 from terminal import HEIGHT, KEYS, WIDTH, Terminal, make_handout, opened, save
 
-TIERS_MANIFEST = """
-title = "Small"
-
-[[exercise]]
-id = "B90.1"
-title = "Two and three"
-kind = "build"
-stars = 1
-points = 4
-edit = ["small.double", "small.triple"]
-robust = "A text would be repeated and not doubled."
-hints = ["twice"]
-terms = []
-
-[[exercise]]
-id = "90.1"
-title = "Quadruple"
-kind = "exercise"
-stars = 1
-points = 2
-edit = ["small.quadruple"]
-hints = ["double the double"]
-terms = []
-"""
+WHY = "A text would be repeated"
+TIERS_MANIFEST = (
+    MANIFEST.replace("Double", "Two and three")
+    .replace('["small.double"]', f'["small.double", "small.triple"]\nrobust = "{WHY}."')
+    .replace('needs = ["B90.1"]\n', "")
+)
 TIERS_CHECKS = """
 import pytest
 from ch90_small import small
@@ -83,7 +65,6 @@ def triple(x):
 def quadruple(x):
     raise NotImplementedError("Exercise 90.1: Quadruple")
 """
-WHY = "A text would be repeated"
 
 
 @pytest.fixture

@@ -13,43 +13,12 @@ import pytest
 
 from autograder.definitions import functions
 from autograder.handouts.handout import KEPT, make_handout
-from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, load_chapters
 from copies import copy_tree
 from graded import points_of
 from made import made_stubs
 
 CH02, CH03 = load_chapters()[:2]
-
-LATER_MANIFEST = """
-title = "Later"
-
-[[exercise]]
-id = "99.1"
-title = "Twice"
-kind = "exercise"
-stars = 1
-points = 1
-edit = ["twice.twice"]
-hints = ["add"]
-terms = []
-"""
-LATER_SOLUTION = """
-from ch02_vectors.vector import Vector3
-
-
-def twice(v: Vector3) -> Vector3:
-    return v + v
-"""
-LATER_CHECK = """
-import pytest
-from ch02_vectors.vector import Vector3
-from ch99_later.twice import twice
-
-
-@pytest.mark.exercise("99.1")
-def test_twice():
-    assert twice(Vector3(1, 2, 3)).z == 6
-"""
 
 
 def check(handout: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -146,39 +115,16 @@ def test_a_link_to_a_later_lesson_is_plain_text(tmp_path: Path) -> None:
         assert [one for one in targets if not (page.parent / one).exists()] == [], page
 
 
-def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
-    """A later chapter is handed out together with chapter 2, which is given."""
-    root = tmp_path / "root"
-    for folder in ("chapters", "solutions", "tests", "autograder", "scenes"):
-        copy_tree(ROOT / folder, root / folder)
-    copy_tree(ROOT / "docs", root / "docs")
-    for name in ["Makefile", "pyproject.toml", "LICENSE", ".gitignore", "glossary.md"]:
-        shutil.copyfile(ROOT / name, root / name)
-    later = "ch99_later"
-    for folder in ("chapters", "solutions", "tests"):
-        (root / folder / later).mkdir()
-    (root / "chapters" / later / "chapter.toml").write_text(LATER_MANIFEST, encoding="utf-8")
-    (root / "solutions" / later / "twice.py").write_text(LATER_SOLUTION, encoding="utf-8")
-    (root / "tests" / later / "test_twice.py").write_text(LATER_CHECK, encoding="utf-8")
-    chapters = [load_chapter(root / "chapters" / name) for name in (CH02.name, later)]
-    out = tmp_path / "out"
-    make_handout(chapters[1:], chapters[:1], out, root)
-    given = (out / "chapters/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    assert given == (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    assert not (out / "tests/ch02_vectors").exists()
-    before = check(out)
-    assert before.returncode == 1, before.stderr
-    assert "Chapter 99" in before.stdout
-    assert "Chapter 2:" not in before.stdout
-    (out / "chapters" / later / "twice.py").write_text(LATER_SOLUTION, encoding="utf-8")
-    assert "1 of 1 points" in check(out).stdout
-
-
 def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> None:
     out = tmp_path / "out"
     make_handout([CH03], [CH02], out)
     assert (out / "chapters/ch02_vectors/arguments.py").exists()
-    assert f"] 0 of {points_of(CH03)} points" in check(out, "--chapter", "3").stdout
+    given = (out / "chapters/ch02_vectors/vector.py").read_text(encoding="utf-8")
+    assert given == (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
+    assert not (out / "tests/ch02_vectors").exists()
+    before = check(out).stdout
+    assert f"] 0 of {points_of(CH03)} points" in before
+    assert "Chapter 2:" not in before, "what is given is not checked"
     second = ROOT / "sample_class/ada/ch03_laws_of_motion"
     copy_tree(second, out / "chapters/ch03_laws_of_motion")
     assert f"{points_of(CH03)} of {points_of(CH03)} points" in check(out, "--chapter", "3").stdout

@@ -160,11 +160,16 @@ def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Pat
     assert "Chapter 3" in done.stdout
 
 
-@pytest.mark.parametrize("command", ["plots draw --chapter 2", "lab record fireworks"])
-def test_a_drawing_command_without_the_packages_says_what_to_do(command: str) -> None:
+WITHOUT_PACKAGES = ["autograder check", "plots draw --chapter 2", "lab record fireworks"]
+
+
+@pytest.mark.parametrize("command", WITHOUT_PACKAGES)
+def test_a_command_without_the_packages_says_what_to_do(command: str) -> None:
     done = run(sys.executable, "-S", "-m", *command.split())  # no installed packages
     assert done.returncode == 2
-    assert "Run make setup (without make: " in done.stderr
+    assert (
+        "this Python lacks the companion's packages. Run make setup (without make: " in done.stderr
+    )
     assert "Traceback" not in done.stderr
 
 

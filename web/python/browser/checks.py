@@ -13,11 +13,9 @@ from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.message import Kind
 from autograder.scores import results_of
-from autograder.student.chapter_results import ChapterResults
-from autograder.student.check import report_on
+from autograder.student.chapter_results import ChapterResults, Memory, ProgressBar, report_on
 from autograder.student.failure import failure_of
-from autograder.student.memory import Memory
-from autograder.student.screen import ProgressBar, first_open
+from autograder.student.screen import first_open
 from web.python.browser.folder import CHAPTERS, Folder
 from web.python.browser.page import post
 from web.python.browser.past import Processes

@@ -9,11 +9,8 @@ from pathlib import Path
 
 
 @contextmanager
-def alone(lock: Path) -> Iterator[None]:
-    """Wait until no other process is in a block with the same lock file, and then run the block.
-
-    A process that is killed leaves its block.
-    """
+def locked(lock: Path) -> Iterator[None]:
+    """Run the block when no other process is in one with this file. A kill unlocks it."""
     with lock.open("w", encoding="utf-8") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield

@@ -74,16 +74,12 @@ class Handler(RequestHandler):
         self.site.check_host(self.request)
 
 
-class Files(StaticFileHandler):
+class Files(Handler, StaticFileHandler):
     """A handler that serves our web page and its static files, such as scripts and style sheets."""
 
     def initialize(self, site: Site, path: str, default_filename: str = "index.html") -> None:  # type: ignore[override]
-        self.site = site
-        super().initialize(path, default_filename)
-
-    def prepare(self) -> None:
-        self.site.check_host(self.request)
+        Handler.initialize(self, site)
+        StaticFileHandler.initialize(self, path, default_filename)
 
     def set_extra_headers(self, path: str) -> None:  # noqa: ARG002 - tornado's signature
-        for name, value in HEADERS.items():
-            self.set_header(name, value)
+        self.set_default_headers()

@@ -15,23 +15,24 @@ from autograder.checks.check_process import environment
 from autograder.isolation.judges import ForkedJudge
 from autograder.manifest import ROOT
 
-BROKEN = "{}"  # a configuration without content
+BROKEN = "{}"  # no configuration
 
 
 def test_a_judge_has_its_own_folder_output_and_exit_code(tmp_path: Path) -> None:
-    (tmp_path / "config.json").write_text(BROKEN, encoding="utf-8")
+    (tmp_path / "config.pickle").write_text(BROKEN, encoding="utf-8")
     with (tmp_path / "stderr.txt").open("w+b") as stderr:
-        judge = ForkedJudge(Path("config.json"), tmp_path, environment(), stderr)
+        judge = ForkedJudge(Path("config.pickle"), tmp_path, environment(), stderr)
         assert judge.stdout.read() == ""
         assert os.getpgid(judge.pid) == judge.pid, "the runner ends its whole group"
         assert judge.wait() == 1
         judge.stdin.close()
-    assert "Config is missing" in (tmp_path / "stderr.txt").read_text(encoding="utf-8")
+    assert "UnpicklingError" in (tmp_path / "stderr.txt").read_text(encoding="utf-8")
 
 
 def test_a_judge_that_is_killed_at_once_is_waited_for(tmp_path: Path) -> None:
     with (tmp_path / "stderr.txt").open("w+b") as stderr:
-        judge = ForkedJudge(tmp_path, tmp_path, environment(), stderr)
+        os.mkfifo(tmp_path / "config")  # it waits for this configuration
+        judge = ForkedJudge(tmp_path / "config", tmp_path, environment(), stderr)
         os.killpg(judge.pid, signal.SIGKILL)
         assert judge.wait() == -signal.SIGKILL
         judge.stdin.close()

@@ -20,9 +20,10 @@ from scenes import spheres
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.asleep import asleep, asleep_in_pymunk, put_to_sleep
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, Step, at_best, by_pymunk, in_turn
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best, by_pymunk, in_turn
 from studies.accuracy.scene import STEPS, Made, Place, Scene, by_formula, by_steps, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
+from studies.models.pymunk_steps import Step
 
 FRAMES = 60  # of the spheres at rest
 BODIES, LONG = 1000, 300  # bodies that fall, and frames

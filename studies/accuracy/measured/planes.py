@@ -20,12 +20,14 @@ from scenes.clock import RATE
 from scenes.links import Strut
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.in_plane import LONG, ORDERS, flat, in_long_steps, in_plane
-from studies.accuracy.in_pymunk import Step, by_pymunk
+from studies.accuracy.in_plane import LONG, ORDERS, flat, in_plane
+from studies.accuracy.in_pymunk import by_pymunk
 from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 from studies.models.direct_net import DirectNet
+from studies.models.long_steps import in_long_steps
 from studies.models.order_8 import Numbers
 from studies.models.plane_links import Link, accelerations_on_links
+from studies.models.pymunk_steps import Step
 from studies.models.smooth_net import SmoothNet
 from studies.models.taut import TautMotion, Tie
 

@@ -9,7 +9,8 @@ from matplotlib import pyplot
 
 from plots.drawing import BLACK, growth_bar, growth_map
 from scenes.integrators import INTEGRATORS, SOLVERS
-from studies.limits.search import ON_SPRING, first, growth_at, theory_at
+from studies.limits.search import first, growth_at, theory_at
+from studies.models.pymunk_solvers import ON_SPRING
 
 METHODS = (*INTEGRATORS, *SOLVERS, *ON_SPRING)  # in the order of the panels
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]

@@ -54,16 +54,14 @@ def main(arguments: list[str]) -> int:
         drags = search.drag_limits()
     with console.status(f"simulating {SWINGS[-1]} oscillations"):
         drifts = search.energy_drifts(SWINGS)
-    tables = ((springs, "k h^2 / m"), (drags, "k1 h / m"))
-    for bounds, what in tables:
+    rows: list[Sequence[object]] = []
+    for bounds, what in ((springs, "k h^2 / m"), (drags, "k1 h / m")):
         console.print(_table(bounds, what))
+        rows += [("method", "case", f"limit of {what}", "theory", "steps to x 1e6"), *bounds]
     table = Table("method", f"energy after {SWINGS[-1]} oscillations", box=SIMPLE_HEAD)
     for name, ratios in drifts.items():
         table.add_row(name, f"{ratios[-1]:.6g}")
     console.print(table)
-    rows: list[Sequence[object]] = []
-    for bounds, what in tables:
-        rows += [("method", "case", f"limit of {what}", "theory", "steps to x 1e6"), *bounds]
     rows.append(("method", *(f"energy after {count} oscillations" for count in SWINGS)))
     rows += [(name, *ratios) for name, ratios in drifts.items()]
     out.parent.mkdir(parents=True, exist_ok=True)
@@ -81,8 +79,8 @@ def main(arguments: list[str]) -> int:
         f"\nMaps: {shown(picture)}\nAll numbers: {shown(out)}",
         soft_wrap=True,
     )
-    bounds = [*springs, *drags]
-    off = [one for one in bounds if not math.isclose(one.found, one.theory, rel_tol=WORST)]
+    every = (*springs, *drags)
+    off = [one for one in every if not math.isclose(one.found, one.theory, rel_tol=WORST)]
     for one in off:
         console.print(f"differs from theory by more than 5 %: {one.method}, {one.at}")
     return 1 if off else 0

@@ -22,7 +22,7 @@ from studies.accuracy.asleep import asleep, asleep_in_pymunk, put_to_sleep
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best, by_pymunk, in_turn
 from studies.accuracy.scene import STEPS, Made, Place, Scene, by_formula, by_steps, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
-from studies.models.plain_lists import Falling
+from studies.models.plain_numbers import Falling
 from studies.models.pymunk_steps import Step
 
 FRAMES = 60  # of the spheres at rest

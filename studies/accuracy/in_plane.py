@@ -10,8 +10,7 @@ from scenes.setup import Setup
 from studies.accuracy.scene import TOLERANCES, Model, Outcome, Place, by_integrators
 from studies.models.long_steps import in_long_steps
 from studies.models.multistep import LoneMultistep, Multistep
-from studies.models.order_8 import Accelerations, Order8
-from studies.models.pymunk_steps import Acceleration
+from studies.models.order_8 import Acceleration, Accelerations, Order8
 
 LONG = 12  # frames; the number of steps is given per this many frames
 LONG_STEPS = (2, 3, 4, 6, *(LONG * 2**n for n in range(13)))

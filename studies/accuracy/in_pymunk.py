@@ -23,7 +23,8 @@ from scenes.clock import RATE
 from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.scene import MANY, Model, Outcome, Place, in_frames
-from studies.models.pymunk_steps import Acceleration, Step, calling_back, changing, pushing
+from studies.models.order_8 import Acceleration
+from studies.models.pymunk_steps import Step, calling_back, changing, pushing
 
 if TYPE_CHECKING:
     import pymunk

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from studies.models.order_8 import Acceleration
+
 if TYPE_CHECKING:
     import pymunk
 
 Step = Callable[[float], object]
-Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
 
 
 def pushing(acceleration: Acceleration, space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:

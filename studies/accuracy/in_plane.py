@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
 
 from scenes.clock import RATE
 from scenes.setup import Setup
 from studies.accuracy.scene import TOLERANCES, Model, Outcome, Place, by_integrators
+from studies.models.long_steps import in_long_steps
 from studies.models.multistep import LoneMultistep, Multistep
-from studies.models.order_8 import Accelerations, Order8
-from studies.models.smooth_net import hermite_weights
+from studies.models.order_8 import Acceleration, Accelerations, Order8
 
 LONG = 12  # frames; the number of steps is given per this many frames
 LONG_STEPS = (2, 3, 4, 6, *(LONG * 2**n for n in range(13)))
 ORDERS = (4, 6, 8)
-
-Acceleration = Callable[[complex, complex], complex]  # from the position and the velocity
 
 
 def flat(positions: Sequence[complex]) -> Place:
@@ -83,31 +80,6 @@ def stepped(
         *by_integrators(make, frames),
         *in_plane([place], [velocity], on_all(acceleration), frames, is_damped=is_damped),
     ]
-
-
-def in_long_steps(
-    step: Callable[[], object],
-    state: Callable[[], tuple[list[Any], list[Any]]],
-    place: Callable[[list[Any]], Place],
-    every: int,
-    frames: int,
-) -> list[Place]:
-    """Simulate in steps of ``every`` frames, with cubic curves for the frames in between.
-
-    The curves are accurate only while the motion is smooth: they cannot follow an impact.
-    """
-    places: list[Place] = []
-    curve = [hermite_weights(every / RATE, frame / every) for frame in range(1, every)]
-    old, fast = state()
-    while len(places) < frames:
-        step()
-        new, later = state()
-        ends = [*zip(old, fast, new, later, strict=True)]
-        for a, b, c, d in curve:
-            places.append(place([a * x + b * v + c * y + d * w for x, v, y, w in ends]))
-        places.append(place(new))
-        old, fast = new, later
-    return places[:frames]
 
 
 def on_all(acceleration: Acceleration) -> Accelerations:

@@ -14,23 +14,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from scenes.clock import RATE
 from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.in_plane import Acceleration
 from studies.accuracy.scene import MANY, Model, Outcome, Place, in_frames
+from studies.models.order_8 import Acceleration
+from studies.models.pymunk_steps import Step, calling_back, changing, pushing
 
 if TYPE_CHECKING:
     import pymunk
 
 EXAMPLES, BEST = "pymunk, as in its examples", "pymunk at its best"
 BATCH = 4  # bodies from which it is faster to read all positions in one call
-
-Step = Callable[[float], object]
 
 
 def by_pymunk(
@@ -77,8 +77,7 @@ def from_two_runs(model: Model) -> Model:
 def lone(make: Callable[[], Setup], acceleration: Acceleration, frames: int) -> list[Model]:
     """Create the models of a single body in pymunk under a force of our own.
 
-    The force acts before each step, or in ``velocity_func``, or as a change of the velocity before
-    each step, from half a step behind.
+    At its best, pymunk starts half a step behind.
     """
     (start,) = make().particles
     place, velocity = (complex(v.x, v.y) for v in (start.position, start.velocity))
@@ -88,46 +87,12 @@ def lone(make: Callable[[], Setup], acceleration: Acceleration, frames: int) -> 
         past = velocity - behind * first
         return twin_of(alone(Particle(start.position, Vector3(past.real, past.imag))), iterations=1)
 
-    def called_back(_: float) -> InSpace:
-        space, (body,) = begun(0.0)
-        update = body.update_velocity
-
-        def change(body: pymunk.Body, _gravity: Any, _damping: float, duration: float) -> None:
-            pull = acceleration(complex(*body.position), complex(*body.velocity))
-            update(body, (pull.real, pull.imag), 1.0, duration)
-
-        body.velocity_func = change
-        return space, [body]
-
-    def pushing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
-        (body,) = bodies
-
-        def step(duration: float) -> None:
-            place = body.position
-            pull = acceleration(complex(*place), complex(*body.velocity))
-            body.apply_force_at_world_point((pull.real, pull.imag), place)
-            space.step(duration)
-
-        return step
-
-    def changing(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
-        (body,) = bodies
-        speed, last, move = complex(*body.velocity), first, space.step
-
-        def step(duration: float) -> None:
-            nonlocal speed, last
-            x, y = body.position
-            last = acceleration(complex(x, y), speed + 0.5 * duration * last)
-            speed += duration * last
-            body.velocity = speed.real, speed.imag
-            move(duration)
-
-        return step
-
+    by_hand, called = partial(pushing, acceleration), partial(calling_back, acceleration)
+    ahead = partial(changing, acceleration, first)
     return [
-        by_pymunk("pymunk, force by hand", begun, frames, stepping=pushing),
-        by_pymunk(EXAMPLES, called_back, frames),
-        by_pymunk(BEST, lambda h: begun(h, 0.5 * h), frames, stepping=changing),
+        by_pymunk("pymunk, force by hand", begun, frames, stepping=by_hand),
+        by_pymunk(EXAMPLES, begun, frames, stepping=called),
+        by_pymunk(BEST, lambda h: begun(h, 0.5 * h), frames, stepping=ahead),
     ]
 
 

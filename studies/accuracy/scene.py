@@ -136,16 +136,11 @@ def by_integrators(make: Callable[[], Setup], frames: int) -> list[Model]:
     for name, integrator in INTEGRATORS.items():
         by = "the book" if integrator is explicit_euler else "ours"
         fixed.append(Model(name, by_setup(make, integrator, frames), by=by))
-    return [*fixed, by_tolerance(make, frames)]
 
+    def by_tolerance(inverse: int) -> Outcome:
+        return by_setup(make, adaptive(1.0 / inverse), frames)(1)
 
-def by_tolerance(make: Callable[[], Setup], frames: int) -> Model:
-    """Create a model that simulates a particle with the adaptive integrator of chapter 6."""
-
-    def run(finer: int) -> Outcome:
-        return by_setup(make, adaptive(1.0 / finer), frames)(1)
-
-    return Model("adaptive", run, TOLERANCES, takes_tolerance=True)
+    return [*fixed, Model("adaptive", by_tolerance, TOLERANCES, takes_tolerance=True)]
 
 
 def by_setup(

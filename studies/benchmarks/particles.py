@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import sys
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from ch02_vectors.vector import Vector3
@@ -15,15 +16,15 @@ from ch05_forces import particle as chapter_5
 from ch05_forces.forces import Gravity
 from scenes.clock import FRAME
 from scenes.flight import DAMPED_FALL, PROJECTILE
-from scenes.readings import Numbers
 from scenes.setup import Setup, alone
 from scenes.timing import Measurement, Target, Timer, timer, versus
 from scenes.twin import twin_of
 from studies.accuracy.in_pymunk import reading
+from studies.models.plain_numbers import flight_in_numbers, pushed_in_numbers
 
 STEPS = 10_000
 ROUNDS = 51
-FORCE = (1.0, 2.0, 3.0)
+PUSHED = PROJECTILE, (1.0, 2.0, 3.0)  # with the force in N
 # How the positions of pymunk's bodies are read after each step.
 IN_TURN, AT_ONCE, NOT = " and read every position", " and read all in one call", " only"
 OURS, BARE = "Particle.integrate", "the same arithmetic"
@@ -51,8 +52,9 @@ def lines() -> list[Measurement]:
     step, free = moving(steps, Particle), moving(steps)
     in_place = moving(in_place_steps, Particle)
     randomly = timer(lambda: steps(PROJECTILE.particle(Particle), uneven))
-    bare, bare_randomly = timer(lambda: arithmetic(even)), timer(lambda: arithmetic(uneven))
-    forced, bare_forced = moving(forced_steps), timer(lambda: forced_arithmetic(even))
+    bare = timer(partial(flight_in_numbers, PROJECTILE, even))
+    bare_randomly = timer(partial(flight_in_numbers, PROJECTILE, uneven))
+    forced, bare_forced = moving(forced_steps), timer(partial(pushed_in_numbers, *PUSHED, even))
     generated, constant = "gravity as a force generator in the registry", "as constant acceleration"
     operators = "a step written with + and *, which make new vectors"
     little = Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.4)
@@ -134,26 +136,9 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
         velocity *= particle.damping**frame
 
 
-def arithmetic(frames: list[float]) -> Numbers:
-    """Do the arithmetic of Particle.integrate without objects, and return the final position."""
-    x, y, z = PROJECTILE.position
-    vx, vy, vz = PROJECTILE.velocity
-    ax, ay, az = PROJECTILE.acceleration
-    damping = PROJECTILE.damping
-    for frame in frames:
-        x += vx * frame
-        y += vy * frame
-        z += vz * frame
-        keep = damping**frame
-        vx = (vx + ax * frame) * keep
-        vy = (vy + ay * frame) * keep
-        vz = (vz + az * frame) * keep
-    return x, y, z
-
-
 def forced_steps(particle: chapter_5.Particle, frames: list[float]) -> None:
     """Move a particle on which a constant force acts."""
-    force = Vector3(*FORCE)
+    force = Vector3(*PUSHED[1])
     for frame in frames:
         particle.add_force(force)
         particle.integrate(frame)
@@ -166,30 +151,6 @@ def generator_steps(particle: chapter_5.Particle, frames: list[float]) -> None:
     for frame in frames:
         registry.update_forces(frame)
         particle.integrate(frame)
-
-
-def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Do the arithmetic of ``forced_steps``, which sums the forces, uses the sum and clears it."""
-    x, y, z = PROJECTILE.position
-    vx, vy, vz = PROJECTILE.velocity
-    ax, ay, az = PROJECTILE.acceleration
-    damping = PROJECTILE.damping
-    inverse_mass = 1.0
-    force_x, force_y, force_z = FORCE
-    sum_x = sum_y = sum_z = 0.0
-    for frame in frames:
-        sum_x += force_x
-        sum_y += force_y
-        sum_z += force_z
-        x += vx * frame
-        y += vy * frame
-        z += vz * frame
-        keep = damping**frame
-        vx = (vx + (ax + sum_x * inverse_mass) * frame) * keep
-        vy = (vy + (ay + sum_y * inverse_mass) * frame) * keep
-        vz = (vz + (az + sum_z * inverse_mass) * frame) * keep
-        sum_x = sum_y = sum_z = 0.0
-    return x, y, z
 
 
 def lines_of_sparks() -> list[Measurement]:

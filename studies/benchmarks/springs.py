@@ -2,32 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.going_further.cloth import (
-    KNOTS,
-    MASS,
-    REST_LENGTH,
-    STIFFNESS,
-    G,
-    make_cloth,
-    neighbors,
-)
+from ch06_springs.going_further.cloth import REST_LENGTH, STIFFNESS, make_cloth, neighbors
 from ch06_springs.integrators import Integrator
 from ch06_springs.springs import AnchoredSpring, Spring, spring_force
 from scenes.integrators import INTEGRATORS
 from scenes.timing import Measurement, Target, timer, versus
+from studies.models.plain_numbers import cloth_in_numbers, spring_in_numbers
 
 DAMPING = 0.2  # N s/m, of all springs
 FRAME = 1.0 / 2400.0  # s, short enough for the book's step to be stable with this cloth
 FRAMES = 120
 ROUNDS = 21
 
-LONE_STIFFNESS, LONE_LENGTH = 100.0, 1.0  # N/m and m, of one spring
+SPRING = 100.0, 1.0  # stiffness in N/m and rest length in m, of one spring
 STEP = 1.0 / 60.0  # s
 STEPS = 2000
 LONE_ROUNDS = 51
@@ -46,7 +38,7 @@ def lines() -> list[Measurement]:
     return [
         Measurement(
             "a cloth of 180 springs with connect / the same arithmetic in one loop",
-            versus(connected, timer(cloth_arithmetic)),
+            versus(connected, timer(lambda: cloth_in_numbers(DAMPING, FRAME, FRAMES))),
             ROUNDS,
             Target("at most", 1.75),
         ),
@@ -58,7 +50,7 @@ def lines() -> list[Measurement]:
         ),
         Measurement(
             "one particle on a spring: a semi-implicit Euler step / the same arithmetic",
-            versus(once, timer(arithmetic)),
+            versus(once, timer(lambda: spring_in_numbers(*SPRING, DAMPING, STEP, STEPS))),
             LONE_ROUNDS,
             Target("at most", 6.6),  # nine tenths of the cost before kick and drift existed
         ),
@@ -104,53 +96,11 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
     return min(knot.position.y for knot in knots)
 
 
-def cloth_arithmetic() -> float:
-    """Simulate the same cloth with plain arithmetic, and return the height of its lowest knot."""
-    count = KNOTS * KNOTS
-    x = [REST_LENGTH * (i % KNOTS) for i in range(count)]
-    y = [0.0] * count
-    z = [REST_LENGTH * (i // KNOTS) for i in range(count)]
-    u, v, w = [0.0] * count, [0.0] * count, [0.0] * count
-    inverse_mass = [1.0 / MASS] * count
-    inverse_mass[0] = inverse_mass[KNOTS - 1] = 0.0
-    springs = [(i, j, STIFFNESS, REST_LENGTH, DAMPING) for i, j in neighbors()]
-    for _ in range(FRAMES):
-        fx, fy, fz = [0.0] * count, [0.0] * count, [0.0] * count
-        for i, j, stiffness, rest, damping in springs:
-            dx = x[i] - x[j]
-            dy = y[i] - y[j]
-            dz = z[i] - z[j]
-            length = math.hypot(dx, dy, dz)
-            if length == 0.0:
-                continue
-            rate = ((u[i] - u[j]) * dx + (v[i] - v[j]) * dy + (w[i] - w[j]) * dz) / length
-            pull = (stiffness * (rest - length) - damping * rate) / length
-            dx *= pull
-            dy *= pull
-            dz *= pull
-            fx[i] += dx
-            fy[i] += dy
-            fz[i] += dz
-            fx[j] -= dx
-            fy[j] -= dy
-            fz[j] -= dz
-        for i in range(count):
-            inverse = inverse_mass[i]
-            if inverse:
-                x[i] += u[i] * FRAME
-                y[i] += v[i] * FRAME
-                z[i] += w[i] * FRAME
-                u[i] += fx[i] * inverse * FRAME
-                v[i] += (fy[i] * inverse - G) * FRAME
-                w[i] += fz[i] * inverse * FRAME
-    return min(y)
-
-
 def stepping(integrator: Integrator) -> Callable[[], None]:
     """Return a function that moves a particle on a spring by STEPS further time steps."""
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0))
     registry = ForceRegistry()
-    registry.add(particle, AnchoredSpring(Vector3(), LONE_STIFFNESS, LONE_LENGTH, DAMPING))
+    registry.add(particle, AnchoredSpring(Vector3(), *SPRING, DAMPING))
     particles = [particle]
 
     def run() -> None:
@@ -158,21 +108,3 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
             integrator(particles, registry.update_forces, STEP)
 
     return run
-
-
-def arithmetic() -> tuple[float, float, float]:
-    """Take STEPS steps of semi-implicit Euler with plain arithmetic, and return the position."""
-    x, y, z = 1.0, 2.0, 3.0
-    u, v, w = 1.0, 2.0, 3.0
-    mass = 1.0
-    for _ in range(STEPS):
-        length = math.hypot(x, y, z)
-        rate = (u * x + v * y + w * z) / length
-        pull = (LONE_STIFFNESS * (LONE_LENGTH - length) - DAMPING * rate) / length
-        u += x * pull / mass * STEP
-        v += y * pull / mass * STEP
-        w += z * pull / mass * STEP
-        x += u * STEP
-        y += v * STEP
-        z += w * STEP
-    return x, y, z

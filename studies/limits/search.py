@@ -11,16 +11,12 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from ch02_vectors.vector import Vector3
 from ch05_forces.forces import Drag
-from ch05_forces.particle import Particle
-from ch06_springs.springs import AnchoredSpring
 from scenes import stability
 from scenes.clock import FRAME
-from scenes.integrators import INTEGRATORS, SOLVERS, Solver
-from scenes.setup import alone
+from scenes.integrators import INTEGRATORS, SOLVERS
 from scenes.spring_on_a_wall import SpringOnAWall
-from scenes.twin import twin_of
+from studies.models.pymunk_solvers import ON_SPRING, PYMUNK
 
 KEPT = (1.0, 0.9, 0.5)  # fraction of the velocity that a step keeps, by the particle's damping
 DAMPERS = (0.0, 0.5)  # c h / m of the spring, for methods in which the spring has the damping
@@ -41,24 +37,7 @@ class Bound(NamedTuple):
     steps: float  # to grow by a factor of HUGE at OUTSIDE times the limit
 
 
-def pymunk_step(
-    name: str, x: float, v: float, k: float, c: float, mass: float, duration: float
-) -> tuple[float, float]:
-    """Take a time step with one of pymunk's springs, a force by hand, or the space's damping."""
-    damping = math.exp(-c / mass) if name == "pymunk's space.damping" else 1.0
-    body = Particle(Vector3(x), Vector3(v), mass=mass, damping=damping)
-    springs = [AnchoredSpring(Vector3(), k, 0.0, c)] if name == "pymunk's spring" else []
-    space, (twin,) = twin_of(alone(body, *springs))
-    if name == "pymunk, by hand":
-        twin.force = -k * x - c * v, 0.0
-    space.step(duration)
-    return twin.position.x, twin.velocity.x
-
-
-ON_SPRING = ("pymunk's spring", "pymunk, by hand")
-ALL_SOLVERS: dict[str, Solver] = SOLVERS | {
-    name: partial(pymunk_step, name) for name in (*ON_SPRING, "pymunk's space.damping")
-}
+ALL_SOLVERS = SOLVERS | PYMUNK
 growth_at = partial(stability.growth_of, solvers=ALL_SOLVERS)
 
 

@@ -32,6 +32,7 @@ CURVE = [[*map(float, row)] for row in DOP853.D]
 FIFTH, THIRD = ([*map(float, row)] for row in (DOP853.E5, DOP853.E3))
 
 Numbers = list[complex]  # one for each body
+Acceleration = Callable[[complex, complex], complex]  # of one body, from position and velocity
 Accelerations = Callable[[Numbers, Numbers], Numbers]  # from positions and velocities
 State = tuple[Numbers, Numbers]  # positions and velocities, or their rates
 Stages = tuple[list[Numbers], list[Numbers]]  # for each body, its rates at all stages of a step

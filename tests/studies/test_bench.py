@@ -31,6 +31,7 @@ from studies.benchmarks import (
     particles,
     springs,
 )
+from studies.models.plain_numbers import cloth_in_numbers, flight_in_numbers, pushed_in_numbers
 
 
 def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() -> None:
@@ -253,7 +254,7 @@ def test_what_is_compared_with_the_step_is_the_same_step() -> None:
     wanted = pytest.approx(tuple(stepped.position), rel=1e-11)
     assert tuple(by_operators.position) == wanted
     assert tuple(in_place.position) == wanted
-    assert particles.arithmetic(frames) == wanted
+    assert flight_in_numbers(PROJECTILE, frames) == wanted
 
 
 def test_what_forces_are_compared_with_goes_the_same_way() -> None:
@@ -264,7 +265,7 @@ def test_what_forces_are_compared_with_goes_the_same_way() -> None:
     particles.steps(free, frames)
     # 1000 roundings of numbers up to 200.
     wanted = pytest.approx(tuple(forced.position), rel=1e-11)
-    assert particles.forced_arithmetic(frames) == wanted
+    assert pushed_in_numbers(*particles.PUSHED, frames) == wanted
     assert tuple(generated.position) == pytest.approx(tuple(free.position), rel=1e-11)
 
 
@@ -291,7 +292,7 @@ def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
 def test_what_a_cloth_is_compared_with_falls_in_the_same_way() -> None:
     # The sums have another order, which changes the heights by about 1e-16 per frame.
     wanted = pytest.approx(springs.steps(*springs.make_cloth(springs.DAMPING)), rel=1e-11)
-    assert springs.cloth_arithmetic() == wanted
+    assert cloth_in_numbers(springs.DAMPING, springs.FRAME, springs.FRAMES) == wanted
     assert springs.steps(*springs.make_cloth_of_ends()) == wanted
 
 

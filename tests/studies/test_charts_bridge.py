@@ -19,7 +19,8 @@ from ch08_mass_aggregate.bridge_plan import make_rows
 from plots.drawing import slope
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best
-from studies.accuracy.measured import hanging
+from studies.accuracy.measured.bridge import HAIR
+from studies.models.hanging_bridge import hanging
 
 G = 9.81
 MASSES = numpy.repeat([1.0, 1.0, 3.5, 1.0, 1.0, 1.0], 2)  # 5 kg on the ends of the third row
@@ -127,7 +128,7 @@ def test_what_holds_the_bridge_gives_by_no_more_than_what_falls_in_a_step(name: 
     for steps in (1, 2, 4):
         falls = G / (60.0 * steps) ** 2
         # If nothing falls any more, the initial shift remains.
-        assert outcome(name, steps)[0] < most * falls + 10.0 * hanging.HAIR
+        assert outcome(name, steps)[0] < most * falls + 10.0 * HAIR
 
 
 @pytest.mark.parametrize("name", TWO_SIDED)
@@ -147,10 +148,10 @@ def test_iterations_are_what_rods_lack_and_what_cables_do_not_have_the_use_of() 
 
 
 def test_pymunk_with_enough_iterations_stays_where_it_starts() -> None:
-    started = numpy.subtract(hanging.hanging(hanging.HAIR), hanging.hanging())
+    started = numpy.subtract(hanging(HAIR), hanging())
     start = abs(started).max()
     # With 3 m of sag, the ends are lower by a few times the excess length of the cables.
-    assert hanging.HAIR < start < 5.0 * hanging.HAIR
+    assert HAIR < start < 5.0 * HAIR
     for steps in (1, 4):
         assert outcome("pymunk, 50 iterations", steps)[0] < 2.0 * start
     assert outcome(EXAMPLES, 1)[0] > 1e4 * start
@@ -171,6 +172,6 @@ def test_work_is_contacts_resolved() -> None:
 
 
 def test_nothing_is_solved_before_a_scene_is_run() -> None:
-    hanging.hanging.cache_clear()
+    hanging.cache_clear()
     scenes_with("bridge at rest")
-    assert hanging.hanging.cache_info().misses == 0
+    assert hanging.cache_info().misses == 0

@@ -20,8 +20,8 @@ from plots.drawing import slope
 from scenes.chain import Chain
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BATCH, BEST, reading
-from studies.accuracy.measured.chains import rates
 from studies.charts.page import LOOKS, looks
+from studies.models.chain_motion import rates
 from studies.models.exact_frames import oscillation_in_frames
 from studies.models.multistep import LoneMultistep, Multistep, weights
 from studies.models.order_8 import Order8

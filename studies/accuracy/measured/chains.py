@@ -10,10 +10,8 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import numpy
-from scipy.special import ellipj  # type: ignore[import-untyped]
 
 from ch02_vectors.vector import Vector3
 from ch06_springs.integrators import (
@@ -47,6 +45,7 @@ from studies.accuracy.scene import (
 )
 from studies.models.angle_chain import AngleChain
 from studies.models.angle_rope import AngleRope
+from studies.models.chain_motion import pendulum_at, rates
 from studies.models.order_8 import Numbers
 from studies.models.plane_rods import accelerations_on_rods
 from studies.models.rod_tensions import RodTensions
@@ -60,19 +59,13 @@ def pendulum() -> Scene:
     """Create the scene of a 1 m pendulum that is released from horizontal and swings for 5 s."""
     chain, frames = Chain([1.0], 1.0, 0.5 * math.pi), 300
 
-    def truth(time: float) -> Place:
-        """Compute sin(angle / 2) = sin(start / 2) cn(u) / dn(u), with u = t sqrt(g / l)."""
-        m = math.sin(0.25 * math.pi) ** 2
-        _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)
-        half = math.asin(math.sqrt(m) * cn / dn)
-        return math.sin(2.0 * half), -math.cos(2.0 * half)
-
     def by_angle(_: float) -> Made:
         bob = AnglePendulum(1.0, chain.angle, gravity=ROUND_G)
         return bob.step, lambda: flat([bob.position])
 
     _, *others = models_of(chain, frames, STEPS, 1)  # by_angle replaces the first one
     first = by_steps("by its angle, Runge-Kutta 4", by_angle, frames, 4, is_formula=True)
+    truth = partial(pendulum_at, chain)
     return Scene("pendulum from horizontal", frames, 1.0, truth, [first, *others], COUNTED)
 
 
@@ -190,21 +183,6 @@ def ahead(chain: Chain, iterations: int) -> Callable[[float], InSpace]:
         return space, bodies
 
     return make
-
-
-def rates(chain: Chain, _: float, state: Any) -> Any:
-    """Return the rates of a chain's angles a and angular velocities w, which SciPy integrates.
-
-    sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i (Lagrange), where M_i
-    is the mass from rod i out to the tip, and M_ij is that from the outer one of rods i and j.
-    """
-    count = len(chain.masses)
-    below = numpy.cumsum(chain.masses[::-1])[::-1]
-    hung = chain.length * below[numpy.maximum.outer(range(count), range(count))]
-    a, w = state[:count], state[count:]
-    apart = a[:, None] - a
-    pull = (hung * numpy.sin(apart)) @ w**2 + below * chain.gravity * numpy.sin(a)
-    return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))
 
 
 CHAINS: list[Callable[[], Scene]] = [pendulum, double_pendulum, heavy_tip, rope]

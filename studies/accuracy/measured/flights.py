@@ -22,15 +22,8 @@ from scenes.setup import Setup, alone
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.in_plane import stepped
 from studies.accuracy.in_pymunk import BEST, EXAMPLES, by_pymunk, from_two_runs, lone
-from studies.accuracy.scene import (
-    Model,
-    Place,
-    Scene,
-    by_formula,
-    by_setup,
-    exact_steps,
-)
-from studies.models.exact_frames import oscillation_in_frames, places_in_frames
+from studies.accuracy.scene import Model, Place, Scene, by_formula, by_setup, exact_steps
+from studies.models.exact_frames import fall_in_frames, oscillation_in_frames, places_in_frames
 
 
 def projectile() -> Scene:
@@ -84,23 +77,13 @@ def quadratic_drag() -> Scene:
         u = math.sqrt(G / k2)
         return 0.0, -u * u / G * math.log(math.cosh(G * time / u))
 
-    def in_equal_frames() -> list[Place]:
-        """Compute cosh and sinh of each frame from those of the frame before, by addition."""
-        turn = math.sqrt(k2 * G) / RATE
-        c, s, cosh, sinh = math.cosh(turn), math.sinh(turn), 1.0, 0.0
-        places: list[Place] = []
-        for _ in range(frames):
-            cosh, sinh = cosh * c + sinh * s, sinh * c + cosh * s
-            places.append((0.0, -math.log(cosh) / k2))
-        return places
-
     def acceleration(_: complex, velocity: complex) -> complex:
         return -1j * G - k2 * abs(velocity) * velocity
 
     make = partial(falling, [(1.0, 0.0, k2)])
     models = [
         by_formula(lambda time: (0.0, -quadratic_fall(1.0, G, k2, time)[1]), frames),
-        exact_steps(in_equal_frames),
+        exact_steps(partial(fall_in_frames, G, k2, RATE, frames)),
         *stepped(make, acceleration, frames, is_damped=True),
         *lone(make, acceleration, frames),
     ]

@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from operator import add
 from typing import Any
 
 from ch02_vectors.vector import Vector3
@@ -20,9 +19,11 @@ from scenes import spheres
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
 from studies.accuracy.asleep import asleep, asleep_in_pymunk, put_to_sleep
-from studies.accuracy.in_pymunk import BEST, EXAMPLES, Step, at_best, by_pymunk, in_turn
+from studies.accuracy.in_pymunk import BEST, EXAMPLES, at_best, by_pymunk, in_turn
 from studies.accuracy.scene import STEPS, Made, Place, Scene, by_formula, by_steps, places_of
 from studies.contacts.scenes import BOOK, IMPULSES, SMALL, SOLVERS
+from studies.models.plain_numbers import Falling
+from studies.models.pymunk_steps import Step
 
 FRAMES = 60  # of the spheres at rest
 BODIES, LONG = 1000, 300  # bodies that fall, and frames
@@ -57,23 +58,8 @@ def falling() -> Scene:
         return step, partial(places_of, bodies)
 
     def by_lists(duration: float) -> Made:
-        """Add lists of numbers, which is about the least that plain Python can do."""
-        change = [-G * duration * duration] * BODIES
-        xs, across = [x for x, _ in thrown], [v * duration for _, v in thrown]
-        ys, up = [0.0] * BODIES, [UP * duration + 0.5 * change[0]] * BODIES
-
-        def step(_: float) -> None:
-            nonlocal xs, ys, up
-            xs = [*map(add, xs, across)]
-            ys = [*map(add, ys, up)]
-            up = [*map(add, up, change)]
-
-        def place() -> Place:
-            found = xs * 2
-            found[::2], found[1::2] = xs, ys
-            return found
-
-        return step, place
+        bodies = Falling([x for x, _ in thrown], [v for _, v in thrown], UP, G, duration)
+        return bodies.step, bodies.place
 
     def read_in_turn(_: float) -> Made:
         space, bodies = twin_of(setup())

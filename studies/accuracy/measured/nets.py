@@ -15,11 +15,11 @@ from scenes.clock import deviation
 from studies.accuracy.in_plane import LONG, ORDERS
 from studies.accuracy.in_plane import LONG_STEPS as MULTISTEPS
 from studies.accuracy.in_pymunk import EXAMPLES, at_best, from_two_runs
-from studies.accuracy.measured.hanging import MASSES, cables, hanging
 from studies.accuracy.measured.planes import G, Plane, by_links, by_long_steps, by_net, in_pymunk
 from studies.accuracy.scene import STEPS, Model, Outcome, Scene, framed
 from studies.models.direct_net import DirectNet
 from studies.models.equilibrium import equilibrium
+from studies.models.hanging_bridge import MASSES, cables, hanging
 from studies.models.smooth_net import SmoothNet
 from studies.models.taut import Tie
 

@@ -20,12 +20,15 @@ from scenes.clock import RATE
 from scenes.links import Strut
 from scenes.setup import Setup
 from scenes.twin import InSpace, twin_of
-from studies.accuracy.in_plane import LONG, ORDERS, flat, in_long_steps, in_plane
-from studies.accuracy.in_pymunk import Step, by_pymunk
+from studies.accuracy.in_plane import LONG, ORDERS, flat, in_plane
+from studies.accuracy.in_pymunk import by_pymunk
 from studies.accuracy.scene import Model, Outcome, Place, in_frames, places_of
 from studies.models.direct_net import DirectNet
+from studies.models.long_steps import in_long_steps
+from studies.models.moving_load import Walker, borne, loading
 from studies.models.order_8 import Numbers
 from studies.models.plane_links import Link, accelerations_on_links
+from studies.models.pymunk_steps import Step
 from studies.models.smooth_net import SmoothNet
 from studies.models.taut import TautMotion, Tie
 
@@ -80,26 +83,6 @@ class Plane:
         ]
         loads = [(knots[0], Walker(knots, *self.walker))] if self.walker else []
         return Setup(knots, loads, links)
-
-
-def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find the knot behind a load at ``x``, and the fraction of its weight on the next knot."""
-    knot = sum(x >= other for other in xs[1:-1])
-    return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
-
-
-class Walker:
-    """A force generator for a load that moves across a net. Register it for only one knot."""
-
-    def __init__(self, knots: Sequence[Particle], start: float, pace: float, weight: float) -> None:
-        self.knots, self.weight = knots, weight
-        self.ball = Particle(Vector3(start), Vector3(pace))
-
-    def update_force(self, _: Particle, __: float) -> None:
-        """Divide the weight between the two knots next to the load. The nearer knot gets more."""
-        knot, share = borne([knot.position.x for knot in self.knots], self.ball.position.x)
-        self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
-        self.knots[knot + 1].add_force(Vector3(0.0, -share * self.weight))
 
 
 def stepping(setup: Setup, kind: Solver) -> Step:
@@ -195,28 +178,7 @@ def in_pymunk(
         return twin_of(setup, iterations=iterations, corrects=corrects)
 
     def walking(space: pymunk.Space, bodies: list[pymunk.Body]) -> Step:
-        """Return a step that first applies the moving load, where it is at the end of the step."""
-        net = plane()
-        if not net.walker:
-            return space.step
-        x, pace, weight = net.walker
-        knot = 0
-
-        def place_of(body: pymunk.Body, duration: float) -> float:
-            return body.position.x + (body.velocity.x * duration if is_ahead else 0.0)
-
-        def step(duration: float) -> None:
-            nonlocal x, knot
-            x += pace * duration * is_ahead
-            while (ahead := place_of(bodies[knot + 1], duration)) <= x and knot < len(bodies) - 2:
-                knot += 1
-            behind = place_of(bodies[knot], duration)
-            share = min(max((x - behind) / (ahead - behind), 0.0), 1.0)
-            bodies[knot].apply_force_at_local_point((0.0, (share - 1.0) * weight))
-            bodies[knot + 1].apply_force_at_local_point((0.0, -share * weight))
-            space.step(duration)
-            x += pace * duration * (not is_ahead)
-
-        return step
+        walker = plane().walker
+        return loading(space, bodies, *walker, is_ahead=is_ahead) if walker else space.step
 
     return lambda steps: by_pymunk("", make, plane().frames, stepping=walking).run(steps)

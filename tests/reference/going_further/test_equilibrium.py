@@ -16,8 +16,8 @@ from ch08_mass_aggregate.bridge import Bridge, links_of
 from ch08_mass_aggregate.bridge_plan import make_rows
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.measured.hanging import MASSES, hanging
 from studies.models.equilibrium import equilibrium
+from studies.models.hanging_bridge import MASSES, hanging
 
 DOWN = Vector3(0.0, -10.0)
 

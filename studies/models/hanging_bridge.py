@@ -1,4 +1,8 @@
-"""Compute where the loaded rope bridge of chapter 8 comes to rest, with SciPy."""
+"""Compute where the loaded rope bridge of chapter 8 comes to rest, with SciPy.
+
+The computation shares no code with the engine. It solves for the positions and tensions with which
+the forces on each plank's end add up to zero, and each taut cable has its length.
+"""
 
 from __future__ import annotations
 
@@ -19,15 +23,8 @@ from ch08_mass_aggregate.bridge_plan import (
     make_rows,
     support_length,
 )
-from studies.accuracy.scene import Place
 
 MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
-HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
-
-
-def truth(_: float) -> Place:
-    """Return the exact positions of all ends, seen from the side. They do not depend on time."""
-    return tuple(part for place in hanging() for part in place) * 2
 
 
 @cache
@@ -45,7 +42,7 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 
 @cache
-def hanging(extra: float = 0.0) -> list[Place]:
+def hanging(extra: float = 0.0) -> list[tuple[float, float]]:
     """Compute where the planks' ends on one side rest if all cables are ``extra`` m longer."""
 
     def off(state: Any) -> Any:

@@ -4,7 +4,8 @@ The limits are found by bisection and compared with theory. For a spring just be
 command computes how many time steps an oscillation takes to grow by a factor of a million. For a
 spring well below the limits, it measures how the energy changes over ten thousand oscillations.
 
-It also draws maps of the growth of oscillations around the limits.
+It also draws two pictures. One maps the growth of oscillations around the limits, and the other
+shows how soon a simulation diverges beyond them.
 """
 
 from __future__ import annotations
@@ -34,12 +35,12 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Print the stability limits, and save them as a CSV file and a picture.
+    """Print the stability limits, and save them as a CSV file and two pictures.
 
     Return 1 if a limit differs by more than 5 % from theory, and 0 otherwise.
     """
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
-    told = "the file for the numbers; the picture is written next to it"
+    told = "the file for the numbers; the pictures are written next to it"
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "limits.csv", help=told)
     out: Path = parser.parse_args(arguments).out
     sys.path[:0] = map(str, find_engine("solutions"))
@@ -54,6 +55,8 @@ def main(arguments: list[str]) -> int:
         drags = search.drag_limits()
     with console.status(f"simulating {SWINGS[-1]} oscillations"):
         drifts = search.energy_drifts(SWINGS)
+    with console.status("simulating unstable springs"):
+        losses = maps.divergence()
     rows: list[Sequence[object]] = []
     for bounds, what in ((springs, "k h^2 / m"), (drags, "k1 h / m")):
         console.print(_table(bounds, what))
@@ -66,17 +69,19 @@ def main(arguments: list[str]) -> int:
     rows += [(name, *ratios) for name, ratios in drifts.items()]
     out.parent.mkdir(parents=True, exist_ok=True)
     with out.open("w", encoding="utf-8", newline="") as file:
-        csv.writer(file).writerows(rows)
-    picture = out.with_suffix(".png")
+        csv.writer(file).writerows([*rows, maps.LOSS_COLUMNS, *losses])
+    picture, curves = out.with_suffix(".png"), out.with_name(f"{out.stem}_divergence.png")
     with console.status("drawing maps"):
         maps.draw_maps(picture)
+    maps.draw_divergence(losses, drifts, SWINGS, curves)
     console.print(
         f"The column 'steps' shows how many steps an oscillation at {search.OUTSIDE} times the\n"
         "limit takes to grow by a factor of 1e6. A limit of 0 means that oscillations\n"
         f"grow even at {search.LEAST:g}.\n"
         f"Energies are relative to the initial energy, at k h^2 / m = {search.KAPPA:.3g},\n"
         "where explicit Euler is unstable.\n"
-        f"\nMaps: {shown(picture)}\nAll numbers: {shown(out)}",
+        f"\nMaps: {shown(picture)}\nTime to divergence, energies: {shown(curves)}\n"
+        f"All numbers: {shown(out)}",
         soft_wrap=True,
     )
     every = (*springs, *drags)

@@ -11,7 +11,6 @@ import pytest
 from matplotlib import pyplot
 from matplotlib.figure import Figure
 
-from scenes.stability import stepping, swing
 from studies import limits
 from studies.limits import maps, search
 from studies.limits.search import energy_drifts
@@ -73,23 +72,6 @@ def test_limits_of_drag_are_those_of_theory() -> None:
             assert found[name, at] == pytest.approx((wanted, wanted), rel=1e-9)
 
 
-def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps in which an oscillation, |(x, v / sqrt(k / m))|, grows by 1e6.
-
-    They are counted from the release, and from a growth by 1e3, when the initial state no longer
-    matters.
-    """
-    integrator, pull, d = stepping(name, damping, kappa, search.ALL_SOLVERS)
-    chi = math.sqrt(pull.stiffness)
-    places, speeds = swing(integrator, pull, d, steps=round(1.6 * predicted) + 50, limit=1e20)
-    sizes = [math.hypot(x, v / chi) for x, v in zip(places.values, speeds.values, strict=True)]
-
-    def when(size: float) -> int:
-        return next(i for i, each in enumerate(sizes) if each >= size)
-
-    return when(1e6), when(1e9) - when(1e3)
-
-
 @pytest.mark.parametrize(
     ("name", "damping", "share"),
     [
@@ -108,7 +90,7 @@ def test_a_simulation_is_lost_when_the_eigenvalue_says(
     # eigenvector of -r, whose position is 1.
     rate = math.log(1.04 + math.sqrt(1.04**2 - 1.0))
     predicted = math.log(1e6) / rate
-    rest, evenly = steps_to_loss(name, damping, 4.08, predicted)
+    rest, evenly = maps.steps_to_loss(name, damping, 4.08, predicted)
     # The number of steps is a whole number.
     assert evenly == pytest.approx(predicted, abs=1.0)
     assert predicted <= rest + math.log(share) / rate <= predicted + 1.01
@@ -118,7 +100,7 @@ def test_explicit_euler_is_lost_slowly() -> None:
     # Half of the speed is kept, so the determinant is (1 + 1.02) / 2. The size of an oscillation
     # varies within a period, so that the number of steps is slightly larger or smaller.
     predicted = math.log(1e6) / (0.5 * math.log(1.01))
-    rest, evenly = steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
+    rest, evenly = maps.steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
     assert (rest, evenly) == pytest.approx((predicted, predicted), rel=0.01)
 
 
@@ -153,6 +135,7 @@ def test_the_command_prints_writes_draws_and_fails_where_a_limit_is_off_its_theo
     monkeypatch.setitem(search.DRAG_THEORY, "leapfrog", (2.0, 0.96))
     monkeypatch.setitem(search.DRAG_THEORY, "velocity Verlet", (1.88, math.inf))
     monkeypatch.setattr(limits, "SWINGS", [1, 10])
+    monkeypatch.setattr(maps, "BEYOND", (0.02, 0.1))
     figures: list[Figure] = []
     monkeypatch.setattr(maps, "KAPPAS", maps.KAPPAS[::8])
     monkeypatch.setattr(pyplot, "close", figures.append)
@@ -164,11 +147,12 @@ def test_the_command_prints_writes_draws_and_fails_where_a_limit_is_off_its_theo
     with (tmp_path / "limits.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
     assert rows[0] == ["method", "case", "limit of k h^2 / m", "theory", "steps to x 1e6"]
-    assert len(rows) == (1 + 23) + (1 + 20) + (1 + 7)
+    assert len(rows) == (1 + 23) + (1 + 20) + (1 + 7) + (1 + 7 * 2)
     drag = [row for row in rows if row[:2] == ["trapezoidal rule", "reversal"]]
     assert [float(cell) for cell in drag[0][2:4]] == pytest.approx([2.0, 2.0])
-    (grown,) = figures
+    grown, curves = figures
     assert (tmp_path / "limits.png").exists()
+    assert (tmp_path / "limits_divergence.png").exists()
     for axes, wanted in zip(grown.axes, AT_HALF, strict=False):
         assert len(axes.collections) == 1, "a map of colors"
         if wanted is None:
@@ -179,3 +163,5 @@ def test_the_command_prints_writes_draws_and_fails_where_a_limit_is_off_its_theo
         assert found[0.5] == pytest.approx(wanted, rel=1e-6)
         near = min(theory.get_xydata(), key=lambda point: abs(point[1] - 0.5))
         assert near[0] == pytest.approx(wanted, rel=0.01)  # the curve has 1000 points
+    # Seven methods with two lines each; the same and a line at 0; seven methods and a theory.
+    assert [len(axes.lines) for axes in curves.axes] == [14, 15, 8]

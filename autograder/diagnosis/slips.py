@@ -1,7 +1,4 @@
-"""Explain Python's error messages that students find hard to understand.
-
-Each message is recognized by a part of its text.
-"""
+"""Explain Python's error messages, each recognized by a part of its text."""
 
 from __future__ import annotations
 
@@ -13,9 +10,7 @@ NOT_IMPLEMENTED = (
     "the error itself."
 )
 POWER = "In Python, powers are written with **. The operator ^ is bitwise exclusive or."
-# Some mistakes in Python cause error messages that are hard to understand. We recognize each of
-# them by a part of its message. Since the check itself can only suggest a mistake in the physics,
-# we show our explanation instead.
+# These are mistakes in the use of Python, so what the check suggests about the physics is left out.
 SLIPS = {
     "NotImplementedType": NOT_IMPLEMENTED,
     "MemoryError": (
@@ -86,8 +81,7 @@ SLIPS = {
         "name to call it."
     ),
 }
-# What these errors say is certain, but what led to it may be a mistake in the physics. So we show
-# the mistake that the check suggests, too, after our explanation.
+# What led to these errors may be a mistake in the physics, so the check's suggestion comes second.
 FACTS = {
     "real number, not '": (
         "A number is needed here. Vector3 takes three numbers, so write Vector3(*numbers) for a "
@@ -153,11 +147,6 @@ TOO_MANY = re.compile(r"takes (?:from \d+ to )?(\d+) positional arguments? but (
 
 def fact_of(text: str) -> str:
     """Explain what an exception's text proves, or return an empty string."""
-    return _wrong_arguments(text) or _first(FACTS, text)
-
-
-def _wrong_arguments(text: str) -> str:
-    """Explain a call whose arguments do not fit the def line, or return an empty string."""
     if lacking := LACKING.search(text):
         names = lacking[3].replace("'", "")
         what = f"The call passes no value for {names}."
@@ -171,7 +160,7 @@ def _wrong_arguments(text: str) -> str:
         takes, given = int(many[1]), int(many[2])
         lacks = " Perhaps the def line lacks self." if given == takes + 1 else ""
         return f"The call passes {given} arguments, but the def line takes {takes}.{lacks}"
-    return ""
+    return _first(FACTS, text)
 
 
 def slip_of(text: str) -> str:

@@ -1,4 +1,4 @@
-"""Change one mark in marks.csv, the file with instructors' points and comments, and lose none."""
+"""Change one mark in marks.csv, and lose no other."""
 
 from __future__ import annotations
 

@@ -30,10 +30,11 @@ FORM = {
 OURS = "grader error, please retry: this is not the submission's fault and does not count as zero"
 
 
-def write_gradescope(out: Path, report: StudentReport) -> None:
-    """Write a student's grade to gradescope/<student>/results.json."""
+def write_gradescope(out: Path, report: StudentReport) -> Path:
+    """Write a student's grade to gradescope/<student>/results.json, and return its path."""
     path = out / "gradescope" / file_name(report.student) / "results.json"
     replace_file(path, as_text(gradescope_results(report)))
+    return path
 
 
 def as_text(results: dict[str, Any]) -> str:

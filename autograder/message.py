@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class Kind(Enum):
-    """The kind of failure that a check has found, such as a wrong result or an infinite loop."""
+    """The kind of failure that a check has found."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
@@ -66,13 +66,14 @@ class Message:
         """Return the parts that are not empty, such as ("got", "Vector3(1.0, 0.0, 0.0)")."""
         *called, tested = statements(self.called)
         together = "; ".join(called)
+        close = f", to within {self.tolerance:.2g}" if self.tolerance else ", exactly"
         rows = [
             ("", self.blocked),
             ("", self.title),
             ("called", together if len(together) <= LONG_CALL else "\n".join(called)),
             ("tested" if called else "called", tested),
             ("got", self.got),
-            ("wanted", self.wanted + self._how_close),
+            ("wanted", self.wanted + ("" if self.tolerance is None else close)),
             ("note", self.note),
             ("where", str(self.where or "")),
             ("inside", str(self.inside or "")),
@@ -96,12 +97,6 @@ class Message:
             self.blocked or self.title or self.called
         ).partition("\n")[0]
 
-    @property
-    def _how_close(self) -> str:
-        if self.tolerance is None:
-            return ""
-        return f", to within {self.tolerance:.2g}" if self.tolerance else ", exactly"
-
     def __str__(self) -> str:
         return laid_out(self.rows())
 
@@ -119,10 +114,7 @@ def statements(call: str) -> list[str]:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Format the rows of a failure message as text, with a column of labels on the left.
-
-    Further lines of a text are indented, so that none of them can be mistaken for a label.
-    """
+    """Lay out the rows as text, with further lines indented so that none looks like a label."""
     return "\n".join(
         (f"{label:{INDENT}}" if label else "") + words.replace("\n", "\n" + " " * INDENT)
         for label, words in rows
@@ -151,6 +143,3 @@ class ExpectationError(AssertionError):
     def __init__(self, message: Message) -> None:
         super().__init__(message)
         self.message = message
-
-    def __str__(self) -> str:
-        return str(self.message)

@@ -86,10 +86,9 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Compute the status and points of an exercise from the results of its checks.
 
-    The physics checks earn PHYSICS_SHARE of the points and the robust checks the rest, each kind in
-    proportion to the weight of the checks that pass. If an exercise has only one kind, that kind
-    earns all the points. Robust checks affect the status only if all physics checks pass. The score
-    is None, not zero, if there are no checks or the grader failed: the student is not at fault.
+    Each kind of check earns its fraction of the points by the weight of those that pass. Robust
+    checks affect the status only if all physics checks pass. The score is None, not zero, if there
+    are no checks or the grader failed: the student is not at fault.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -109,10 +108,9 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the points that a student has earned, and the points that were possible.
+    """Return the points that checks earned, or None if one is missing, and the possible points.
 
-    Written answers and optional exercises do not count. Extra credit adds to the points earned, but
-    not to the points possible. If an exercise could not be graded, the points earned are None.
+    Optional exercises do not count. Extra credit adds only to the points earned.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -131,10 +129,7 @@ def extra_possible(exercises: Iterable[Exercise]) -> float:
 
 
 def of_possible(score: float | None, points: float, extra: float) -> str:
-    """Say how many of the possible points a student has, as in "3 of 5 points".
-
-    Extra credit is named only if there are no other points, as "4 of 0 points" makes no sense.
-    """
+    """Say how many of the possible points a student has, as in "3 of 5 points"."""
     if extra and not points:
         return f"{shown(score)} of {shown(extra)} points of extra credit"
     return f"{shown(score)} of {shown(points)} points"

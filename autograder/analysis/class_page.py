@@ -44,12 +44,10 @@ def write_class_page(out: Path, chapters: list[Chapter], reports: Sequence[Stude
 
 def _where_to_read(mistake: Mistake, chapters: list[Chapter]) -> list[str]:
     """List what explains the topic of a mistake, such as "glossary: scalar product"."""
-    lessons, terms = [], []
+    places, terms = [*mistake.read], []
     for chapter in chapters:
-        here = [e for e in chapter.exercises if e.id in mistake.exercises]
-        if here:
+        if here := [e for e in chapter.exercises if e.id in mistake.exercises]:
             ids = ", ".join(exercise.id for exercise in here)
-            lessons.append(f"lesson of chapter {chapter.number}, at {ids}")
-        terms += [term for exercise in here for term in exercise.terms]
-    glossary = [f"glossary: {', '.join(dict.fromkeys(terms))}"] if terms else []
-    return [*mistake.read, *lessons, *glossary]
+            places.append(f"lesson of chapter {chapter.number}, at {ids}")
+            terms += [term for exercise in here for term in exercise.terms]
+    return [*places, f"glossary: {', '.join(dict.fromkeys(terms))}"] if terms else places

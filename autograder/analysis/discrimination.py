@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 FEWEST = 20  # students; even in so large a class, a true 0.5 comes out below LOW in 8 % of cases
 FEWEST_APART = 3  # at least this many students must have another score than most
+MOST = 1.0 - 1e-12  # the transform of 1 is infinite
 LOW = 0.2  # a usual limit (Ebel and Frisbie, Essentials of Educational Measurement)
 
 
@@ -27,10 +28,7 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """True if students who do well elsewhere score little better here than the others.
-
-        Such an exercise may be unclear, or it may test a different skill.
-        """
+        """True if students who do well elsewhere score little better here than the others."""
         return self.value is not None and self.value < LOW
 
 
@@ -46,9 +44,7 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
         return Discrimination(reason=f"{apart or 'no'} {have} a different score than most")
     if len({*rest}) == 1:
         return Discrimination(reason="all students have the same score on the other exercises")
-    value = max(-1.0, min(1.0, statistics.correlation(own, rest)))
-    if abs(value) == 1.0:
-        return Discrimination(value, (value, value))
+    value = statistics.correlation(own, rest)
     half = statistics.NormalDist().inv_cdf(0.975) / math.sqrt(count - 3)  # Fisher's z-transform
-    middle = math.atanh(value)
+    middle = math.atanh(max(-MOST, min(MOST, value)))
     return Discrimination(value, (math.tanh(middle - half), math.tanh(middle + half)))

@@ -1,8 +1,7 @@
 """Compute how well a class did on each exercise and on each of its checks.
 
-The page class.html shows the scores that students have with the reference solution in place of
-their earlier chapters. Otherwise a single mistake in chapter 2 would lower the scores in every
-chapter that uses vectors.
+The scores on given chapters are those with our solutions in place of the student's earlier ones.
+Otherwise one mistake in chapter 2 would lower the scores in every chapter that uses vectors.
 """
 
 from __future__ import annotations
@@ -11,7 +10,6 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from statistics import fmean
-from typing import Literal
 
 from autograder.analysis.discrimination import Discrimination, discrimination
 from autograder.checks.verdict import Verdict
@@ -20,8 +18,7 @@ from autograder.message import Kind
 from autograder.reports.report import Cause, StudentReport
 from autograder.reports.texts import check_title
 
-State = Literal["passed", "failed", "not written", "blocked", "inherited", "error"]
-STATES: tuple[State, ...] = ("passed", "failed", "not written", "blocked", "inherited", "error")
+STATES = ("passed", "failed", "not written", "blocked", "inherited", "error")
 HIDDEN = "a hidden check"
 MOST_MISSED = 5
 BINS = 10
@@ -29,17 +26,14 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """The results of a whole class on one exercise.
-
-    A student has no score if grading failed, or while a written answer waits to be marked.
-    """
+    """The results on one exercise. Students without a score yet are not counted."""
 
     exercise: Exercise
     scores: list[float]
     passed: int  # students who pass every check
     on_given: list[float]  # the scores on given chapters
     discrimination: Discrimination
-    checks: list[tuple[Verdict, Counter[State]]]  # with the number of students in each state
+    checks: list[tuple[Verdict, Counter[str]]]  # with the number of students in each of STATES
     first_lost: str  # the check that most students fail
 
     @property
@@ -82,7 +76,7 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
             own.append(result.score_on_given)
             by_checks = 0.0 if exercise.kind == "written" else result.score_on_given
             rest.append(round(report.score_on_given - by_checks, 2))
-    states: dict[tuple[str, bool], tuple[Verdict, Counter[State]]] = {}
+    states: dict[tuple[str, bool], tuple[Verdict, Counter[str]]] = {}
     lost: Counter[str] = Counter()
     for check in (check for result in results for check in result.checks):
         _, counts = states.setdefault((check.name, check.hidden), (check, Counter()))
@@ -109,30 +103,20 @@ def most_missed(items: Sequence[ExerciseItem]) -> list[ExerciseItem]:
 
 
 def causes_in(reports: Sequence[StudentReport]) -> list[tuple[Cause, int]]:
-    """List the exercises of earlier assignments that students have to fix first.
-
-    Each is returned with the number of students whose graded exercises it blocks, most first.
-    """
-    found: dict[str, Cause] = {}
-    counts: Counter[str] = Counter()
+    """List the exercises of earlier assignments to fix first, and how many students they block."""
+    found: dict[str, list[Cause]] = {}
     for cause in (cause for report in reports for cause in report.causes):
         if cause.result.status == "failed":
-            name = cause.result.exercise.id
-            counts[name] += 1
-            known = found.setdefault(name, cause)
-            blocks = dict.fromkeys([*known.blocks, *cause.blocks])
-            found[name] = replace(known, blocks=[*blocks])
-    return [(found[name], count) for name, count in counts.most_common()]
+            found.setdefault(cause.result.exercise.id, []).append(cause)
+    causes = sorted(found.values(), key=len, reverse=True)
+    blocks = [dict.fromkeys(name for one in same for name in one.blocks) for same in causes]
+    return [(replace(s[0], blocks=[*b]), len(s)) for s, b in zip(causes, blocks, strict=True)]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[tuple[int, int, int]]:
-    """Count how many students of a class score 0 to 10 percent, 10 to 20 percent, and so on.
+    """Count the students who score 0 to 10 percent, 10 to 20 percent, and so on.
 
-    Full marks go into the last bin, and so do higher scores due to extra credit. Students without a
-    score are not counted.
-
-    Returns:
-        For each bin its limits in percent, and the number of students.
+    Each bin is returned with its limits in percent. The last one includes full marks and more.
     """
     counts: Counter[int] = Counter()
     for report in reports:

@@ -34,15 +34,13 @@ VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
 # The first is needed by Python itself on Windows, and the second turns breakpoint() off.
 NEEDED = ("SYSTEMROOT", "PYTHONBREAKPOINT")
 DEPTH = 1000  # nested calls, which is the recursion limit of a process in the grader
-# The student's code may use this many bytes on top of what the process uses already. The grader
-# allows 512 MB in all, of which Python needs about 30 MB.
-MEMORY = 490 << 20
+MEMORY = 490 << 20  # bytes on top of what is in use; the grader allows 512 MB, Python included
 ROOM = 100 << 20  # bytes of these, which are left to explain what happened
 LOOK_EVERY = 0.02  # s of processor time between two looks at the memory
 
 
 class InProcess:
-    """Runs the student's code in the same process as the checks, for use on a student's machine."""
+    """Runs the student's code in the same process as the checks."""
 
     forks = CAN_FORK  # whether each exercise runs in a forked copy of the process
     depth = DEPTH
@@ -123,9 +121,8 @@ class InProcess:
     def start_clock(self) -> None:
         """Limit the time and the memory of a check.
 
-        When the time runs out, the process writes a stack trace and exits. Shortly before the
-        memory is used up, a MemoryError ends the check, since at the limit Python may not even be
-        able to explain what happened.
+        When the time runs out, the process writes a stack trace and exits. A MemoryError ends the
+        check before the limit, where Python may not even be able to explain what happened.
         """
         seconds = self.config.time_limit
         faulthandler.dump_traceback_later(seconds, exit=True, file=self.stack_file)
@@ -156,8 +153,7 @@ def limit_memory() -> int:
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
     limit = _memory_in_use() + MEMORY
-    if most != resource.RLIM_INFINITY:
-        limit = min(limit, most)
+    limit = limit if most == resource.RLIM_INFINITY else min(limit, most)
     resource.setrlimit(resource.RLIMIT_AS, (limit, most))
     return limit
 

@@ -1,11 +1,8 @@
-"""Restrict what a student's code may import and do, at home as in the grader.
+"""Refuse at home what the grader's sandbox refuses, with the same errors.
 
-The grader has only Python's standard library and the files that students hand in or receive from
-us. Its sandbox lets no code write files, start programs or threads, or open sockets. This module
-refuses the same in both places, so a student learns about it early and sees the same error.
-
-It does not stop hostile code, because some operations, such as os.pipe, cannot be noticed here. In
-the grader, the sandbox does that.
+Student code may import only the standard library and the files that the grader has. It may not
+write files, start programs or threads, or open sockets. This does not stop hostile code, because
+some operations, such as os.pipe, cannot be noticed here. In the grader, the sandbox does that.
 """
 
 from __future__ import annotations
@@ -22,7 +19,7 @@ import threading
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from types import ModuleType
+from types import FrameType, ModuleType
 from typing import Any
 
 from autograder.diagnosis.faults import GOING_FURTHER, is_inside, short
@@ -44,7 +41,6 @@ REFUSED = (
     "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn",
     "os.rename os.link os.symlink",
 )
-PATHS = {event: number for number, events in enumerate(REFUSED) for event in events.split()}
 THREAD_STARTERS = ("_start_new_thread", "_start_joinable_thread")  # the second since Python 3.13
 # We use the numbers that Linux gives these errors, because Python in a browser has others.
 NOT_PERMITTED = 1, "Operation not permitted"
@@ -61,9 +57,8 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """Recognizes a student's code by the folder that contains it.
 
-    ``graded`` maps a chapter's folder to the files in it that the grader will have too. Without an
-    entry, it will have all of them. ``ours`` lists the files in ``folders`` that the student did
-    not write, such as ch06_springs/cloth.py.
+    ``graded`` maps a chapter's folder to the files that the grader will have too. Without an entry,
+    it will have all. ``ours`` lists files in ``folders`` that the student did not write.
     """
 
     def __init__(
@@ -80,18 +75,15 @@ class StudentsCode:
     change = __init__  # in a browser, one process runs the checks on one code after the other
 
     def is_calling(self) -> bool:
-        """Return True if the student's code started the current import or operation.
-
-        The innermost function on the stack that is not part of Python's library decides.
-        """
-        frame = sys._getframe(2)
+        """Return True if the innermost function outside of Python's library is the student's."""
+        frame: FrameType | None = sys._getframe(2)
         while frame is not None:
             file = frame.f_code.co_filename
             if file not in self._known:
                 self._known[file] = self._is_students(file)
             if (answer := self._known[file]) is not None:
                 return answer
-            frame = frame.f_back  # type: ignore[assignment]
+            frame = frame.f_back
         return False
 
     def _is_students(self, file: str) -> bool | None:
@@ -116,7 +108,9 @@ def restrict(code: StudentsCode) -> None:
     """Refuse what a student's code may not import or do, until the process ends."""
     _restrict_imports(code)
     refusals: dict[str, Callable[..., None]] = {
-        event: partial(_refuse, number) for event, number in PATHS.items()
+        event: partial(_refuse, number)
+        for number, events in enumerate(REFUSED)
+        for event in events.split()
     }
     refusals["open"] = partial(_limit_opening, code)
     refusals["os.listdir"] = refusals["os.scandir"] = partial(_limit_listing, code)
@@ -173,9 +167,8 @@ def _limit_listing(code: StudentsCode, path: Any) -> None:
 def _readable(code: StudentsCode, path: Any) -> tuple[Path, tuple[str, ...]]:
     """Return a path that may be read, and its parts below the engine's folder.
 
-    A path outside the engine and Python's library raises an error. Depending on the machine, the
-    sandbox may hide such a file or only refuse to read it. So the path alone decides which error
-    it is. A relative path counts as missing, because the current folder is /.
+    Depending on the machine, the sandbox may hide another file or only refuse to read it. So the
+    path alone decides the error. A relative path counts as missing, as the current folder is /.
     """
     place = Path(os.fsdecode(os.path.realpath(path)))
     for folder in code.folders:
@@ -198,18 +191,23 @@ def _restrict_imports(code: StudentsCode) -> None:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        if (level or name.partition(".")[0] not in STANDARD_MODULES) and code.is_calling():
+        name_given = "." * level + name
+        if not _is_standard(name_given) and code.is_calling():
             package = (globals or {}).get("__package__")
-            _limit_import(code, "." * level + name, package, fromlist or ())
+            _limit_import(code, name_given, package, fromlist or ())
         return real_import(name, globals, locals, fromlist or (), level)
 
     def guarded_import_module(name: str, package: str | None = None) -> ModuleType:
-        if name.partition(".")[0] not in STANDARD_MODULES and code.is_calling():
+        if not _is_standard(name) and code.is_calling():
             _limit_import(code, name, package, ())
         return real_import_module(name, package)
 
     builtins.__import__ = guarded_import
     importlib.import_module = guarded_import_module
+
+
+def _is_standard(name: str) -> bool:
+    return name.partition(".")[0] in STANDARD_MODULES
 
 
 def _limit_import(
@@ -221,9 +219,9 @@ def _limit_import(
             name = importlib.util.resolve_name(name, package)
         except ImportError:
             return  # Python itself raises the error
-    top, _, rest = name.partition(".")
-    if top in STANDARD_MODULES:
+    if _is_standard(name):
         return
+    top, _, rest = name.partition(".")
     if not CHAPTER.fullmatch(top):
         raise ModuleNotFoundError(f"No module named {top!r}", name=top)
     if rest not in ("", GOING_FURTHER):

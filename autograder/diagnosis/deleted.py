@@ -22,8 +22,7 @@ def explain_deleted(
 ) -> Message:
     """Return the message of a failed check with how to restore the stub, if one is missing.
 
-    ``edits`` maps each exercise to the full names of the functions to write, such as
-    vector.Vector3.dot.
+    ``edits`` maps each exercise to the functions to write, such as vector.Vector3.dot.
     """
     # The functions that Python's error mentions come before those that the check calls.
     says = f"{message.title}\n{message.got}"  # Python's message is in one of them
@@ -42,13 +41,15 @@ def _is_missing(name: str, says: str) -> bool:
     """Return True if Python's error says that ``name``, or the class it belongs to, is missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
-    signs = [f"name '{short}' is not defined", f"cannot import name '{outer}'"]
-    signs += [f"/{does_not_define(module, outer)}"]
-    if len(path) > 1:
-        signs += [f"'{outer}' object has no attribute '{short}'"]
-        signs += [f"type object '{outer}' has no attribute '{short}'"]
-        signs += [f"property '{short}' of '{outer}' object has no setter"]
-    return any(re.search(rf"{re.escape(sign)}(?!\w)", says) for sign in signs if sign in says)
+    signs = [
+        f"name '{short}' is not defined",
+        f"cannot import name '{outer}'",
+        f"/{does_not_define(module, outer)}",
+        f"'{outer}' object has no attribute '{short}'",
+        f"type object '{outer}' has no attribute '{short}'",
+        f"property '{short}' of '{outer}' object has no setter",
+    ]
+    return any(re.search(rf"{re.escape(sign)}(?!\w)", says) for sign in signs)
 
 
 def _how_to_restore(
@@ -56,14 +57,17 @@ def _how_to_restore(
 ) -> str:
     short = own_name(f"{module}.{path}")
     prefix = path.removesuffix(short)
-    if prefix and not any(name.startswith(prefix) for name in there):
+    is_class_gone = prefix and not any(name.startswith(prefix) for name in there)
+    if is_class_gone:
         others = sorted(name.rpartition(".")[0] for name in there if name.endswith(f".{short}"))
-        undo = f" If you renamed it to {others[0]}, change the name back." if others else ""
-        return f"{module}.py no longer has a class {prefix.rstrip('.')}.{undo}"
-    listed = {name.partition(".")[2] for names in edits.values() for name in names}
-    others = sorted(name.removeprefix(prefix) for name in there - listed if name.startswith(prefix))
-    renamed = nearest(short, others, 0.75)
+        renamed = next(iter(others), "")
+    else:
+        listed = {name.partition(".")[2] for names in edits.values() for name in names}
+        others = [n.removeprefix(prefix) for n in there - listed if n.startswith(prefix)]
+        renamed = nearest(short, sorted(others), 0.75)
     undo = f" If you renamed it to {renamed}, change the name back." if renamed else ""
+    if is_class_gone:
+        return f"{module}.py no longer has a class {prefix.rstrip('.')}.{undo}"
     return (
         f"The stub of {path} is gone: {module}.py no longer defines it.{undo} To restore the stub "
         f"and keep your other work, run {command('reset', EX=exercise)}"

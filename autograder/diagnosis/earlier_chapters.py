@@ -25,11 +25,7 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Yield the folders to search for code, with our solutions to the ``given`` chapters first.
-
-    Raises:
-        ValueError: ``root`` does not contain our solution to a given chapter.
-    """
+    """Yield the folders to search for code, with our solutions to the ``given`` chapters first."""
     if not given:
         yield engine
         return
@@ -75,9 +71,8 @@ def run_on_given(
     lost = [verdict for verdict in verdicts if _is_lost(verdict)]
     hung = [v.message.where for v in lost if v.message.kind is Kind.HUNG]
     hangs = any(where and where.file.startswith(f"{chapter.name}/") for where in hung)
-    if hangs or not below or all(_is_unwritten(verdict) for verdict in lost):
-        return []
-    if not all(has_reference(other, root) for other in below):
+    available = below and all(has_reference(other, root) for other in below)
+    if hangs or not available or all(_is_unwritten(verdict) for verdict in lost):
         return []
     with with_given(below, engine, root) as better:
         return run(chapter, better)
@@ -92,10 +87,7 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Replace the verdicts on checks that failed in both runs by those of the second run.
-
-    There, only the student's code in this chapter can have caused the failure.
-    """
+    """Use the second run's verdicts on checks that failed in both, as only this chapter did it."""
     second = {verdict.name: verdict for verdict in again if _is_lost(verdict)}
     return [second.get(v.name, v) if _is_lost(v) else v for v in verdicts]
 
@@ -103,11 +95,7 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """List earlier chapters that may have caused a failure, because they fail checks themselves.
-
-    This is for handouts, which contain no solutions. Unwritten functions do not count, and neither
-    do robust checks, which students leave open until the physics works.
-    """
+    """List earlier chapters that fail physics checks, for handouts, which have no solutions."""
     if all(_is_unwritten(verdict) for verdict in verdicts if _is_lost(verdict)):
         return []
     return [
@@ -126,10 +114,6 @@ def _is_lost(verdict: Verdict) -> bool:
 
 def _is_unwritten(verdict: Verdict) -> bool:
     """Return True if a check fails only because a function of its chapter is not written yet."""
-    message = verdict.message
-    return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
-
-
-def _number(exercise: str) -> str:
-    """Return the chapter number in an exercise id, such as "4" for B4.2."""
-    return re.sub(r"^[A-Z]|\..*", "", exercise)
+    named = (verdict.message.exercise, verdict.exercise)
+    numbers = {re.sub(r"^[A-Z]|\..*", "", exercise) for exercise in named}  # 4 for B4.2
+    return verdict.message.kind is Kind.UNWRITTEN and len(numbers) == 1

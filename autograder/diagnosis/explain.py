@@ -15,9 +15,7 @@ from autograder.diagnosis.slips import POWER, fact_of, guess_of, slip_of
 from autograder.diagnosis.undefined import file_of
 from autograder.message import ExpectationError, Kind, Message, Place
 
-ESCAPED = re.compile(
-    r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
-)  # an escape sequence in a stack trace
+ESCAPED = re.compile(r"\\(x[0-9a-f]{2}|u[0-9a-f]{4}|U(000[0-9a-f]|0010)[0-9a-f]{4})")
 EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # in the NotImplementedError of a stub
 STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
 
@@ -27,9 +25,8 @@ def explain_exception(
 ) -> Message:
     """Build the message that explains to a student why an exception ended a check.
 
-    ``complete`` lists files that the student uses but did not write, such as
-    ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
-    describes the original error.
+    ``complete`` lists files that the student did not write, such as ch02_vectors/arguments.py. An
+    exception from a worker process has an attribute ``fault``, which describes the original error.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     # If code raised it that the student did not write, the mistake is in the line that called this
@@ -83,10 +80,7 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Build the message for a check that ran out of time, with the line that was running.
-
-    ``stack`` is a stack trace from a file to which the student's code can write, too.
-    """
+    """Build the message for a check that ran out of time, from a stack that may be forged."""
     says = f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?"
     folders = [folder.resolve() for folder in engine_folders]
     for file, line, name in STACK_LINE.findall(stack):
@@ -102,7 +96,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 def _unescaped(text: str) -> str:
     """Decode the special characters in a stack trace."""
-    return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
+    return ESCAPED.sub(lambda escaped: chr(int(escaped[1][1:], 16)), text)
 
 
 def _unwritten(fault: Fault, frames: list[Place]) -> Message:
@@ -123,8 +117,7 @@ def _likely(
     """Return the most likely mistake behind an exception, and a second possibility, or "".
 
     A mistake that is clearly one in the use of Python stands alone. What Python's error proves
-    comes before ``cause``, the mistake that the check suggests, and a guess comes after it. If the
-    student's own line raises the exception, only ``cause`` is returned.
+    comes before ``cause``, the mistake that the check suggests, and a guess comes after it.
     """
     text, line = fault.first_line, place.source if place else ""
     if place and fault.unknown and fault.type == "NameError":

@@ -27,9 +27,6 @@ class CheckEnded(BaseException):
         super().__init__(message)
         self.message = message
 
-    def __str__(self) -> str:
-        return str(self.message)
-
 
 class GraderFault(BaseException):
     """Raised to end a check because of an error in the grader, not in the student's code."""
@@ -43,7 +40,7 @@ class StudentLeft(BaseException):
 
 @dataclass(frozen=True)
 class Fault:
-    """A description of an exception in a student's code that can be sent to another process."""
+    """A description of an exception in a student's code."""
 
     type: str
     text: str
@@ -68,7 +65,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         text = str(error.msg)
         if error.lineno:
             syntax = (short(error.filename or ""), error.lineno, (error.text or "").strip())
-    if isinstance(error, ImportError) and type(error.path) is str:
+    elif isinstance(error, ImportError) and type(error.path) is str:
         text = text.replace(f" ({error.path})", "")  # hide the grader's paths
     elif isinstance(error, ImportError) and error.name in sys.stdlib_module_names:
         # A module such as math is a file in some Pythons and built into others.
@@ -79,8 +76,8 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         if is_inside(frame.f_code.co_filename, folders)
     ]
     missing = (error.name or "") if isinstance(error, ModuleNotFoundError) else ""
-    kind, frames = type(error).__name__, frames[-MOST_FRAMES:]
-    return Fault(kind, text, frames, syntax, missing, unknown_of(error), none_in(error, text))
+    unknown, none = unknown_of(error), none_in(error, text)
+    return Fault(type(error).__name__, text, frames[-MOST_FRAMES:], syntax, missing, unknown, none)
 
 
 def text_of(error: BaseException) -> str:
@@ -92,8 +89,7 @@ def text_of(error: BaseException) -> str:
 
 
 def is_inside(file: str, folders: Sequence[Path]) -> bool:
-    parents = _parents(file)
-    return any(folder in parents for folder in folders)
+    return not _parents(file).isdisjoint(folders)
 
 
 def short(file: str) -> str:

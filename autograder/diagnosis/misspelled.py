@@ -1,7 +1,4 @@
-"""Find the name that a student probably meant when the code uses one that does not exist.
-
-Only the process that runs the student's code knows the existing names. It reports plain data.
-"""
+"""Find the name that a student probably meant, in the process that knows the existing names."""
 
 from __future__ import annotations
 
@@ -49,14 +46,13 @@ class Unknown:
 def unknown_of(error: BaseException) -> Unknown | None:
     """Find the missing name that caused an error in a student's code, if one did."""
     last = innermost(error.__traceback__)
-    frame = last.tb_frame if last else None
     try:
-        if isinstance(error, NameError) and not isinstance(error, UnboundLocalError):
-            return _name(error.name, frame)
-        if isinstance(error, AttributeError):
-            return _attribute(error, frame)
         if isinstance(error, ImportError):
             return _import(error)
+        if isinstance(error, AttributeError) and last:
+            return _attribute(error, last.tb_frame)
+        if isinstance(error, NameError) and last and not isinstance(error, UnboundLocalError):
+            return _name(error.name, last.tb_frame)
     except Exception:  # inspecting a student's object may fail
         return None
     return None
@@ -69,8 +65,8 @@ def innermost(traceback: TracebackType | None) -> TracebackType | None:
     return traceback
 
 
-def _name(name: str | None, frame: FrameType | None) -> Unknown | None:
-    if frame is None or type(name) is not str or len(name) > LONGEST:
+def _name(name: str | None, frame: FrameType) -> Unknown | None:
+    if type(name) is not str or len(name) > LONGEST:
         return None
     own = frame.f_locals.get("self")
     if own is not None and name in _attributes(own):
@@ -81,15 +77,15 @@ def _name(name: str | None, frame: FrameType | None) -> Unknown | None:
     return Unknown(name, nearest=near or nearest(name, dir(builtins), BUILT_IN))
 
 
-def _attribute(error: AttributeError, frame: FrameType | None) -> Unknown | None:
+def _attribute(error: AttributeError, frame: FrameType) -> Unknown | None:
     name, value = error.name, error.obj
     assigns = name is None or "for setting new attributes" in str(error)
-    if name is None and frame and (says := ATTRIBUTE.match(str(error))):
+    if name is None and (says := ATTRIBUTE.match(str(error))):
         # Before Python 3.13, a failed assignment does not say which object it was for.
         name = says[2]
         alike = [one for one in frame.f_locals.values() if type(one).__name__ == says[1]]
         value = alike[0] if alike else None
-    if frame is None or type(name) is not str or len(name) > LONGEST or value is None:
+    if type(name) is not str or len(name) > LONGEST or value is None:
         return None
     if isinstance(value, ModuleType):
         return Unknown(name, value.__name__, nearest(name, vars(value)))
@@ -112,9 +108,10 @@ def _import(error: ImportError) -> Unknown | None:
 
 def _attributes(value: Any) -> set[str]:
     """Collect the names of an object's attributes, including those of its class."""
-    kinds = value.__mro__ if isinstance(value, type) else type(value).__mro__
-    names = {name for kind in kinds for name in vars(kind)}
-    return names | set(getattr(value, "__dict__", ()))
+    kind = value if isinstance(value, type) else type(value)
+    return {name for base in kind.__mro__ for name in vars(base)} | {
+        *getattr(value, "__dict__", ())
+    }
 
 
 def _slots(kind: type) -> list[str]:

@@ -14,10 +14,7 @@ NOT_OF_NONE = ("has no attribute", "subscriptable", "item assignment", "callable
 
 
 def none_in(error: BaseException, says: str) -> str:
-    """Return the expression whose value was None, such as "self.other", or "" if it is not known.
-
-    ``says`` is the text of the error.
-    """
+    """Return the expression that was None, or "", for an error with the text ``says``."""
     last = innermost(error.__traceback__)
     if "NoneType" not in says or last is None:
         return ""

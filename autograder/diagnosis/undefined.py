@@ -1,8 +1,4 @@
-"""Placeholders for functions and classes that are missing from a student's file.
-
-With these placeholders, a chapter's checks can be loaded even if the file lacks a function or
-cannot be imported. Only a check that uses the missing name then fails, and its message says why.
-"""
+"""Placeholders for what is missing from a student's file, so that only checks that use it fail."""
 
 from __future__ import annotations
 
@@ -26,7 +22,7 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Build the message for a check that fails because this function or class is missing."""
+        """Build the message for a check that needs this function or class."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         return Message(says, likely=f"Did you mean {self.nearest}?" if self.nearest else "")
 

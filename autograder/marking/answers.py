@@ -1,7 +1,4 @@
-"""Collect the written answers of a class, so that an instructor can mark them.
-
-The submissions are copied and checked just as they are for grading.
-"""
+"""Collect the written answers of a class, from submissions that are copied as for grading."""
 
 from __future__ import annotations
 
@@ -46,10 +43,7 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Collect the written questions in ``chapters``, with every student's answer to each of them.
-
-    The answers are sorted by code, which does not reveal who wrote them. Missing ones come last.
-    """
+    """Collect the written questions with every student's answer, sorted by code, missing last."""
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
         for exercise_id, answer in _answers_of(submission, chapters, root):
@@ -95,19 +89,16 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return a student's answer to one question, and a note if something is wrong with the file.
-
-    For example, a heading may appear twice. Then the answer may be anywhere in the file, so its
-    whole text is returned.
-    """
+    """Return a student's answer, or the whole file and a note if a heading is missing or twice."""
     if not file.exists():
         return "", ""
     if question.problems:
         note = question.problems[0].replace(str(question.file), FILE)
         return file.read_text(encoding="utf-8-sig"), f"This is the whole file. {note}"
-    section = question.section
-    lines = section.answer.splitlines() if section else []
-    return "\n".join(line for line in lines if section and line.strip() not in section.places), ""
+    if (section := question.section) is None:
+        return "", ""
+    lines = section.answer.splitlines()
+    return "\n".join(line for line in lines if line.strip() not in section.places), ""
 
 
 def _written(chapter: Chapter) -> list[Exercise]:

@@ -18,11 +18,7 @@ NAME = ".marked-answers.json"
 
 
 class MarkedAnswers:
-    """The record of a class: for each student and exercise, the mark and a hash of the answer.
-
-    A student is called by ``Submission.owner``, which stays the same in a newer download with other
-    file names.
-    """
+    """The record of a class, by ``Submission.owner``, which stays the same in a newer download."""
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / NAME
@@ -30,10 +26,7 @@ class MarkedAnswers:
         self._new: dict[str, list[Any]] = {}
 
     def is_changed(self, owner: str, exercise: str, mark: Mark, answer: str) -> bool:
-        """Return True if this mark was given for another answer. ``answer`` is a hash.
-
-        A mark that is not in the record yet is taken to be for this answer.
-        """
+        """Return True if this mark was given for another answer than that with this hash."""
         key, now = f"{exercise} {owner}", [mark.points, mark.comment, answer]
         before = self._new.get(key) or self._kept.get(key)
         if before is None or before[:2] != now[:2]:
@@ -55,10 +48,10 @@ class MarkedAnswers:
             self._new = {}
 
     def _read(self) -> dict[str, list[Any]]:
-        if not self.path.exists():
-            return {}
         try:
             return dict(json.loads(self.path.read_text(encoding="utf-8")))
+        except FileNotFoundError:
+            return {}
         except (ValueError, TypeError) as error:
             raise ValueError(
                 f"{self.path} is damaged. Delete it; answers that have changed since they were "

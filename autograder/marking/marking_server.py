@@ -13,7 +13,7 @@ from tornado.web import Application
 
 from autograder.local_server import Files, Handler, Site, is_own_page
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.marking.answers import Answer, Task, collect_tasks
+from autograder.marking.answers import Task, collect_tasks
 from autograder.marking.marked_answers import MarkedAnswers
 from autograder.marking.marks_file import ChangedError, change_mark
 from autograder.reports.marks import Mark, read_marks
@@ -41,11 +41,13 @@ class Marking(Site):
         self, tasks: list[Task], folder: Path, chapters: list[Chapter], people: ClassList
     ) -> None:
         super().__init__()
-        self.tasks = {task.exercise.id: task for task in tasks}
+        self.tasks = tasks
         self.folder = folder
         self.file = folder / "marks.csv", chapters, people  # what is needed to read the marks
         self.answers = {
-            (task.exercise.id, answer.code): answer for task in tasks for answer in task.answers
+            (task.exercise.id, answer.code): (task.exercise, answer)
+            for task in tasks
+            for answer in task.answers
         }
 
     def application(self) -> Application:
@@ -63,8 +65,8 @@ class Marking(Site):
     def known(self) -> dict[str, dict[str, Any]]:
         """Read the marks from marks.csv, and group them by exercise and by the answers' codes."""
         marks, marked = read_marks(*self.file)[0], MarkedAnswers(self.folder)
-        found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
-        for (exercise, code), answer in self.answers.items():
+        found: dict[str, dict[str, Any]] = {task.exercise.id: {} for task in self.tasks}
+        for (exercise, code), (_, answer) in self.answers.items():
             who = answer.submission
             if mark := marks.get((who.student, exercise)):
                 changed = marked.is_changed(who.owner, exercise, mark, answer.hash)
@@ -72,12 +74,13 @@ class Marking(Site):
         marked.save()
         return found
 
-    def change(self, change: Change, answer: Answer) -> None:
+    def change(self, change: Change) -> None:
         """Write a new mark into marks.csv, and remember the answer that it was given for."""
-        who, exercise, mark = answer.submission, change.exercise, change.mark
-        change_mark(*self.file, (who.student, exercise), mark, change.seen)
+        exercise, answer = self.answers[change.exercise, change.code]
+        who, mark = answer.submission, change.mark
+        change_mark(*self.file, (who.student, exercise.id), mark, change.seen)
         if mark:
-            MarkedAnswers(self.folder).mark_now(who.owner, exercise, mark, answer.hash)
+            MarkedAnswers(self.folder).mark_now(who.owner, exercise.id, mark, answer.hash)
 
 
 class Questions(Handler):
@@ -99,7 +102,7 @@ class Questions(Handler):
                     for answer in task.answers
                 ],
             }
-            for task in self.site.tasks.values()
+            for task in self.site.tasks
         ]
         self.write({"questions": questions})
 
@@ -118,38 +121,34 @@ class Marks(Handler):
         elif not self.request.headers.get("Content-Type", "").startswith("application/json"):
             self.send_error(415)
 
-    def get(self) -> None:
-        self.answer(200)
+    def get(self, change: Change | None = None) -> None:
+        """Make a change, if there is one, and send the marks in marks.csv or why that failed."""
+        why = ""
+        try:
+            try:
+                if change:
+                    self.site.change(change)
+            except ChangedError as error:
+                self.set_status(409)
+                why = str(error)
+            self.write({"marks": self.site.known(), "why": why})
+        except (ValueError, OSError) as error:
+            self.set_status(503)
+            self.write({"why": str(error)})
 
     def post(self) -> None:
         try:
             change = msgspec.json.decode(self.request.body, type=Change)
-            answer = self.site.answers[change.exercise, change.code]
-            mark, most = change.mark, self.site.tasks[change.exercise].exercise.points
-            if mark and not (0 <= mark.points <= most and len(mark.comment) <= LONGEST):
-                limits = f"0 to {most:g} points and {LONGEST} characters"
+            points = self.site.answers[change.exercise, change.code][0].points
+            mark = change.mark
+            if mark and not (0 <= mark.points <= points and len(mark.comment) <= LONGEST):
+                limits = f"0 to {points:g} points and {LONGEST} characters"
                 raise ValueError(f"it must be within {limits}")
         except (ValueError, KeyError, RecursionError) as error:
-            self.answer(400, f"this is not a valid mark: {error}")
-            return
-        try:
-            self.site.change(change, answer)
-        except ChangedError as error:
-            self.answer(409, str(error))
-        except (ValueError, OSError) as error:
-            self.answer(503, str(error))
+            self.set_status(400)
+            self.write({"why": f"this is not a valid mark: {error}"})
         else:
-            self.answer(200)
-
-    def answer(self, status: int, why: str = "") -> None:
-        """Send why a request failed, or the marks in marks.csv, which others may have changed."""
-        self.set_status(status)
-        try:
-            marks = {"marks": self.site.known()} if status in (200, 409) else {}
-        except (ValueError, OSError) as error:
-            self.set_status(503)
-            marks, why = {}, str(error)
-        self.write({**marks, "why": why})
+            self.get(change)
 
 
 def mark(
@@ -162,8 +161,7 @@ def mark(
 ) -> int:
     """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
 
-    ``chapters`` has only the exercises to mark. With a roster, marks.csv has the names that the
-    gradebook has.
+    ``chapters`` has only the exercises to mark.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.

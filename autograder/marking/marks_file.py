@@ -1,11 +1,10 @@
-"""Change one mark in marks.csv, the file with instructors' points and comments, and lose none."""
+"""Change one mark in marks.csv, and lose no other."""
 
 from __future__ import annotations
 
 import csv
 import io
 import re
-from dataclasses import replace
 from pathlib import Path
 
 from autograder.file_lock import locked
@@ -32,39 +31,34 @@ def change_mark(
     mark: Mark | None,
     seen: Mark | None,
 ) -> None:
-    """Write a mark into marks.csv, or delete it if ``mark`` is None.
-
-    ``answer`` is the student and the exercise. ``seen`` is the mark that the page displayed. It
-    must be the one in the file, so that nobody overwrites a mark without having seen it.
+    """Write a mark for ``answer``, a student and an exercise, or delete it if ``mark`` is None.
 
     Raises:
-        ChangedError: The mark in the file differs from ``seen``.
+        ChangedError: The file does not have ``seen``, the mark that the page displayed.
         ValueError: A line in the file is invalid. The file is left unchanged.
     """
     path = path.resolve()  # the file itself, if the path is a link
     with locked(path.parent / ".marks.lock"):
         separator, rows = read_rows(path, chapters, people)
-        old = next((row for row in rows if (row.report, row.exercise) == answer), None)
-        if (old.mark if old else None) != seen:
-            now = (
-                f"It gives {old.mark.points:g} points. {old.mark.comment}" if old else "It is gone."
-            )
-            raise ChangedError(f"This mark has been changed in marks.csv. {now}")
+        old = rows.get(answer)
+        now = old.mark if old else None
+        if now != seen:
+            words = f"It gives {now.points:g} points. {now.comment}" if now else "It is gone."
+            raise ChangedError(f"This mark has been changed in marks.csv. {words}")
         if mark == seen:
             return
-        if old is None and mark:
-            rows.append(Row(_name_of(answer[0], people), *answer, mark, 0))
-        elif old and mark:
-            rows[rows.index(old)] = replace(old, mark=mark)
-        elif old:
-            rows.remove(old)
+        if mark:
+            name = old.student if old else _name_of(answer[0], people)
+            rows[answer] = Row(name, *answer, mark, 0)
+        else:
+            del rows[answer]
         before = path.read_bytes().decode() if path.exists() else ""
         newline = "\r\n" if before.partition("\n")[0].endswith("\r") else "\n"
         text = io.StringIO(newline="")
         text.write("\ufeff" if before.startswith("\ufeff") else "")  # which Excel looks for
         writer = csv.writer(text, delimiter=separator, lineterminator=newline)
         writer.writerow(HEADER)
-        for row in rows:
+        for row in rows.values():
             points = f"{row.mark.points:.9f}".rstrip("0").rstrip(".")
             if separator == ";":  # where a spreadsheet would read 2.5 as May 2
                 points = points.replace(".", ",")

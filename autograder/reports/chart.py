@@ -48,8 +48,7 @@ def draw_chart(
 ) -> Markup:
     """Draw a dot for each solution, filled on the front, and a diamond for the reference.
 
-    Both axes are logarithmic. ``axes`` names the cost and the error, and ``what`` tells a screen
-    reader what the chart shows.
+    ``axes`` names the cost and the error, and a screen reader says ``what`` the chart shows.
     """
     from matplotlib import rc_context  # slow to import, and few assignments have open exercises
     from matplotlib.figure import Figure

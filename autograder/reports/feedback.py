@@ -27,11 +27,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first t
 
 
 def write_feedback(out: Path, report: StudentReport) -> Path:
-    """Write a student's feedback page, feedback/<student>.html, and return its path.
-
-    The page shows the points for each exercise, explains why checks failed, and says which exercise
-    to fix first.
-    """
+    """Write a student's feedback page, feedback/<student>.html, and return its path."""
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(for_students(report))
     results = report.results
@@ -48,7 +44,13 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
         anchors={r.exercise.id: f"exercise-{i}" for i, r in enumerate(every, start=1)},
         lost_of=lost,
         uneven=[r.exercise.id for r in results if _is_uneven(r)],
-        charts={r.exercise.id: _chart_of_one(r) for r in results if r.on_chart},
+        charts={
+            r.exercise.id: draw_chart(
+                r.exercise.chart, [r.on_chart], r.reference, f"Your work: {r.place}"
+            )
+            for r in results
+            if r.on_chart
+        },
         inherited=None if own is None or given is None else round(given - own, 2),
         by_hand_points=possible(written),
         by_hand_extra=extra_possible(written),
@@ -103,10 +105,7 @@ def write_index(
 
 
 def _lost(checks: Sequence[Verdict]) -> list[list[Verdict]]:
-    """Group the checks that did not pass by message, so that the student reads each one once.
-
-    For example, a file that cannot be read makes many checks fail with the same message.
-    """
+    """Group the checks that did not pass by message, so that the student reads each one once."""
     groups: dict[tuple[Status, str, bool, bool], list[Verdict]] = {}
     for check in checks:
         if check.status != "passed":
@@ -121,22 +120,9 @@ def _is_uneven(result: Result) -> bool:
 
 
 def _first_to_fix(results: list[Result]) -> Result | None:
-    """Return the exercise that the student should fix first, or None if every exercise passes.
-
-    Exercises whose physics checks fail come before those that fail only robust checks.
-    """
-
-    def urgency(result: Result) -> tuple[bool, int]:
-        works = all(check.status == "passed" for check in result.physics)
-        return works, TO_FIX.index(result.status)
-
-    return min((r for r in results if r.status in TO_FIX), key=urgency, default=None)
-
-
-def _chart_of_one(result: Result) -> str:
-    assert result.on_chart
-    what = f"Your work: {result.place}"
-    return draw_chart(result.exercise.chart, [result.on_chart], result.reference, what)
+    """Return the exercise to fix first, by its physics and then by its status, or None."""
+    open_ones = [result for result in results if result.status in TO_FIX]
+    return min(open_ones, key=lambda r: (r.works, TO_FIX.index(r.status)), default=None)
 
 
 def _charts_of_class(

@@ -24,35 +24,28 @@ def write_gradebook(
 ) -> Path:
     """Write gradebook.csv, the instructor's table of all grades, and return its path.
 
-    The row below the header shows how many points each exercise is worth. A cell is empty if there
-    is no grade yet. The students of a group have a row each, and those who have handed in nothing
-    come last. If the assignment has a due date, the points earned, the days late and the penalty
-    have columns, and the total is the points earned minus the penalty.
+    The students of a group have a row each. A cell is empty if there is no grade yet.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
     everything = possible(exercises)
     checked = everything - written
     late = any(report.late for report in reports)
+    columns = [*COLUMNS.split(","), *(WITH_DUE_DATE if late else []), "total"]
     of_late = [everything, None, None] if late else []
     points = [exercise.points for exercise in exercises]
     sums = [checked, checked, written, None, *of_late, everything, *points]
-    columns = [*COLUMNS.split(","), *(WITH_DUE_DATE if late else []), "total"]
     rows = [
         [*columns, *(as_cell(exercise.id) for exercise in exercises)],
         ["points possible", "", *map(number, sums)],
     ]
     for report in reports:
         scores = {result.exercise.id: result.score for result in report.results}
-        cells = [
-            report.score,
-            report.score_on_given,
-            report.by_hand,
-            report.waiting,
-            *(_late(report) if late else ()),
-            report.total,
-            *(scores.get(exercise.id) for exercise in exercises),
-        ]
+        cells = [report.score, report.score_on_given, report.by_hand, report.waiting]
+        if late:
+            penalty = None if report.earned is None else report.penalty
+            cells += [report.earned, report.late.days if report.late else None, penalty]
+        cells += [report.total, *(scores.get(exercise.id) for exercise in exercises)]
         for name in people.students_of(report.student) or [report.student]:
             status = _status(report, is_unmatched=name in people.unmatched)
             rows.append([*map(as_cell, (name, status)), *map(number, cells)])
@@ -68,9 +61,3 @@ def _status(report: StudentReport, *, is_unmatched: bool) -> str:
     parts += [f"changed since marked: {', '.join(report.changed)}"] if report.changed else []
     parts += [UNMATCHED] if is_unmatched else []
     return "; ".join(parts)
-
-
-def _late(report: StudentReport) -> list[float | None]:
-    """Return the points earned, the days late and the penalty, or None where it is unknown."""
-    days = report.late.days if report.late else None
-    return [report.earned, days, None if report.earned is None else report.penalty]

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.checks.verdict import Verdict
+from autograder.manifest import Exercise
 from autograder.reports.report import StudentReport, for_students
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import Result, of_possible
@@ -42,11 +43,7 @@ def as_text(results: dict[str, Any]) -> str:
 
 
 def gradescope_results(report: StudentReport) -> dict[str, Any]:
-    """Convert a student's report to the results that Gradescope shows.
-
-    If the grader itself failed, the submission gets no score at all, because neither zero nor full
-    marks would be fair.
-    """
+    """Convert a student's report to what Gradescope shows, without a score if the grader failed."""
     report = clean_all(for_students(report))
     if report.status == "nothing to grade":  # without a score, Gradescope would report an error
         summary = _summary(report, failed=False)
@@ -55,19 +52,16 @@ def gradescope_results(report: StudentReport) -> dict[str, Any]:
     tests = [_test(result) for result in report.results]
     for cause in report.causes:
         needed = f"This earns no points here, but is needed for {', '.join(cause.blocks)}."
-        exercise, output = cause.result.exercise, "\n\n".join([needed, *_lost(cause.result.checks)])
-        name = clean_line(f"{exercise.title} ({cause.assignment or 'not graded'})")
-        tests.append({**_entry(exercise.id, name, 0, output), "status": "failed"})
-    score = None if failed or report.total is None else round(report.total, 2)
+        output = "\n\n".join([needed, *_lost(cause.result.checks)])
+        where = f" ({cause.assignment or 'not graded'})"
+        tests.append({**_entry(cause.result.exercise, 0, output, where), "status": "failed"})
+    score = None if failed else report.total
     summary = _summary(report, failed)
     return _results(summary, tests, score=score, execution_time=report.seconds)
 
 
 def ungraded_results(reason: str) -> dict[str, Any]:
-    """Build the results, without a score, for a submission that could not be graded.
-
-    Gradescope shows the student the reason, and a note that the submission is not at fault.
-    """
+    """Build the results, without a score, for a submission that could not be graded."""
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -103,10 +97,10 @@ def _summary(report: StudentReport, failed: bool) -> str:
     return "\n".join(lines)
 
 
-def _entry(exercise_id: str, name: str, most: float, output: str) -> dict[str, Any]:
+def _entry(exercise: Exercise, most: float, output: str, where: str = "") -> dict[str, Any]:
     return {
-        "number": clean_line(exercise_id),
-        "name": name,
+        "number": clean_line(exercise.id),
+        "name": clean_line(exercise.title + where),
         "max_score": most,
         "output": output,
         "visibility": "visible",
@@ -114,10 +108,10 @@ def _entry(exercise_id: str, name: str, most: float, output: str) -> dict[str, A
 
 
 def _test(result: Result) -> dict[str, Any]:
-    """Convert the result of an exercise. It has no score if nobody has given one yet."""
+    """Convert the result of an exercise, without a score if nobody has given one yet."""
     exercise, status = result.exercise, result.status
     most = 0 if exercise.extra else exercise.points  # they add up to the possible points
-    entry = _entry(exercise.id, clean_line(exercise.title), most, _output(result))
+    entry = _entry(exercise, most, _output(result))
     if result.score is not None and status not in ("error", "waiting"):
         entry["score"] = result.score
         if status not in BY_HAND:  # people give no verdict
@@ -129,8 +123,7 @@ def _output(result: Result) -> str:
     """State the result of an exercise, and explain each check that did not pass."""
     status = result.status
     if status == "waiting":
-        points = number(result.exercise.points)
-        return f"waiting for a person to mark it: up to {points} points"
+        return f"waiting for a person to mark it: up to {number(result.exercise.points)} points"
     if status in BY_HAND:
         words = "marked by a person" + (", and changed since" if status == "changed" else "")
         return f"{words}\n{result.comment}".strip()
@@ -145,7 +138,6 @@ def _output(result: Result) -> str:
 
 
 def _lost(checks: Sequence[Verdict]) -> Iterator[str]:
-    """Explain each of the checks that did not pass."""
     for check in checks:
         if check.status != "passed":
             title = "a hidden check" if check.hidden else check_title(check.name)

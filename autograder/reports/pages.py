@@ -14,10 +14,9 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Fill in the template of a web page, such as student.html, and return the finished page.
+    """Fill in a template from ``folder`` or, if it is not there, from the folder of shared ones.
 
-    The template is read from ``folder`` or, if it is not there, from the folder of shared ones. All
-    values are escaped, so text from students cannot add HTML or scripts to a page.
+    All values are escaped, so text from students cannot add HTML or scripts to a page.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),

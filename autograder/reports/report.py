@@ -7,16 +7,12 @@ from typing import Literal
 
 from autograder.scores import Result
 
-# The last one means that something was handed in, but nothing that can be graded.
 ReportStatus = Literal["graded", "error, retry", "nothing to grade"]
 
 
 @dataclass(frozen=True)
 class Cause:
-    """An exercise of an earlier assignment that fails and thereby blocks graded exercises.
-
-    It earns no points, and has no column in the gradebook.
-    """
+    """An exercise of an earlier assignment that fails and blocks graded ones. It has no points."""
 
     result: Result  # has only the physics checks
     assignment: str  # the name of the earlier assignment, or "" if it is not known
@@ -47,10 +43,7 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """The settings with which a submission was graded.
-
-    The report from an earlier run is reused if neither they nor the submission have changed.
-    """
+    """The settings of a run. An earlier report with the same ones and submission is reused."""
 
     seed: str
     chapters: list[int]
@@ -129,10 +122,7 @@ class StudentReport:
 
 
 def for_students(report: StudentReport) -> StudentReport:
-    """Return a copy of the report without anything that students may not know of hidden checks.
-
-    Every page and file that students may see is made from such a copy.
-    """
+    """Return a copy without the secrets of hidden checks, from which all that is shown is made."""
 
     def public(result: Result) -> Result:
         return replace(result, checks=[replace(check, secret=None) for check in result.checks])

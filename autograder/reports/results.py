@@ -22,33 +22,16 @@ from autograder.submissions.find import file_name
 def write_result(out: Path, report: StudentReport) -> Path:
     """Save a student's report as results/<student>.json, and return the path of the file."""
     path = out / "results" / f"{file_name(report.student)}.json"
-    keep_report(path, report)
-    return path
-
-
-def keep_report(path: Path, report: StudentReport) -> None:
-    """Save a student's report as a JSON file, which is replaced whole."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
-
-
-def parse_report(text: str) -> StudentReport:
-    """Convert the text of a JSON file to a student's report.
-
-    Raises:
-        ValueError: A value is missing or has the wrong type. The message names its key.
-    """
-    try:
-        return msgspec.convert(json.loads(text, parse_constant=_refuse), StudentReport)
-    except RecursionError as error:
-        raise ValueError("the values are nested too deeply") from error
+    return path
 
 
 def read_result(path: Path) -> StudentReport | None:
     """Read a student's report from a JSON file, or return None if the file has no valid report."""
     try:
-        return parse_report(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        return _read(path)
+    except (OSError, ValueError, RecursionError):
         return None
 
 
@@ -61,8 +44,8 @@ def read_results(out: Path) -> list[StudentReport]:
     reports = []
     for path in (out / "results").glob("*.json"):
         try:
-            reports.append(parse_report(path.read_text(encoding="utf-8")))
-        except (OSError, ValueError) as error:
+            reports.append(_read(path))
+        except (OSError, ValueError, RecursionError) as error:
             again = f"Grade the class again into {str(out)!r}"
             raise ValueError(f"{path} cannot be read ({error}). {again}") from error
     if not reports:
@@ -71,10 +54,7 @@ def read_results(out: Path) -> list[StudentReport]:
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write a student's feedback page, Gradescope file and report.
-
-    The report is written last, so if it exists, the other two files are complete.
-    """
+    """Write a student's page, Gradescope file and, when these are complete, the report."""
     write_feedback(out, report)
     write_gradescope(out, report)
     write_result(out, report)
@@ -87,6 +67,12 @@ def write_class(
     index = write_index(out, chapters, reports, people)
     gradebook = write_gradebook(out, chapters, reports, people)
     return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]
+
+
+def _read(path: Path) -> StudentReport:
+    """Read a report. The error for a value that is missing or wrong names its key."""
+    text = path.read_text(encoding="utf-8")
+    return msgspec.convert(json.loads(text, parse_constant=_refuse), StudentReport)
 
 
 def _refuse(constant: str) -> float:

@@ -11,23 +11,21 @@ from autograder.scores import shown
 from autograder.text.clean import clean, clean_line
 
 T = TypeVar("T")
-
 LONGEST = 4000  # characters of a text in a report; the message of a check has only a few hundred
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a report, or of a text, that is safe to display.
+    """Return a copy of a report or text that is safe to display, with unusual characters escaped.
 
-    It may contain any text that a student wrote. Unprintable characters are escaped, and only the
-    first 4000 characters of a text are kept.
+    Only the first 4000 characters of a text are kept.
     """
-    return with_texts(value, _clean_and_cut)
 
+    def shortened(text: str) -> str:
+        if len(text) > LONGEST:
+            text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
+        return clean(text)
 
-def _clean_and_cut(text: str) -> str:
-    if len(text) > LONGEST:
-        text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
-    return clean(text)
+    return with_texts(value, shortened)
 
 
 def number(value: float | None) -> str:

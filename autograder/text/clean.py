@@ -1,7 +1,4 @@
-"""Make text from students safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
-
-This module alone decides which characters are shown as they are.
-"""
+"""Decide which characters of students' texts are shown as they are, wherever text is shown."""
 
 from __future__ import annotations
 
@@ -18,7 +15,10 @@ def clean(text: str) -> str:
     """
     if text.isprintable():
         return text
-    return "".join(map(_clean_character, LINE_ENDS.sub("\n", text)))
+    return "".join(
+        one if one in "\n\t" else " " if one.isspace() and ord(one) > 0x7F else visible(one)
+        for one in LINE_ENDS.sub("\n", text)
+    )
 
 
 def clean_line(text: str) -> str:
@@ -29,9 +29,3 @@ def clean_line(text: str) -> str:
 def visible(character: str) -> str:
     r"""Return a printable character as it is, and any other character as an escape such as \x1b."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
-
-
-def _clean_character(character: str) -> str:
-    if character in "\n\t":
-        return character
-    return " " if character.isspace() and ord(character) > 0x7F else visible(character)

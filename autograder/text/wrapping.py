@@ -18,28 +18,18 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
-    """Create a rich console that prints text as it is, by default to standard output.
-
-    Otherwise rich takes brackets for styles and words between colons for emoji, and a student whose
-    name contains "[/]" would cause an error.
-    """
+    """Create a rich console that does not take brackets for styles, or words for emoji."""
     from rich.console import Console
 
     return Console(file=file, width=width, highlight=False, markup=False, emoji=False)
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
-    """Break text into lines that fit a width, all but the first indented by ``hanging`` columns.
-
-    A word is split only if it is longer than a whole line.
-    """
-    width, indent = max(width, 2 * INDENT), " " * hanging
-    lines = []
-    for line in words.splitlines():
-        lines += textwrap.wrap(line, width, subsequent_indent=indent, break_on_hyphens=False) or [
-            ""
-        ]
-    return lines
+    """Break text into lines that fit a width, all but the first indented by ``hanging`` columns."""
+    wrapper = textwrap.TextWrapper(
+        max(width, 2 * INDENT), subsequent_indent=" " * hanging, break_on_hyphens=False
+    )
+    return [part for line in words.splitlines() for part in wrapper.wrap(line) or [""]]
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
@@ -64,8 +54,7 @@ def print_rows(console: Console, rows: list[Row]) -> None:
 def few_lines(text: str, lines: int, characters: int) -> str:
     """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
 
-    If the text already ends with such a note, the new note also counts the lines removed earlier.
-    It says "at least" if the output was already truncated when it was captured.
+    The note includes the lines of an earlier note. It says "at least" if a part was never captured.
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")

@@ -40,8 +40,8 @@ def test_a_name_may_be_copied_from_the_gradebook_or_typed(
     ("row", "line", "words"),
     [
         ("bob,2.3,1,", 2, "there is no student 'bob'"),
-        ("ada,2.9,1,", 2, "no exercise '2.9'. Written exercises: 2.3"),
-        ("ada,B2.1,1,", 2, "'B2.1' gets its points from checks. Written exercises: 2.3"),
+        ("ada,2.9,1,", 2, "the exercise must be one of 2.3, got '2.9'"),
+        ("ada,B2.1,1,", 2, "the exercise must be one of 2.3, got 'B2.1'"),
         ("ada,2.3,two,", 2, "the points for 2.3 must be a number from 0 to 3, got 'two'"),
         ("ada,2.3,nan,", 2, "got 'nan'"),
         ("ada,2.3,-1,", 2, "got '-1'"),

@@ -78,7 +78,7 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
     A report from an earlier run is kept if the submission, the checks, the grader and the seed have
-    not changed. Without a seed, ``out`` keeps its own, and a new folder draws one.
+    not changed. Without a seed, a run draws one, but resumes an unfinished one with its seed.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -97,7 +97,7 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
         notes += more_notes
     console = plain_console()
     with only_run(out):
-        conditions, regrade = _begin(folder, out, work, options, people)
+        conditions, regrade, record = _begin(folder, out, work, options, people)
         for note in [*([regrade.note] if regrade and regrade.note else []), *notes]:
             console.print(note, markup=False)
         key, marked = run_key(conditions), MarkedAnswers(folder)
@@ -111,6 +111,8 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
         column = options.column
         uploads, lines = write_uploads(out, work.chapters, people, reports, column, worksheet)
         places += [*uploads, *give_back(out, people, reports)]
+        record["finished"] = all(report.status != "error, retry" for report in reports)
+        replace_file(out / RECORD, json.dumps(record) + "\n")
     print_class(console, graded)
     for line in [*_about(run, graded, moved), *differences(people, reports), *lines]:
         console.print(line, markup=False)
@@ -122,13 +124,15 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
 
 def _begin(
     folder: Path, out: Path, work: Work, options: ClassOptions, people: ClassList
-) -> tuple[Conditions, Regrade | None]:
+) -> tuple[Conditions, Regrade | None, dict[str, Any]]:
     """Choose the conditions of a run, unless it would mix up grades, and record the run."""
     before = recorded(out)
     if before.get("folder") == str(SAMPLE) != str(folder.resolve()):
         before = {}  # another class takes the place of the sample class
+    keeps_seed = options.student or not before.get("finished", True)
     record: dict[str, Any] = {
-        "seed": work.seed or before.get("seed") or secrets.token_hex(4),
+        "seed": work.seed or (keeps_seed and before.get("seed")) or secrets.token_hex(4),
+        "finished": False,
         "roster": work.roster is not None,
         "checks": work.hidden is not None,
         "folder": str(folder.resolve()),
@@ -153,7 +157,7 @@ def _begin(
         regrade = Regrade(out, options.student, people, options.why, run_key(conditions))
     check_hidden(conditions)
     replace_file(out / RECORD, json.dumps(record) + "\n")
-    return conditions, regrade
+    return conditions, regrade, record
 
 
 def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[StudentReport]:

@@ -41,9 +41,13 @@ class Regrade:
         reports = read_results(out)
         self.others = [report for report in reports if report.student != self.student]
         self.before = next((one for one in reports if one.student == self.student), None)
-        self._refuse_changed(people)
+        self._refuse_changed(people, key)
         runs = [report.run for report in self.others or reports if report.run]
-        if seeds := sorted({run.seed for run in runs} - {key.seed}):
+        seeds = sorted({run.seed for run in runs})
+        if len(seeds) > 1:
+            names = ", ".join(seeds)
+            raise ValueError(f"the class was graded with several seeds ({names}). Grade it again")
+        if seeds and seeds != [key.seed]:
             raise ValueError(f"--seed must be that of the class, {seeds[0]!r}, got {key.seed!r}")
         if any((run.points, run.extra) != (key.points, key.extra) for run in runs):
             raise ValueError(
@@ -58,7 +62,7 @@ class Regrade:
         self.note = f"Changed since the class was graded: {', '.join(changed)}." if changed else ""
         self.why = " ".join(filter(None, (why, self.note)))
 
-    def _refuse_changed(self, people: ClassList) -> None:
+    def _refuse_changed(self, people: ClassList, key: RunKey) -> None:
         """Raise ValueError if the others who have handed in are not those who have a report.
 
         Otherwise, they would be in none of the new lists, or in two of them.
@@ -73,8 +77,8 @@ class Regrade:
         if parts:
             raise ValueError(
                 f"the class is not the one that was graded ({', and '.join(parts)}). Grade all of "
-                "it again without --student (make: STUDENT=). Whatever has not changed keeps its "
-                "result"
+                f"it again with --seed {key.seed} (make: SEED={key.seed}, without STUDENT=). "
+                "Whatever has not changed keeps its result"
             )
 
     def log(self, report: StudentReport) -> str:

@@ -33,8 +33,7 @@ from autograder.grader.class_folder import (
 )
 from autograder.grader.class_run import ClassRun, grade_here, print_class
 from autograder.grader.cluster import connect, grade_over
-from autograder.grader.conditions import Conditions, run_key
-from autograder.grader.hidden import check_hidden
+from autograder.grader.conditions import Conditions, check_hidden, run_key
 from autograder.grader.people import differences, people_of
 from autograder.grader.regrade import Regrade
 from autograder.isolation.probe import choose_level

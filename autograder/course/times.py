@@ -54,7 +54,6 @@ def _of_instructor(
         )
     mistakes = Mistakes(path)
     found: dict[str, HandedIn] = {}
-    lines: dict[str, int] = {}
     unused = []
     for line, _, (name, text) in table.rows("cell", mistakes):
         try:
@@ -69,11 +68,9 @@ def _of_instructor(
             continue
         if not report:
             unused.append(name)
-        elif before := lines.get(report):
-            words = f"a second time for {report!r}, who is also in line {before}. Give only one"
-            mistakes.add(line, words)
+        elif report in found:
+            mistakes.add(line, f"a second time for {report!r}. Give only one")
         else:
-            lines[report] = line
             found[report] = HandedIn(TIMES, at)
     mistakes.raise_any()
     notes = [f"{path}: {', '.join(unused)} handed in nothing, so the time is not used."]

@@ -91,7 +91,8 @@ class ClassRun:
     ) -> Generator[StudentReport]:
         left = {}
         for submission in submissions:
-            if report := self._kept(submission):
+            if report := None if self.regrade else self._kept(submission):
+                self.reused.append(submission.student)
                 yield self._save(report, submission)
             else:
                 left[submission.student] = submission
@@ -100,19 +101,11 @@ class ClassRun:
                 yield self._save(replace(report, run=self.key), left[report.student])
 
     def _kept(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run on this submission, or None if it is not valid.
-
-        A report is valid if neither the submitted files nor the conditions of grading have changed,
-        and if the grader itself did not fail.
-        """
+        """Return the report of an earlier run if the files and the conditions have not changed."""
         report = read_result(self.out / "results" / f"{file_name(submission.student)}.json")
-        if self.regrade or report is None or report.run != self.key:
+        if report is None or report.run != self.key or report.status == "error, retry":
             return None
-        if report.status == "error, retry":
-            return None
-        if report := still_valid(self.conditions, submission, report):
-            self.reused.append(submission.student)
-        return report
+        return still_valid(self.conditions, submission, report)
 
     def _save(self, report: StudentReport, submission: Submission) -> StudentReport:
         """Add marks and lateness to a student's report, and write it to disk.

@@ -168,7 +168,9 @@ def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[Stu
             client = stack.enter_context(connect(options.cluster, run.conditions, run.console))
             reports = run.collect(submissions, partial(grade_over, client, run.conditions))
         else:
-            jobs = options.jobs or _cores()
+            on_linux = sys.platform == "linux"
+            cores = len(os.sched_getaffinity(0)) if on_linux else os.cpu_count() or 1
+            jobs = options.jobs or cores
             reports = run.collect(submissions, partial(grade_here, run.conditions, jobs))
     run.marked.save()
     return reports
@@ -208,7 +210,3 @@ def _about(run: ClassRun, graded: Sequence[StudentReport], moved: int) -> list[s
         names = "; ".join(unused)
         lines.append(f"Marks that do not count, since there is nothing to grade: {names}.")
     return lines
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1

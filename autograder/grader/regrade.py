@@ -41,7 +41,6 @@ class Regrade:
         reports = read_results(out)
         self.others = [report for report in reports if report.student != self.student]
         self.before = next((one for one in reports if one.student == self.student), None)
-        self._refuse_changed(people, key)
         runs = [report.run for report in self.others or reports if report.run]
         seeds = sorted({run.seed for run in runs})
         if len(seeds) > 1:
@@ -54,32 +53,22 @@ class Regrade:
                 "the exercises and points must be the same as for the class. Use the same "
                 "--assignment and --course (make: ASSIGNMENT=, COURSE=) as for the class"
             )
-        changed = [
+        # Otherwise, some of the others would be in none of the new lists, or in two of them.
+        now = {one.student for one in people.submissions} - {self.student}
+        if changed := now ^ {report.student for report in self.others}:
+            raise ValueError(
+                f"the class is not the one that was graded (new or gone: "
+                f"{'; '.join(sorted(changed))}). Grade all of it again with --seed {key.seed} "
+                f"(make: SEED={key.seed}, without STUDENT=), which keeps what has not changed"
+            )
+        differing = [
             words
             for name, words in MAY_DIFFER.items()
             if any(getattr(run, name) != getattr(key, name) for run in runs)
         ]
-        self.note = f"Changed since the class was graded: {', '.join(changed)}." if changed else ""
+        words = f"Changed since the class was graded: {', '.join(differing)}."
+        self.note = words if differing else ""
         self.why = " ".join(filter(None, (why, self.note)))
-
-    def _refuse_changed(self, people: ClassList, key: RunKey) -> None:
-        """Raise ValueError if the others who have handed in are not those who have a report.
-
-        Otherwise, they would be in none of the new lists, or in two of them.
-        """
-        now = {one.student for one in people.submissions} - {self.student}
-        graded = {report.student for report in self.others}
-        parts = [
-            f"{what}: {'; '.join(sorted(names))}"
-            for what, names in (("not graded yet", now - graded), ("not there", graded - now))
-            if names
-        ]
-        if parts:
-            raise ValueError(
-                f"the class is not the one that was graded ({', and '.join(parts)}). Grade all of "
-                f"it again with --seed {key.seed} (make: SEED={key.seed}, without STUDENT=). "
-                "Whatever has not changed keeps its result"
-            )
 
     def log(self, report: StudentReport) -> str:
         """Add a row to regrades.csv, and describe in a sentence how the points have changed.

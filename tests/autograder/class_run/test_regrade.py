@@ -100,7 +100,7 @@ def test_a_class_that_has_changed_is_graded_again_first(small: SmallClass) -> No
         small.hand_in(late, RIGHT)
     before = small.everything()
     seed = small.results()["ann"]["seed"]
-    words = rf"not graded yet: eve, and not there: cem\). Grade all of it again with --seed {seed} "
+    words = rf"new or gone: cem; eve\). Grade all of it again with --seed {seed} "
     with pytest.raises(ValueError, match=words):
         small.grade(seed=None, student="dan")
     assert small.everything() == before

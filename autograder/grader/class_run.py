@@ -1,7 +1,4 @@
-"""Grade the submissions of a class, and write each report as soon as it is ready.
-
-If the run is interrupted, the reports written so far are kept.
-"""
+"""Grade the submissions of a class, and write each report as soon as it is ready."""
 
 from __future__ import annotations
 
@@ -40,10 +37,7 @@ GradeAll = Callable[[list[Submission]], Generator[StudentReport]]
 
 @dataclass
 class ClassRun:
-    """A run over a class, with everything that applies to the whole class.
-
-    Valid reports of an earlier run are kept, unless the run is a regrade.
-    """
+    """A run over a class. Valid reports of an earlier run are kept, unless it is a regrade."""
 
     conditions: Conditions
     key: RunKey
@@ -108,11 +102,7 @@ class ClassRun:
         return still_valid(self.conditions, submission, report)
 
     def _save(self, report: StudentReport, submission: Submission) -> StudentReport:
-        """Add marks and lateness to a student's report, and write it to disk.
-
-        If the report cannot be written, the other students are still graded, and this one counts as
-        not graded.
-        """
+        """Add marks and lateness to a report, and write it, or return a report of the failure."""
         answers: dict[str, str] = {}
         if any(student == report.student for student, _ in self.marks):
             root = self.conditions.root
@@ -159,11 +149,7 @@ def grade_here(
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table with the points of each student, and the most important failed check.
-
-    That may be a check of an earlier assignment that blocks this one. Each row has at most two
-    lines, so a long message is cut on a narrow screen.
-    """
+    """Print the points of each student and the first problem, with at most two lines a row."""
     problems = [_first_problem(report) for report in reports]
     taken = console.measure(_class_table(reports, [""] * len(reports))).maximum
     room = max(console.width - taken, len(PROBLEM))

@@ -1,7 +1,4 @@
-"""Grade a whole class: run the checks on every submission, and write all reports.
-
-A run that was interrupted is resumed, so that no submission is graded twice.
-"""
+"""Grade a whole class: run the checks on every submission, and write all reports."""
 
 from __future__ import annotations
 

@@ -15,8 +15,7 @@ from autograder.submissions.csv_rows import as_cell
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
-# These may have changed since the class was graded, for example because a check was wrong. If so,
-# the log contains a note.
+# These may have changed since the class was graded. If so, the log contains a note.
 MAY_DIFFER = {
     "checks": "the checks or the reference",
     "grader": "the grader",
@@ -27,11 +26,7 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """Regrades one student after an earlier run has graded the class.
-
-    The class, the seed and the points must be the same as then, so that the grades remain
-    comparable. ``why`` is the instructor's reason.
-    """
+    """A regrade of one student, whose class, seed and points must be those of the class's run."""
 
     def __init__(self, out: Path, student: str, people: ClassList, why: str, key: RunKey) -> None:
         self.out = out

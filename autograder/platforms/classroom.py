@@ -22,10 +22,7 @@ MINUTES = 10  # a generous limit, since the set-up takes a minute and each exerc
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, about: str = ""
 ) -> None:
-    """Write an ordinary handout, and a workflow that grades every push, to the new folder ``out``.
-
-    ``about`` is the section of the README that describes the assignment.
-    """
+    """Write a handout, with a workflow that grades every push, to the new folder ``out``."""
     make_handout(chapters, given, out, about=about)
     chapters = in_whole_points(chapters)
     path = out / WORKFLOW

@@ -85,13 +85,10 @@ def write_uploads(
     column: Column,
     worksheet: Worksheet | None = None,
 ) -> tuple[list[Path], list[str]]:
-    """Write the files from which an instructor can import grades into Canvas or Moodle.
+    """Write the files for Canvas and Moodle, and return their paths, and notes for the instructor.
 
     These are canvas.csv and moodle.csv if the class has a roster, plus a copy of Moodle's grading
-    worksheet if the instructor has saved it with the submissions.
-
-    Returns:
-        The paths of the files, and notes for the instructor.
+    worksheet if there is one.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
     totals = {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}
@@ -148,11 +145,7 @@ def write_uploads(
 def _for_canvas(
     people: ClassList, grades: Mapping[str, float], title: str, full: float
 ) -> list[list[str]]:
-    """Make a table with a row for each student on the roster, and an empty cell for no grade.
-
-    Canvas recognizes a student by the ID or, if that is empty, by the SIS user ID, the login or the
-    name.
-    """
+    """Make a table of the roster, with the columns by which Canvas recognizes a student."""
     rows = [[*OF_CANVAS, title], ["    Points Possible", "", "", "", "", number(full)]]
     for member in people.members:
         if who := member.student:

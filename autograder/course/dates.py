@@ -21,28 +21,23 @@ def parse_time(text: str, zone: tzinfo) -> datetime:
 
 
 def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
-    """Convert a deadline to data that can be stored as JSON."""
+    """Convert a deadline to data that can be stored as JSON, with the time zone of the course."""
+    zone = deadline.due.tzinfo
     return {
-        "due": _to_text(deadline.due),
+        "due": deadline.due.isoformat(),
+        "zone": zone.key if isinstance(zone, ZoneInfo) else None,
         "policy": vars(deadline.policy) if deadline.policy else None,
-        "extensions": {name: _to_text(time) for name, time in deadline.extensions.items()},
+        "extensions": {name: time.isoformat() for name, time in deadline.extensions.items()},
     }
 
 
 def deadline_from_json(data: dict[str, Any]) -> Deadline:
     """Convert the result of ``deadline_to_json`` back to a deadline."""
+
+    def read(text: str) -> datetime:
+        time = datetime.fromisoformat(text)
+        return time.astimezone(ZoneInfo(data["zone"])) if data["zone"] else time
+
     policy = LatePolicy(**data["policy"]) if data["policy"] else None
-    extensions = {name: _from_text(text) for name, text in data["extensions"].items()}
-    return Deadline(_from_text(data["due"]), policy, extensions)
-
-
-def _to_text(time: datetime) -> str:
-    """Format a time as in RFC 9557, such as 2026-10-23T23:59:00+02:00[Europe/Berlin]."""
-    name = f"[{time.tzinfo.key}]" if isinstance(time.tzinfo, ZoneInfo) else ""
-    return time.isoformat() + name
-
-
-def _from_text(text: str) -> datetime:
-    stamp, _, name = text.rstrip("]").partition("[")
-    time = datetime.fromisoformat(stamp)
-    return time.astimezone(ZoneInfo(name)) if name else time
+    extensions = {name: read(text) for name, text in data["extensions"].items()}
+    return Deadline(read(data["due"]), policy, extensions)

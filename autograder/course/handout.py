@@ -12,9 +12,7 @@ from autograder.course.points import points_of
 from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.scores import shown
 
-START = re.compile(r"(?m)^(?=\[\[exercise\]\])")
-ID = re.compile(r'(?m)^id = "(.+)"$')
-POINTS = re.compile(r"(?m)^points = .*$")
+POINTS = re.compile(r'(?ms)(?P<before>^id = "(?P<id>[^"]+)"$.*?)^points = [^\n]*')
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
@@ -26,20 +24,14 @@ def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
 
 def manifest_of(text: str, chapter: Chapter) -> str:
     """Write a chapter's points, extra credit and optional exercises into its chapter.toml."""
-    first, *rest = START.split(text)
-    return first + "".join(_entry(part, chapter) for part in rest)
 
+    def entry(found: re.Match[str]) -> str:
+        exercise = chapter.exercise(found["id"])
+        options = [key for key in ("extra", "optional") if getattr(exercise, key)]
+        lines = [f"points = {exercise.points}", *(f"{key} = true" for key in options)]
+        return found["before"] + "\n".join(lines)
 
-def _entry(text: str, chapter: Chapter) -> str:
-    found = ID.search(text)
-    if found is None:
-        raise ValueError(
-            f"the manifest of {chapter.name} has an exercise without a line for its id"
-        )
-    exercise = chapter.exercise(found[1])
-    options = [key for key in ("extra", "optional") if getattr(exercise, key)]
-    lines = [f"points = {exercise.points}", *(f"{key} = true" for key in options)]
-    return POINTS.sub("\n".join(lines), text, count=1)
+    return POINTS.sub(entry, text)
 
 
 def about(work: Work, on_github: Mapping[str, float] | None = None) -> str:
@@ -50,7 +42,11 @@ def about(work: Work, on_github: Mapping[str, float] | None = None) -> str:
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name
-    parts = [f"## {title}", *_due(work), _table(work, on_github or {})]
+    due = []
+    if work.deadline:
+        policy = work.deadline.policy
+        due = [f"Due {clock(work.deadline.due)}." + (f"\n{policy.words}" if policy else "")]
+    parts = [f"## {title}", *due, _table(work, on_github or {})]
     if on_github:
         parts.append(
             "GitHub Classroom shows whole points only, so its points are rounded. It does not\n"
@@ -68,13 +64,6 @@ def about(work: Work, on_github: Mapping[str, float] | None = None) -> str:
             "If you begin with a new folder, first copy your own files of these chapters into it."
         )
     return "\n\n".join(parts)
-
-
-def _due(work: Work) -> list[str]:
-    if work.deadline is None:
-        return []
-    policy = work.deadline.policy
-    return ["\n".join([f"Due {clock(work.deadline.due)}.", *([policy.words] if policy else [])])]
 
 
 def _table(work: Work, on_github: Mapping[str, float]) -> str:

@@ -13,14 +13,11 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """The time of a submission, and the platform or file that reports it.
-
-    Canvas reports only whether a submission was late. In that case, ``late`` is True.
-    """
+    """The time of a submission, and the platform or file that reports it."""
 
     source: str
     at: datetime | None = None
-    late: bool = False
+    late: bool = False  # for Canvas, which does not report the time
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
@@ -39,11 +36,7 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Convert the local time at which a late day ends to UTC.
-
-    Of a time that the clocks show twice, the second occurrence counts. One that they skip is
-    converted as if they had not changed yet.
-    """
+    """Convert to UTC, where the second occurrence of a time that clocks show twice counts."""
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 

@@ -58,24 +58,22 @@ def _extensions(
     """
     granted: dict[str, list[datetime]] = {}
     of_member: dict[Member, tuple[str, datetime]] = {}
-    problems: list[str] = []
     notes: list[str] = []
     for name, due in deadline.extensions.items():
         about = f"Extension of {name!r} in the course file:"
-        members: list[Member] = []
         try:
             members = people.members_of(name)
         except ValueError as error:
-            is_absent = isinstance(error, UnknownNameError) and not people.has_roster
-            (notes if is_absent else problems).append(f"{about} {error}")
+            if people.has_roster or not isinstance(error, UnknownNameError):
+                raise ValueError(f"{about} {error}") from error
+            notes.append(f"{about} {error}")
+            continue
         for member in members:
             before, time = of_member.setdefault(member, (name, due))
             if time != due:
                 words = f"{before!r} is the same student and has another date. Give only one"
-                problems.append(f"{about} {words}")
+                raise ValueError(f"{about} {words}")
             granted.setdefault(member.report, []).append(due)
-    if problems:
-        raise ValueError("\n".join(dict.fromkeys(problems)))
     return granted, notes
 
 
@@ -106,23 +104,19 @@ def for_gradescope(deadline: Deadline, roster: Path | None) -> Deadline:
     students = read_roster(roster)
     names = Names((one, f"{one.name} in line {one.line}", one.names) for one in students)
     extensions: dict[str, datetime] = {}
-    problems = []
     for name, due in deadline.extensions.items():
         about = f"Extension of {name!r} in the course file:"
         found = names.all_of(name)
         if len(found) != 1:
-            problems.append(f"{about} {names.problem(name, found)}")
-            continue
+            raise ValueError(f"{about} {names.problem(name, found)}")
         (student,) = found
         is_alone = names.all_of(student.name) == [student]
         keys = [key for key in (student.email, student.name if is_alone else "") if key]
         if not keys:
-            problems.append(
+            raise ValueError(
                 f"{about} Gradescope tells students of one name apart by email only. Add one to "
                 f"{roster}, line {student.line}"
             )
         if any(extensions.setdefault(key, due) != due for key in keys):
-            problems.append(f"{about} {student.name} has two dates")
-    if problems:
-        raise ValueError("\n".join(problems))
+            raise ValueError(f"{about} {student.name} has two dates")
     return replace(deadline, extensions=extensions)

@@ -33,27 +33,23 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, with the later due dates of individual students.
-
-    All times have a time zone. Without a policy, late work loses no points.
-    """
+    """When an assignment is due. All times have a time zone."""
 
     due: datetime
-    policy: LatePolicy | None = None
-    extensions: Mapping[str, datetime] = field(default_factory=dict)
+    policy: LatePolicy | None = None  # without one, late work loses no points
+    extensions: Mapping[str, datetime] = field(default_factory=dict)  # by student
 
 
 @dataclass(frozen=True)
 class Work:
     """What students have to do, and how it is graded: an assignment, or whole chapters.
 
-    The chapters contain only the assigned exercises, with their points in this assignment.
     ``earlier`` are the exercises of earlier assignments that it builds on, with the names of the
     first assignments that contain them.
     """
 
     name: str  # of the assignment, or ""
-    chapters: list[Chapter]
+    chapters: list[Chapter]  # with only the assigned exercises, and their points here
     given: list[Chapter] = field(default_factory=list)  # students receive them as finished code
     title: str = ""
     earlier: Mapping[str, str] = field(default_factory=dict)

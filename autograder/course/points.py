@@ -28,11 +28,6 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
     return {name: plain(count * step) for name, count in units.items()}
 
 
-def scaled_alike(value: float, out_of: float, total: float) -> float:
-    """Scale the points of an extra-credit exercise as regular points scale from total to out_of."""
-    return plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
-
-
 def plain(value: Fraction | float) -> float:
     """Return a whole number as an int, so that it is printed as 3 instead of 3.0."""
     return int(value) if value == int(value) else float(value)

@@ -11,7 +11,7 @@ from zoneinfo import ZoneInfo, available_timezones
 from autograder.checks.verdict import needs_of
 from autograder.course.dates import YEARS
 from autograder.course.model import Course, Deadline, LatePolicy, Work
-from autograder.course.points import plain, rescaled, scaled_alike
+from autograder.course.points import plain, rescaled
 from autograder.course.tables import AssignmentTable, LateTable, read_tables
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below, load_chapters
 from autograder.scores import possible, shown
@@ -119,8 +119,8 @@ def _points(table: AssignmentTable, exercises: list[Exercise]) -> dict[str, Exer
     if not table.out_of:
         return chosen
     new = rescaled({e.id: e.points for e in chosen.values() if not e.extra}, table.out_of)
-    new |= {e.id: scaled_alike(e.points, table.out_of, now) for e in chosen.values() if e.extra}
-    return {name: replace(e, points=new[name]) for name, e in chosen.items()}
+    new |= {e.id: round(e.points * table.out_of / now, 2) for e in chosen.values() if e.extra}
+    return {name: replace(e, points=plain(new[name])) for name, e in chosen.items()}
 
 
 def _deadline(

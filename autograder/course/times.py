@@ -1,7 +1,4 @@
-"""Find out when each student of a class handed in the work.
-
-The modification times of files are not reliable, because copying the files changes them.
-"""
+"""Find out when each student handed in. Times of files are not used, since copying changes them."""
 
 from __future__ import annotations
 
@@ -23,11 +20,8 @@ def times_of(
 ) -> tuple[dict[str, HandedIn], list[str]]:
     """Find out when each report's submission was handed in, with notes on rows without effect.
 
-    Submissions whose time is unknown are left out. What the instructor writes in times.csv takes
-    precedence. A time without a time zone is taken to be in ``zone``.
-
-    Raises:
-        ValueError: A file is not valid. The message says which lines are wrong.
+    Unknown times are left out, times.csv takes precedence, and times without a time zone are in
+    ``zone``. ValueError lists the wrong lines of times.csv.
     """
     known: dict[str, HandedIn] = {}
     for submission in people.submissions:
@@ -54,7 +48,6 @@ def _of_instructor(
         )
     mistakes = Mistakes(path)
     found: dict[str, HandedIn] = {}
-    lines: dict[str, int] = {}
     unused = []
     for line, _, (name, text) in table.rows("cell", mistakes):
         try:
@@ -69,11 +62,9 @@ def _of_instructor(
             continue
         if not report:
             unused.append(name)
-        elif before := lines.get(report):
-            words = f"a second time for {report!r}, who is also in line {before}. Give only one"
-            mistakes.add(line, words)
+        elif report in found:
+            mistakes.add(line, f"a second time for {report!r}. Give only one")
         else:
-            lines[report] = line
             found[report] = HandedIn(TIMES, at)
     mistakes.raise_any()
     notes = [f"{path}: {', '.join(unused)} handed in nothing, so the time is not used."]

@@ -1,8 +1,4 @@
-"""Manage the folder that holds the grading reports on a class.
-
-Only one run of the grader at a time may write to this folder. A file in it records which class was
-graded, and how. A run that was interrupted can therefore be resumed.
-"""
+"""Manage the folder of reports on a class, with a record of which class was graded, and how."""
 
 from __future__ import annotations
 
@@ -66,8 +62,8 @@ def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> 
 def refuse_other_grades(out: Path, new: dict[str, Any], people: ClassList) -> None:
     """Raise ValueError if ``out`` has the grades of another class or of another assignment.
 
-    ``new`` is the record of the run. The grades of the sample class may be replaced. If the folder
-    of the class is no longer where it was, the same students must have handed in.
+    The grades of the sample class may be replaced. If the folder of the class has moved, the same
+    students must have handed in.
     """
     old, before = recorded(out), graded_folder(out)
     if before is None or before == SAMPLE:
@@ -106,16 +102,14 @@ def _described(record: dict[str, Any]) -> str:
 def refuse_dropped(old: dict[str, Any], new: dict[str, Any], *, is_regrade: bool) -> None:
     """Raise ValueError if a run drops the roster or the hidden checks, or a regrade has new ones.
 
-    With a roster, the reports use its names for the students. Without one, they use the names of
-    the submissions. The first run with a roster therefore has to be one of the whole class.
+    With a roster, the reports have other names, so the first such run is one of the whole class.
     """
     for key, what in (("roster", "a roster"), ("checks", "hidden checks")):
         option = f"--{key} (make: {key.upper()}=)"
         if old.get(key) and not new[key]:
             raise ValueError(
-                f"the class was graded with {what}: add {option}, or --assignment (make: "
-                f"ASSIGNMENT=) if the course file names the {key}. To grade it without, add "
-                "another --out (make: OUT=)"
+                f"the class was graded with {what}: add {option} or the --assignment (make: "
+                "ASSIGNMENT=) that names it. To grade without, add another --out (make: OUT=)"
             )
         if is_regrade and new[key] and not old.get(key):
             raise ValueError(f"the class was graded without {what}: leave out {option}")

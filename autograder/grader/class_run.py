@@ -1,7 +1,4 @@
-"""Grade the submissions of a class, and write each report as soon as it is ready.
-
-If the run is interrupted, the reports written so far are kept.
-"""
+"""Grade the submissions of a class, and write each report as soon as it is ready."""
 
 from __future__ import annotations
 
@@ -40,10 +37,7 @@ GradeAll = Callable[[list[Submission]], Generator[StudentReport]]
 
 @dataclass
 class ClassRun:
-    """A run over a class, with everything that applies to the whole class.
-
-    Valid reports of an earlier run are kept, unless the run is a regrade.
-    """
+    """A run over a class. Valid reports of an earlier run are kept, unless it is a regrade."""
 
     conditions: Conditions
     key: RunKey
@@ -91,7 +85,8 @@ class ClassRun:
     ) -> Generator[StudentReport]:
         left = {}
         for submission in submissions:
-            if report := self._kept(submission):
+            if report := None if self.regrade else self._kept(submission):
+                self.reused.append(submission.student)
                 yield self._save(report, submission)
             else:
                 left[submission.student] = submission
@@ -100,26 +95,14 @@ class ClassRun:
                 yield self._save(replace(report, run=self.key), left[report.student])
 
     def _kept(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run on this submission, or None if it is not valid.
-
-        A report is valid if neither the submitted files nor the conditions of grading have changed,
-        and if the grader itself did not fail.
-        """
+        """Return the report of an earlier run if the files and the conditions have not changed."""
         report = read_result(self.out / "results" / f"{file_name(submission.student)}.json")
-        if self.regrade or report is None or report.run != self.key:
+        if report is None or report.run != self.key or report.status == "error, retry":
             return None
-        if report.status == "error, retry":
-            return None
-        if report := still_valid(self.conditions, submission, report):
-            self.reused.append(submission.student)
-        return report
+        return still_valid(self.conditions, submission, report)
 
     def _save(self, report: StudentReport, submission: Submission) -> StudentReport:
-        """Add marks and lateness to a student's report, and write it to disk.
-
-        If the report cannot be written, the other students are still graded, and this one counts as
-        not graded.
-        """
+        """Add marks and lateness to a report, and write it, or return a report of the failure."""
         answers: dict[str, str] = {}
         if any(student == report.student for student, _ in self.marks):
             root = self.conditions.root
@@ -166,11 +149,7 @@ def grade_here(
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table with the points of each student, and the most important failed check.
-
-    That may be a check of an earlier assignment that blocks this one. Each row has at most two
-    lines, so a long message is cut on a narrow screen.
-    """
+    """Print the points of each student and the first problem, with at most two lines a row."""
     problems = [_first_problem(report) for report in reports]
     taken = console.measure(_class_table(reports, [""] * len(reports))).maximum
     room = max(console.width - taken, len(PROBLEM))

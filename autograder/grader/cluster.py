@@ -1,8 +1,7 @@
 """Grade a class on a Dask cluster, whose machines receive submissions and return reports.
 
-If a worker dies, Dask gives its submission to another one. A grade must not depend on the machine
-that computed it. A worker therefore refuses to grade unless it has the same kind of sandbox as the
-instructor's machine.
+If a worker dies, Dask gives its submission to another one. A grade must not depend on the machine,
+so a worker refuses to grade unless it has the same versions and the same sandbox.
 """
 
 from __future__ import annotations
@@ -57,7 +56,6 @@ class Job:
 
     @classmethod
     def of(cls, conditions: Conditions) -> Job:
-        """Collect what a worker needs."""
         public = replace(conditions, hidden=None)
         return cls(public, run_key(public), _tree(conditions.hidden))
 

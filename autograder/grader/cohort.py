@@ -1,7 +1,4 @@
-"""Grade a whole class: run the checks on every submission, and write all reports.
-
-A run that was interrupted is resumed, so that no submission is graded twice.
-"""
+"""Grade a whole class: run the checks on every submission, and write all reports."""
 
 from __future__ import annotations
 
@@ -33,8 +30,7 @@ from autograder.grader.class_folder import (
 )
 from autograder.grader.class_run import ClassRun, grade_here, print_class
 from autograder.grader.cluster import connect, grade_over
-from autograder.grader.conditions import Conditions, run_key
-from autograder.grader.hidden import check_hidden
+from autograder.grader.conditions import Conditions, check_hidden, run_key
 from autograder.grader.people import differences, people_of
 from autograder.grader.regrade import Regrade
 from autograder.isolation.probe import choose_level
@@ -78,7 +74,7 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
     A report from an earlier run is kept if the submission, the checks, the grader and the seed have
-    not changed. Without a seed, ``out`` keeps its own, and a new folder draws one.
+    not changed. Without a seed, a run draws one, but resumes an unfinished one with its seed.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -97,7 +93,7 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
         notes += more_notes
     console = plain_console()
     with only_run(out):
-        conditions, regrade = _begin(folder, out, work, options, people)
+        conditions, regrade, record = _begin(folder, out, work, options, people)
         for note in [*([regrade.note] if regrade and regrade.note else []), *notes]:
             console.print(note, markup=False)
         key, marked = run_key(conditions), MarkedAnswers(folder)
@@ -111,6 +107,8 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
         column = options.column
         uploads, lines = write_uploads(out, work.chapters, people, reports, column, worksheet)
         places += [*uploads, *give_back(out, people, reports)]
+        record["finished"] = all(report.status != "error, retry" for report in reports)
+        replace_file(out / RECORD, json.dumps(record) + "\n")
     print_class(console, graded)
     for line in [*_about(run, graded, moved), *differences(people, reports), *lines]:
         console.print(line, markup=False)
@@ -122,13 +120,15 @@ def grade(folder: Path, out: Path, work: Work, options: ClassOptions) -> int:
 
 def _begin(
     folder: Path, out: Path, work: Work, options: ClassOptions, people: ClassList
-) -> tuple[Conditions, Regrade | None]:
+) -> tuple[Conditions, Regrade | None, dict[str, Any]]:
     """Choose the conditions of a run, unless it would mix up grades, and record the run."""
     before = recorded(out)
     if before.get("folder") == str(SAMPLE) != str(folder.resolve()):
         before = {}  # another class takes the place of the sample class
+    keeps_seed = options.student or not before.get("finished", True)
     record: dict[str, Any] = {
-        "seed": work.seed or before.get("seed") or secrets.token_hex(4),
+        "seed": work.seed or (keeps_seed and before.get("seed")) or secrets.token_hex(4),
+        "finished": False,
         "roster": work.roster is not None,
         "checks": work.hidden is not None,
         "folder": str(folder.resolve()),
@@ -153,7 +153,7 @@ def _begin(
         regrade = Regrade(out, options.student, people, options.why, run_key(conditions))
     check_hidden(conditions)
     replace_file(out / RECORD, json.dumps(record) + "\n")
-    return conditions, regrade
+    return conditions, regrade, record
 
 
 def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[StudentReport]:
@@ -165,7 +165,9 @@ def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[Stu
             client = stack.enter_context(connect(options.cluster, run.conditions, run.console))
             reports = run.collect(submissions, partial(grade_over, client, run.conditions))
         else:
-            jobs = options.jobs or _cores()
+            on_linux = sys.platform == "linux"
+            cores = len(os.sched_getaffinity(0)) if on_linux else os.cpu_count() or 1
+            jobs = options.jobs or cores
             reports = run.collect(submissions, partial(grade_here, run.conditions, jobs))
     run.marked.save()
     return reports
@@ -205,7 +207,3 @@ def _about(run: ClassRun, graded: Sequence[StudentReport], moved: int) -> list[s
         names = "; ".join(unused)
         lines.append(f"Marks that do not count, since there is nothing to grade: {names}.")
     return lines
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1

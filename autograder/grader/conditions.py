@@ -1,7 +1,4 @@
-"""Define how a class is graded, and cache the results of checks that are the same for everybody.
-
-For example, all students who handed in nothing for a chapter get the same results on it.
-"""
+"""Define how a class is graded, and run the checks that are the same for everybody once."""
 
 from __future__ import annotations
 
@@ -27,11 +24,7 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Conditions:
-    """The conditions of grading, which are the same for the whole class.
-
-    ``earlier`` has the exercises of earlier assignments that the graded ones build on, with the
-    names of these assignments.
-    """
+    """The conditions of grading, which are the same for the whole class."""
 
     chapters: list[Chapter]  # with only the graded exercises
     seed: str
@@ -40,7 +33,12 @@ class Conditions:
     hidden: Path | None = None  # the folder of hidden checks
     root: Path = ROOT
     time_limit: float = Limits.check
-    earlier: Mapping[str, str] = field(default_factory=dict)
+    earlier: Mapping[str, str] = field(default_factory=dict)  # as in ``Work``
+
+    @property
+    def reference(self) -> list[Path]:
+        """The folders of our solutions, and of the files that students do not edit."""
+        return [self.root / "solutions", self.root / "chapters"]
 
     def run(
         self,
@@ -124,47 +122,70 @@ class OnceForAll:
         self._lock = threading.Lock()
         self._found: dict[tuple[str, str], list[Verdict]] = {}
 
-    def of_nothing(self, conditions: Conditions, chapter: Chapter) -> list[Verdict]:
-        """Return the results for students who have handed in no file for a chapter.
-
-        The chapters that it builds on come from the reference solution.
-        """
-        return self._once("nothing", _run_on_nothing, conditions, chapter)
-
-    def of_reference(self, conditions: Conditions, chapter: Chapter) -> list[Verdict]:
-        """Return the results of the reference on the exercises with a chart, or none."""
-        return self._once("reference", _run_on_reference, conditions, chapter)
-
-    def _once(
+    def get(
         self,
-        what: str,
         run: Callable[[Conditions, Chapter], list[Verdict]],
         conditions: Conditions,
         chapter: Chapter,
     ) -> list[Verdict]:
-        with self._lock:  # the first thread runs the checks, and the others wait for it
-            if (what, chapter.name) not in self._found:
-                self._found[what, chapter.name] = run(conditions, chapter)
-            return self._found[what, chapter.name]
+        """Return the results of ``run``, which the first thread calls while the others wait."""
+        key = (run.__name__, chapter.name)
+        with self._lock:
+            if key not in self._found:
+                self._found[key] = run(conditions, chapter)
+            return self._found[key]
 
 
-def _run_on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
+def on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
+    """Check a chapter of which no file was handed in, on the reference of earlier chapters."""
     root = conditions.root
     available = [other for other in chapters_below(chapter, root) if has_reference(other, root)]
-    with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
-        box, empty = Path(folder) / "box", Path(folder) / "empty"
-        box.mkdir()
-        empty.mkdir()
-        stage(empty, load_chapters(root), box, root)
-        with with_given(available, [box], root) as engine:
+    with (
+        tempfile.TemporaryDirectory(prefix="nothing-") as empty,
+        tempfile.TemporaryDirectory(prefix="nothing-") as box,
+    ):
+        stage(Path(empty), load_chapters(root), Path(box), root)
+        with with_given(available, [Path(box)], root) as engine:
             return conditions.run(chapter, engine)
 
 
-def _run_on_reference(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
-    root = conditions.root
-    wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
-    if has_reference(chapter, root):
+def on_reference(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
+    """Check the reference on the exercises with a chart, or return an empty list."""
+    if has_reference(chapter, conditions.root):
         with contextlib.suppress(GraderError, OSError):  # grade without them
-            engine = [root / "solutions", root / "chapters"]
-            return conditions.run(chapter, engine, exercises=wanted)
+            charts = [exercise.id for exercise in chapter.exercises if exercise.chart]
+            return conditions.run(chapter, conditions.reference, exercises=charts)
     return []
+
+
+def check_hidden(conditions: Conditions) -> None:
+    """Raise ValueError if hidden checks are missing, cannot be run, or fail on the reference.
+
+    A hidden check that fails on the reference contains a mistake and would cost students points.
+    """
+    hidden = conditions.hidden
+    if hidden is None:
+        return
+    graded = [chapter for chapter in conditions.chapters if (hidden / chapter.name).is_dir()]
+    if not graded:
+        names = ", ".join(chapter.name for chapter in conditions.chapters)
+        raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
+    for chapter in graded:
+        folder = hidden / chapter.name
+        for probes in (conditions.root / "tests" / chapter.name).glob("*probes.py"):
+            if (folder / probes.name).exists():
+                raise ValueError(
+                    f"{folder / probes.name} has the name of a public file. "
+                    "Rename it to hidden_probes.py"
+                )
+        exercises = [exercise.id for exercise in chapter.exercises]
+        try:
+            verdicts = conditions.run(chapter, conditions.reference, exercises=exercises)
+        except GraderError as error:
+            raise ValueError(f"the checks in {folder} cannot be run: {error}") from error
+        if not any(verdict.hidden for verdict in verdicts):
+            raise ValueError(f"there is no check in {folder} of a graded exercise: add a test_*.py")
+        for check in verdicts:
+            if check.status != "passed":
+                told = check.secret or check
+                raise ValueError(f"{told.name} fails on the reference itself: {told.message}")

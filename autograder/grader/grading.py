@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from autograder.checks.presentable import presentable
 from autograder.checks.runner import GraderError, Limits
-from autograder.checks.verdict import Point, Verdict
+from autograder.checks.verdict import Verdict, needs_of
 from autograder.diagnosis.earlier_chapters import (
     below_and_not_given,
     mark_inherited,
@@ -19,9 +20,7 @@ from autograder.diagnosis.earlier_chapters import (
     with_given,
 )
 from autograder.diagnosis.undefined import file_of
-from autograder.grader.causes import causes_of
-from autograder.grader.conditions import Conditions, OnceForAll
-from autograder.grader.handed_in import notes_on, why_nothing
+from autograder.grader.conditions import Conditions, OnceForAll, on_nothing, on_reference
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
 from autograder.reports.report import Cause, StudentReport
@@ -31,8 +30,6 @@ from autograder.submissions.stage import Staged, stage
 
 SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which usually needs about 2 s
 LEAST_TIME = 10.0  # seconds; a chapter gets at least this many, or its checks could not begin
-
-Run = Callable[[Chapter, list[Path]], list[Verdict]]
 
 
 @dataclass(frozen=True)
@@ -56,8 +53,8 @@ def grade_submission(
     conditions: Conditions, submission: Submission, once: OnceForAll | None = None
 ) -> StudentReport:
     """Grade one student's submission, and return a report even if the grader itself fails."""
-    if submission.nothing:
-        return _nothing(conditions, submission, submission.nothing, submission.nothing)
+    if report := _nothing(conditions, submission):
+        return report
     try:
         with staged_files(conditions, submission) as (staged, box):
             return grade_staged(conditions, submission, staged, box, once or OnceForAll())
@@ -69,16 +66,17 @@ def grade_staged(
     conditions: Conditions, submission: Submission, staged: Staged, box: Path, once: OnceForAll
 ) -> StudentReport:
     """Grade the files of a submission that were copied to the folder ``box``."""
-    if why := _why_nothing(submission, staged, conditions):
-        return _nothing(conditions, submission, why, staged.digest)
+    if report := _nothing(conditions, submission, staged):
+        return report
     start = time.monotonic()
     with (
         with_given(conditions.given, [box], conditions.root) as engine,
         tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
     ):
-        graded = _all_results(conditions, once, engine, staged, Path(compiled))
-    notes = [*submission.notes, *notes_on(staged, conditions.chapters)]
-    report = _report(conditions, once, submission.student, graded, notes)
+        submitted = _Submitted(conditions, once, staged, engine, Path(compiled), start)
+        graded = [submitted.grade(chapter) for chapter in conditions.chapters]
+    notes = _notes(conditions, submission, staged)
+    report = _report(conditions, submission.student, graded, notes)
     seconds = round(time.monotonic() - start, 3)
     return replace(report, submission=staged.digest, seconds=seconds)
 
@@ -90,35 +88,62 @@ def still_valid(
 
     A student may have handed in files since then that are not graded, such as a PDF.
     """
-    if submission.nothing:
-        new = _nothing(conditions, submission, submission.nothing, submission.nothing)
-    else:
+    new = _nothing(conditions, submission)
+    if new is None:
         with staged_files(conditions, submission) as (staged, _):
-            if why := _why_nothing(submission, staged, conditions):
-                new = _nothing(conditions, submission, why, staged.digest)
-            else:
-                notes = [*submission.notes, *notes_on(staged, conditions.chapters)]
-                new = replace(report, nothing="", notes=notes, submission=staged.digest)
+            notes = _notes(conditions, submission, staged)
+            new = _nothing(conditions, submission, staged) or replace(
+                report, nothing="", notes=notes, submission=staged.digest
+            )
     same = (report.submission, report.status) == (new.submission, new.status)
     return replace(new, run=report.run) if same else None
 
 
-def _why_nothing(submission: Submission, staged: Staged, conditions: Conditions) -> str:
-    why = why_nothing(staged, conditions.chapters)
-    is_zip = submission.path.suffix.lower() == ".zip"  # a folder has the name of the student
-    return f"'{submission.path.name}': {why}" if why and is_zip else why
+def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
+    """Say why nothing of a submission can be graded, or return "" if something can.
+
+    Work on other chapters than the graded ones cannot be graded, and is not worth 0 points either.
+    """
+    rejected = [module for module in staged.rejected if module not in staged.misplaced]
+    found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *rejected]}
+    names = {chapter.name for chapter in graded}
+    if staged.refused or found & names:
+        return staged.refused
+    if misplaced := _misplaced(staged, graded):
+        return "; ".join(misplaced)
+    if found:
+        return f"it has no files of {', '.join(sorted(names))}, only of {', '.join(sorted(found))}"
+    if staged.misplaced:
+        return "; ".join(staged.rejected.values())
+    there = f". There is {', '.join(staged.others)}" if staged.others else ""
+    return f"no folder of a chapter was found, at most three levels down{there}"
+
+
+def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:
+    names = {chapter.name for chapter in graded}
+    return [staged.rejected[m] for m in staged.misplaced if m.partition(".")[0] in names]
+
+
+def _notes(conditions: Conditions, submission: Submission, staged: Staged) -> list[str]:
+    return [*submission.notes, *staged.notes, *_misplaced(staged, conditions.chapters)]
 
 
 def _nothing(
-    conditions: Conditions, submission: Submission, why: str, digest: str
-) -> StudentReport:
-    """Build the report on a submission that contains nothing that can be graded."""
+    conditions: Conditions, submission: Submission, staged: Staged | None = None
+) -> StudentReport | None:
+    """Build the report on a submission if it contains nothing that can be graded."""
+    why = digest = submission.nothing
+    if staged:
+        why, digest = why_nothing(staged, conditions.chapters), staged.digest
+        if why and submission.path.suffix.lower() == ".zip":  # a folder is named like the student
+            why = f"'{submission.path.name}': {why}"
+    if not why:
+        return None
     places = [f"{c.name}/{c.edited_files[0]}" for c in conditions.chapters if c.edited_files]
     how = f"Hand in a folder or a zip file that contains folders of chapters: {', '.join(places)}"
     none = [_Graded([], []) for _ in conditions.chapters]
-    report = _report(conditions, OnceForAll(), submission.student, none, [how, *submission.notes])
     return replace(
-        report,
+        _report(conditions, submission.student, none, [how, *submission.notes]),
         status="nothing to grade",
         nothing=printable(why),
         score=None,
@@ -132,69 +157,7 @@ def report_of_failure(conditions: Conditions, student: str, reason: str) -> Stud
     """Build the report on a submission on which the grader itself failed, which is not a zero."""
     errors = [_errors(chapter, reason) for chapter in conditions.chapters]
     graded = [_Graded(results, results) for results in errors]
-    return replace(_report(conditions, OnceForAll(), student, graded, []), seconds=0.0)
-
-
-def _all_results(
-    conditions: Conditions, once: OnceForAll, engine: list[Path], staged: Staged, compiled: Path
-) -> list[_Graded]:
-    """Grade each chapter within the time limit of a submission."""
-    deadline = time.monotonic() + SUBMISSION_LIMIT
-
-    def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
-        limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
-        # A rejected file does not matter if the reference replaces it.
-        missing = {
-            module: why
-            for module, why in staged.rejected.items()
-            if not any((folder / file_of(module)).exists() for folder in engine)
-        }
-        return conditions.run(chapter, engine, missing=missing, run_limit=limit, compiled=compiled)
-
-    return [
-        _graded(conditions, once, chapter, engine, run, is_empty=_is_empty(chapter, staged))
-        for chapter in conditions.chapters
-    ]
-
-
-def _is_empty(chapter: Chapter, staged: Staged) -> bool:
-    """Return True if a student has handed in no file for this chapter, not even a rejected one."""
-    refused = any(module.startswith(f"{chapter.name}.") for module in staged.rejected)
-    return not refused and not any(name.startswith(f"{chapter.name}/") for name in staged.taken)
-
-
-def _graded(
-    conditions: Conditions,
-    once: OnceForAll,
-    chapter: Chapter,
-    engine: list[Path],
-    run: Run,
-    *,
-    is_empty: bool,
-) -> _Graded:
-    """Run a chapter's checks twice on a student's code, and return the results of both runs.
-
-    The first run uses the student's own earlier chapters, and the second takes them from the
-    reference solution. A check that passes only in the second run failed because of a mistake in an
-    earlier chapter. The reports show only the messages of the first run. In the second run, the
-    student's code could read the reference and leak it in a message.
-    """
-    again: list[Verdict] = []
-    try:
-        verdicts = once.of_nothing(conditions, chapter) if is_empty else run(chapter, engine)
-    except GraderError as error:
-        errors = _errors(chapter, str(error))
-        return _Graded(errors, errors)
-    if not is_empty:
-        below = below_and_not_given(chapter, conditions.given, conditions.root)
-        try:
-            again = run_on_given(chapter, verdicts, engine, below, run, conditions.root)
-        except GraderError as error:
-            return _Graded(results_of(chapter, verdicts), _errors(chapter, str(error)))
-        verdicts = mark_inherited(verdicts, again)
-    own = results_of(chapter, verdicts)
-    causes = causes_of(conditions.whole(chapter), own, verdicts, conditions.earlier)
-    return _Graded(own, results_of(chapter, again) if again else own, causes)
+    return replace(_report(conditions, student, graded, []), seconds=0.0)
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
@@ -204,12 +167,94 @@ def _errors(chapter: Chapter, reason: str) -> list[Result]:
     return results_of(chapter, ours)
 
 
+@dataclass(frozen=True)
+class _Submitted:
+    """The files of a submission, ready to be checked."""
+
+    conditions: Conditions
+    once: OnceForAll
+    staged: Staged
+    engine: list[Path]
+    compiled: Path  # the folder for compiled code, which all checks share
+    start: float  # when grading began, in seconds
+
+    def grade(self, chapter: Chapter) -> _Graded:
+        """Run a chapter's checks twice on a student's code, and return the results of both runs.
+
+        The first run uses the student's own earlier chapters, and the second takes them from the
+        reference solution. A check that passes only in the second run failed because of a mistake
+        in an earlier chapter. The reports show only the messages of the first run. In the second
+        run, the student's code could read the reference and leak it in a message.
+        """
+        conditions, root = self.conditions, self.conditions.root
+        names = [*self.staged.taken, *(name.replace(".", "/") for name in self.staged.rejected)]
+        is_empty = not any(name.startswith(f"{chapter.name}/") for name in names)
+        again: list[Verdict] = []
+        try:
+            if is_empty:
+                verdicts = self.once.get(on_nothing, conditions, chapter)
+            else:
+                verdicts = self.run(chapter, self.engine)
+        except GraderError as error:
+            errors = _errors(chapter, str(error))
+            return _Graded(errors, errors)
+        if not is_empty:
+            below = below_and_not_given(chapter, conditions.given, root)
+            try:
+                again = run_on_given(chapter, verdicts, self.engine, below, self.run, root)
+            except GraderError as error:
+                return _Graded(self._results(chapter, verdicts), _errors(chapter, str(error)))
+            verdicts = mark_inherited(verdicts, again)
+        own = self._results(chapter, verdicts)
+        causes = _causes(conditions, chapter, own, verdicts)
+        return _Graded(own, results_of(chapter, again) if again else own, causes)
+
+    def run(self, chapter: Chapter, engine: list[Path]) -> list[Verdict]:
+        """Run a chapter's checks within the time limit of a submission."""
+        left = self.start + SUBMISSION_LIMIT - time.monotonic()
+        limit = max(LEAST_TIME, min(Limits.run, left))
+        # A rejected file does not matter if the reference replaces it.
+        missing = {
+            module: why
+            for module, why in self.staged.rejected.items()
+            if not any((folder / file_of(module)).exists() for folder in engine)
+        }
+        return self.conditions.run(
+            chapter, engine, missing=missing, run_limit=limit, compiled=self.compiled
+        )
+
+    def _results(self, chapter: Chapter, verdicts: list[Verdict]) -> list[Result]:
+        """Return the results, with the reference's point beside each point on a chart."""
+        results = results_of(chapter, verdicts)
+        if not any(result.on_chart for result in results):
+            return results
+        ours = self.once.get(on_reference, self.conditions, chapter)
+        points = {v.exercise: v.on_chart for v in reversed(ours) if v.on_chart}
+        return [
+            replace(r, reference=points.get(r.exercise.id) if r.on_chart else None) for r in results
+        ]
+
+
+def _causes(
+    conditions: Conditions, chapter: Chapter, graded: list[Result], verdicts: list[Verdict]
+) -> list[Cause]:
+    """List the exercises that are not graded, but block graded ones because they fail."""
+    whole = conditions.whole(chapter)
+    ids = {result.exercise.id for result in graded}
+    others = replace(whole, exercises=[e for e in whole.exercises if e.id not in ids])
+    blocked = [result.exercise.id for result in graded if result.status == "blocked"]
+    causes = []
+    for result in results_of(others, verdicts):
+        name = result.exercise.id
+        blocks = [one for one in blocked if name in needs_of(whole, one)]
+        if blocks and not result.works and result.status in ("failed", "blocked", "inherited"):
+            shown = replace(result, checks=result.physics)
+            causes.append(Cause(shown, conditions.earlier.get(name, ""), blocks))
+    return causes
+
+
 def _report(
-    conditions: Conditions,
-    once: OnceForAll,
-    student: str,
-    graded: list[_Graded],
-    notes: list[str],
+    conditions: Conditions, student: str, graded: list[_Graded], notes: list[str]
 ) -> StudentReport:
     own = [result for chapter in graded for result in chapter.own]
     given = [result for chapter in graded for result in chapter.on_given]
@@ -233,23 +278,8 @@ def _report(
         earlier=sorted(below),
         notes=notes,
         results=[
-            replace(
-                result,
-                score_on_given=better.score,
-                reference=_reference(conditions, once, chapter, result),
-            )
-            for chapter, results in zip(conditions.chapters, graded, strict=True)
-            for result, better in zip(results.own, results.on_given, strict=True)
+            replace(result, score_on_given=better.score)
+            for result, better in zip(own, given, strict=True)
         ],
         causes=[cause for chapter in graded for cause in chapter.causes],
     )
-
-
-def _reference(
-    conditions: Conditions, once: OnceForAll, chapter: Chapter, result: Result
-) -> Point | None:
-    """Return the cost and the error of our solution, if those of the student's were measured."""
-    if result.on_chart is None:
-        return None
-    ours = once.of_reference(conditions, chapter)
-    return next((v.on_chart for v in ours if v.exercise == result.exercise.id and v.on_chart), None)

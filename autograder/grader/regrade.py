@@ -15,8 +15,7 @@ from autograder.submissions.csv_rows import as_cell
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
-# These may have changed since the class was graded, for example because a check was wrong. If so,
-# the log contains a note.
+# These may have changed since the class was graded. If so, the log contains a note.
 MAY_DIFFER = {
     "checks": "the checks or the reference",
     "grader": "the grader",
@@ -27,11 +26,7 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """Regrades one student after an earlier run has graded the class.
-
-    The class, the seed and the points must be the same as then, so that the grades remain
-    comparable. ``why`` is the instructor's reason.
-    """
+    """A regrade of one student, whose class, seed and points must be those of the class's run."""
 
     def __init__(self, out: Path, student: str, people: ClassList, why: str, key: RunKey) -> None:
         self.out = out
@@ -41,41 +36,34 @@ class Regrade:
         reports = read_results(out)
         self.others = [report for report in reports if report.student != self.student]
         self.before = next((one for one in reports if one.student == self.student), None)
-        self._refuse_changed(people)
         runs = [report.run for report in self.others or reports if report.run]
-        if seeds := sorted({run.seed for run in runs} - {key.seed}):
+        seeds = sorted({run.seed for run in runs})
+        if len(seeds) > 1:
+            names = ", ".join(seeds)
+            raise ValueError(f"the class was graded with several seeds ({names}). Grade it again")
+        if seeds and seeds != [key.seed]:
             raise ValueError(f"--seed must be that of the class, {seeds[0]!r}, got {key.seed!r}")
         if any((run.points, run.extra) != (key.points, key.extra) for run in runs):
             raise ValueError(
                 "the exercises and points must be the same as for the class. Use the same "
                 "--assignment and --course (make: ASSIGNMENT=, COURSE=) as for the class"
             )
-        changed = [
+        # Otherwise, some of the others would be in none of the new lists, or in two of them.
+        now = {one.student for one in people.submissions} - {self.student}
+        if changed := now ^ {report.student for report in self.others}:
+            raise ValueError(
+                f"the class is not the one that was graded (new or gone: "
+                f"{'; '.join(sorted(changed))}). Grade all of it again with --seed {key.seed} "
+                f"(make: SEED={key.seed}, without STUDENT=), which keeps what has not changed"
+            )
+        differing = [
             words
             for name, words in MAY_DIFFER.items()
             if any(getattr(run, name) != getattr(key, name) for run in runs)
         ]
-        self.note = f"Changed since the class was graded: {', '.join(changed)}." if changed else ""
+        words = f"Changed since the class was graded: {', '.join(differing)}."
+        self.note = words if differing else ""
         self.why = " ".join(filter(None, (why, self.note)))
-
-    def _refuse_changed(self, people: ClassList) -> None:
-        """Raise ValueError if the others who have handed in are not those who have a report.
-
-        Otherwise, they would be in none of the new lists, or in two of them.
-        """
-        now = {one.student for one in people.submissions} - {self.student}
-        graded = {report.student for report in self.others}
-        parts = [
-            f"{what}: {'; '.join(sorted(names))}"
-            for what, names in (("not graded yet", now - graded), ("not there", graded - now))
-            if names
-        ]
-        if parts:
-            raise ValueError(
-                f"the class is not the one that was graded ({', and '.join(parts)}). Grade all of "
-                "it again without --student (make: STUDENT=). Whatever has not changed keeps its "
-                "result"
-            )
 
     def log(self, report: StudentReport) -> str:
         """Add a row to regrades.csv, and describe in a sentence how the points have changed.

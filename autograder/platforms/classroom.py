@@ -22,10 +22,7 @@ MINUTES = 10  # a generous limit, since the set-up takes a minute and each exerc
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, about: str = ""
 ) -> None:
-    """Write an ordinary handout, and a workflow that grades every push, to the new folder ``out``.
-
-    ``about`` is the section of the README that describes the assignment.
-    """
+    """Write a handout, with a workflow that grades every push, to the new folder ``out``."""
     make_handout(chapters, given, out, about=about)
     chapters = in_whole_points(chapters)
     path = out / WORKFLOW
@@ -41,40 +38,35 @@ def make_classroom(
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
     """Create the workflow, with a step for each exercise, and one that reports the points."""
-    exercises = _checked(chapters)
-    ids = [step_id(exercise) for exercise in exercises]
+    python = {"python-version": "3.14", "cache": "pip"}
+    python["cache-dependency-path"] = "autograder/locks/requirements.lock"
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
-        {
-            "uses": "actions/setup-python@v5",
-            "with": {
-                "python-version": "3.14",
-                "cache": "pip",
-                "cache-dependency-path": "autograder/locks/requirements.lock",
-            },
-        },
+        {"uses": "actions/setup-python@v5", "with": python},
         # The set-up inside the grader is silent, so errors must appear here.
         {"name": "Set up", "run": "make setup"},
-        *map(_step, exercises),
-        {
-            "name": "Report",
-            "uses": REPORTER,
-            "env": {
-                f"{name.upper()}_RESULTS": f"${{{{steps.{name}.outputs.result}}}}" for name in ids
-            },
-            "with": {"runners": ",".join(ids)},
-        },
     ]
-    job = {
-        "runs-on": "ubuntu-latest",
-        "if": "github.actor != 'github-classroom[bot]'",
-        "steps": steps,
-    }
+    ids = []
+    for exercise in _checked(chapters):
+        title = f"{exercise.id} {exercise.title}"
+        ids.append(f"exercise{exercise.id.replace('.', 'dot')}")
+        graded = {
+            "test-name": title,
+            "setup-command": "make setup",
+            "command": f".venv/bin/python -m autograder check --exercise {exercise.id} --only",
+            "timeout": MINUTES,
+            "max-score": exercise.points,
+        }
+        steps.append({"name": title, "id": ids[-1], "uses": GRADER, "with": graded})
+    points = {f"{name.upper()}_RESULTS": f"${{{{steps.{name}.outputs.result}}}}" for name in ids}
+    reported = {"runners": ",".join(ids)}
+    steps.append({"name": "Report", "uses": REPORTER, "env": points, "with": reported})
+    unless = "github.actor != 'github-classroom[bot]'"
     return {
         "name": "Autograding Tests",
         "on": ["push", "repository_dispatch"],
         "permissions": {"checks": "write", "actions": "read", "contents": "read"},
-        "jobs": {"autograding": job},
+        "jobs": {"autograding": {"runs-on": "ubuntu-latest", "if": unless, "steps": steps}},
     }
 
 
@@ -95,27 +87,6 @@ def rounded_points(chapters: list[Chapter]) -> dict[str, float]:
     before = {exercise.id: exercise.points for exercise in _checked(chapters)}
     after = {exercise.id: exercise.points for exercise in _checked(in_whole_points(chapters))}
     return {} if before == after else after
-
-
-def step_id(exercise: Exercise) -> str:
-    """Return an id for an exercise's step, of letters and digits, such as exerciseB2dot1."""
-    return f"exercise{exercise.id.replace('.', 'dot')}"
-
-
-def _step(exercise: Exercise) -> dict[str, Any]:
-    title = f"{exercise.id} {exercise.title}"
-    return {
-        "name": title,
-        "id": step_id(exercise),
-        "uses": GRADER,
-        "with": {
-            "test-name": title,
-            "setup-command": "make setup",
-            "command": f".venv/bin/python -m autograder check --exercise {exercise.id} --only",
-            "timeout": MINUTES,
-            "max-score": exercise.points,
-        },
-    }
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:

@@ -18,11 +18,9 @@ PAGE = "feedback.html"
 
 
 def give_back(out: Path, people: ClassList, reports: Sequence[StudentReport]) -> list[Path]:
-    """Write the files with which an instructor gives students their feedback pages.
+    """Write the zips of feedback pages for Moodle and Canvas, and mail.csv, and return their paths.
 
-    These are a zip for Moodle and one for Canvas if there are submissions from there, and mail.csv
-    if the class has a roster. Students on whose work the grader failed are left out. Return the
-    paths of the files.
+    Students on whose work the grader failed are left out.
     """
     graded = {report.student for report in reports if report.status != "error, retry"}
     pages = {

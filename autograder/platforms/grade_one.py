@@ -16,8 +16,8 @@ from autograder.course.lateness import late_on_gradescope
 from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.isolation.probe import best_level, choose_level
-from autograder.isolation.sandbox import Level, drop_privileges
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.isolation.sandbox import drop_privileges
+from autograder.manifest import ROOT, load_chapters
 from autograder.platforms.gradescope import HIDDEN
 from autograder.reports.gradescope import as_text, gradescope_results, ungraded_results
 from autograder.reports.report import StudentReport
@@ -47,10 +47,16 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     submission = folder / "submission"
     if not submission.is_dir():
         raise ValueError(f"there is no folder {submission}")
-    level = _level(submission, unsafe=settings["unsafe"])
+    if settings["unsafe"] and os.geteuid() == 0 and not best_level().is_sandbox:
+        drop_privileges()  # without a sandbox, students' code must not run as root
+    level = choose_level(submission, unsafe=settings["unsafe"])
     chapters = {chapter.number: chapter for chapter in load_chapters(root)}
     graded, given = ([chapters[n] for n in settings[key]] for key in ("chapters", "given"))
-    graded = [_assigned(chapter, settings["points"], settings["extra"]) for chapter in graded]
+    points, extra = settings["points"], settings["extra"]
+    for index, chapter in enumerate(graded):
+        exercises = [e for e in chapter.exercises if e.id in points]
+        exercises = [replace(e, points=points[e.id], extra=e.id in extra) for e in exercises]
+        graded[index] = replace(chapter, exercises=exercises)
     hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
     seed, earlier = secrets.token_hex(4), settings["earlier"]
     assignment = Conditions(graded, seed, level, given, hidden, root, earlier=earlier)
@@ -81,23 +87,6 @@ def _metadata(path: Path) -> dict[str, Any]:
         return metadata if isinstance(metadata, dict) else {}
     except (OSError, ValueError):
         return {}
-
-
-def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter with only the assigned exercises and their points."""
-    exercises = [
-        replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
-        for exercise in chapter.exercises
-        if exercise.id in points
-    ]
-    return replace(chapter, exercises=exercises)
-
-
-def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Choose the sandbox. Without one, students' code must not run as root, so drop privileges."""
-    if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
-        drop_privileges()
-    return choose_level(submission, unsafe=unsafe)
 
 
 if __name__ == "__main__":

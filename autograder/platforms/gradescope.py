@@ -51,7 +51,10 @@ def make_gradescope(work: Work, out: Path, *, unsafe: bool = False) -> None:
         "unsafe": unsafe,
     }
     contents = {file.relative_to(ROOT).as_posix(): file.read_bytes() for file in files}
-    contents |= _hidden(work)
+    if work.hidden:
+        for chapter in chapters:
+            for file in (work.hidden / chapter.name).glob("*.py"):
+                contents[f"{HIDDEN}/{chapter.name}/{file.name}"] = file.read_bytes()
     contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
     contents[SETTINGS] = (json.dumps(settings) + "\n").encode()
     replace_bytes(out, zipped(contents, SCRIPTS))
@@ -97,15 +100,6 @@ def _files(
             yield ROOT / "chapters" / chapter.name / name
     for chapter in reference:
         yield from (ROOT / "solutions" / chapter.name).glob("*.py")
-
-
-def _hidden(work: Work) -> dict[str, bytes]:
-    """Read the instructor's hidden checks, by their paths in the zip."""
-    return {
-        f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
-        for chapter in work.chapters
-        for file in (sorted((work.hidden / chapter.name).glob("*.py")) if work.hidden else ())
-    }
 
 
 def _names(chapters: list[Chapter]) -> str:

@@ -54,32 +54,27 @@ class Column:
             raise ValueError(f"--points must be a positive number, got {self.points:g}")
 
 
-@dataclass(frozen=True)
-class _Totals:
-    """The points of each student who has a grade, and the points possible without extra credit."""
+def _scaled(
+    totals: Mapping[str, float], most: float, file: str, full: float, limit: float
+) -> tuple[dict[str, float], list[str]]:
+    """Scale points out of ``most`` for a file in which full points are worth ``full``, with notes.
 
-    of: Mapping[str, float]
-    most: float
-
-    def scaled(self, file: str, full: float, limit: float) -> tuple[dict[str, float], list[str]]:
-        """Scale the points for a file in which full points are worth ``full``, with notes.
-
-        Larger grades than ``limit`` are cut, because the platform does not accept them.
-        """
-        grades = {name: round(total * full / self.most, 2) for name, total in self.of.items()}
-        lines = []
-        if full != self.most:
-            lines.append(
-                f"{file}: rescaled from {shown(self.most)} points to {shown(full)}. Choose other "
-                "points with POINTS=."
-            )
-        if over := sorted(name for name, grade in grades.items() if grade > limit):
-            points = math.floor(100 * limit * self.most / max(self.of.values())) / 100
-            lines.append(
-                f"{file}: grades above {shown(limit)} were cut, because Moodle accepts no larger "
-                f"ones: {len(over)} ({some(over)}). With POINTS={shown(points)}, no grade is cut."
-            )
-        return {name: min(grade, limit) for name, grade in grades.items()}, lines
+    Larger grades than ``limit`` are cut, because the platform does not accept them.
+    """
+    grades = {name: round(total * full / most, 2) for name, total in totals.items()}
+    lines = []
+    if full != most:
+        lines.append(
+            f"{file}: rescaled from {shown(most)} points to {shown(full)}. Choose other points "
+            "with POINTS=."
+        )
+    if over := sorted(name for name, grade in grades.items() if grade > limit):
+        points = math.floor(100 * limit * most / max(totals.values())) / 100
+        lines.append(
+            f"{file}: grades above {shown(limit)} were cut, because Moodle accepts no larger "
+            f"ones: {len(over)} ({some(over)}). With POINTS={shown(points)}, no grade is cut."
+        )
+    return {name: min(grade, limit) for name, grade in grades.items()}, lines
 
 
 def write_uploads(
@@ -90,18 +85,13 @@ def write_uploads(
     column: Column,
     worksheet: Worksheet | None = None,
 ) -> tuple[list[Path], list[str]]:
-    """Write the files from which an instructor can import grades into Canvas or Moodle.
+    """Write the files for Canvas and Moodle, and return their paths, and notes for the instructor.
 
     These are canvas.csv and moodle.csv if the class has a roster, plus a copy of Moodle's grading
-    worksheet if the instructor has saved it with the submissions.
-
-    Returns:
-        The paths of the files, and notes for the instructor.
+    worksheet if there is one.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
-    totals = _Totals(
-        {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}, most
-    )
+    totals = {r.student: r.total for r in reports if r.status == "graded" and r.total is not None}
     title = column.title or "Chapters " + ", ".join(str(chapter.number) for chapter in chapters)
     paths: list[Path] = []
     lines: list[str] = []
@@ -110,17 +100,17 @@ def write_uploads(
             lines.append("Not in canvas.csv and moodle.csv: " + "; ".join(people.unmatched) + ".")
         paths += [folder / "canvas.csv", folder / "moodle.csv"]
         full = column.points or most
-        grades, notes = totals.scaled("canvas.csv", full, math.inf)
+        grades, notes = _scaled(totals, most, "canvas.csv", full, math.inf)
         replace_table(paths[0], _for_canvas(people, grades, title, full))
         lines += notes
         full = min(column.points or MOST_IN_MOODLE, MOST_IN_MOODLE)
-        grades, notes = totals.scaled("moodle.csv", full, MOST_IN_MOODLE)
+        grades, notes = _scaled(totals, most, "moodle.csv", full, MOST_IN_MOODLE)
         replace_table(paths[1], _for_moodle(people, grades, CANVAS_ID.sub("", title)))
         lines += notes
     if worksheet:
         full = min(column.points or worksheet.most, worksheet.most)
         path = folder / "moodle-worksheet.csv"
-        grades, notes = totals.scaled(path.name, full, worksheet.most)
+        grades, notes = _scaled(totals, most, path.name, full, worksheet.most)
         members = _members_in(worksheet, people)
         filled = {n: grades[m.report] for n, m in members.items() if m.report in grades}
         if filled:
@@ -155,11 +145,7 @@ def write_uploads(
 def _for_canvas(
     people: ClassList, grades: Mapping[str, float], title: str, full: float
 ) -> list[list[str]]:
-    """Make a table with a row for each student on the roster, and an empty cell for no grade.
-
-    Canvas recognizes a student by the ID or, if that is empty, by the SIS user ID, the login or the
-    name.
-    """
+    """Make a table of the roster, with the columns by which Canvas recognizes a student."""
     rows = [[*OF_CANVAS, title], ["    Points Possible", "", "", "", "", number(full)]]
     for member in people.members:
         if who := member.student:

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from autograder.grader import grading
+from autograder.grader import cohort, grading
 from autograder.grader.class_folder import SAMPLE, only_run
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
@@ -36,14 +36,31 @@ def test_folders_and_zips_are_graded_alike(small: SmallClass, jobs: int) -> None
         assert (small.out / name).stat().st_size > 0
 
 
-def test_the_next_run_keeps_the_seed_and_grades_only_what_is_new(small: SmallClass) -> None:
-    small.grade(None)
+def test_a_finished_run_is_followed_by_one_with_a_new_seed(small: SmallClass) -> None:
+    seeds = []
+    for _ in range(2):
+        small.grade(None)
+        seeds.append({report["seed"] for report in small.results().values()})
+    (first,), (second,) = seeds
+    assert first != second
+    assert json.loads(small.text("run.json")) == {
+        **{"seed": second, "finished": True, "roster": False, "checks": False},
+        **{"folder": str(small.folder), "assignment": "", "chapters": [90], "given": []},
+    }
+
+
+def test_an_interrupted_run_keeps_its_seed_and_grades_only_what_is_new(
+    small: SmallClass, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def killed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as context:
+        context.setattr(cohort, "write_class", killed)
+        with pytest.raises(KeyboardInterrupt):
+            small.grade(None)
     first = small.results()
     seed = first["ann"]["seed"]
-    assert json.loads(small.text("run.json")) == {
-        **{"seed": seed, "roster": False, "checks": False, "folder": str(small.folder)},
-        **{"assignment": "", "chapters": [90], "given": []},
-    }
     small.write("bob/ch90_small/small.py", RIGHT)
     small.hand_in("dee", HALF)
     small.printed()
@@ -55,7 +72,7 @@ def test_the_next_run_keeps_the_seed_and_grades_only_what_is_new(small: SmallCla
     assert {report["seed"] for report in second.values()} == {seed}
     other = small.place / "other"
     other.mkdir()
-    record = {"folder": str(SAMPLE), "seed": seed}
+    record = {"folder": str(SAMPLE), "seed": seed, "finished": False}
     (other / "run.json").write_text(json.dumps(record), encoding="utf-8")
     grade(small.folder, other, small.root, None)
     assert results(other)["ann"]["seed"] != seed, "that of the sample class is no secret"
@@ -200,6 +217,8 @@ def test_after_an_error_the_same_command_grades_that_student_alone(
     after = small.results()
     assert (after["ann"], after["cem"]) == (before["ann"], before["cem"])
     assert after["bob"]["score"] == 5.0
+    assert small.grade(None) == 0
+    assert small.results()["bob"]["seed"] != before["bob"]["seed"], "now the run is finished"
 
 
 def test_marks_of_a_person_are_merged_on_every_run(small: SmallClass) -> None:

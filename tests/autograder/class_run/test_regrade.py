@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from autograder.grader import class_run
 from autograder.grader.class_folder import earlier_choice
+from autograder.reports.report import StudentReport
 from small import CHECKS, RIGHT
 from small_class import SmallClass, grade
 
@@ -96,12 +99,34 @@ def test_a_class_that_has_changed_is_graded_again_first(small: SmallClass) -> No
     for late in ("dan", "eve"):  # otherwise, eve would be missing in the gradebook
         small.hand_in(late, RIGHT)
     before = small.everything()
-    words = r"not graded yet: eve, and not there: cem\). Grade all of it again without --student"
+    seed = small.results()["ann"]["seed"]
+    words = rf"new or gone: cem; eve\). Grade all of it again with --seed {seed} "
     with pytest.raises(ValueError, match=words):
         small.grade(seed=None, student="dan")
     assert small.everything() == before
-    assert small.grade(seed=None) == 0
+    assert small.grade(seed=seed) == 0
     assert sorted(small.results()) == ["ann", "bob", "dan", "eve"]
     small.hand_in("flo", RIGHT)
     assert small.grade(seed=None, student="flo") == 0, "a single new one"
     assert sorted(small.results()) == ["ann", "bob", "dan", "eve", "flo"]
+
+
+def test_a_class_with_several_seeds_is_graded_again_first(
+    small: SmallClass, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second run drew a new seed, and was interrupted after the first report."""
+    write = class_run.write_student
+
+    def killed(out: Path, report: StudentReport) -> None:
+        write(out, report)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as context:
+        context.setattr(class_run, "write_student", killed)
+        with pytest.raises(KeyboardInterrupt):
+            small.grade(seed=None, jobs=1)
+    with pytest.raises(ValueError, match=r"with several seeds \(\w+, \w+\)\. Grade it again"):
+        small.grade(seed=None, student="cem")
+    assert small.grade(seed=None) == 0
+    assert len({report["seed"] for report in small.results().values()}) == 1
+    assert small.grade(seed=None, student="cem") == 0

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.grader.handed_in import why_nothing
+from autograder.grader.grading import why_nothing
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.stage import stage
 from copies import copy_tree

@@ -19,7 +19,6 @@ from autograder.manifest import (
     Exercise,
     chapters_below,
     load_chapters,
-    refuse_given,
     select_chapters,
     split_given,
 )
@@ -136,7 +135,11 @@ def named_exercise(what: str, arguments: argparse.Namespace) -> tuple[Chapter, E
             f"exercises are open: {line_of('check')}"
         )
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
-    refuse_given(chapter, exercise, arguments.given)
+    if arguments.given and chapter in select_chapters(arguments.given):
+        raise ValueError(
+            f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
+            "reference replaces your code there, so there is nothing for you to write"
+        )
     return chapter, exercise
 
 

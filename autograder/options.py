@@ -45,16 +45,13 @@ def add_commands(
             continue
         command = commands.add_parser(name, help=entry["help"])
         for option in entry["options"].values():
-            kept: dict[str, Any] = {"help": option["help"]}
+            kept = {key: option[key] for key in ("help", "default", "required") if key in option}
             if option.get("switch") or option.get("off"):
                 kept["action"] = "store_true"
             else:
                 kept["type"] = TYPES.get(option.get("type", ""), str)
-                kept["default"] = option.get("default")
             if option.get("optional"):
                 kept["nargs"] = "?"
-            if option.get("required"):
-                kept["required"] = True
             command.add_argument(option["flag"], **kept)
         command.set_defaults(run=getattr(module, f"run_{name}"))
 
@@ -67,8 +64,8 @@ def makefile(table: str) -> str:
             continue
         options = {key: option for key, option in entry["options"].items() if key.isupper()}
         words = [_for_make(*item) for item in options.items() if "recipe" not in item[1]]
-        lines += [f"TAKES_{name} := {' '.join(options)}".rstrip()]
-        lines += [f"OPTIONS_{name} = {' '.join(words)}".rstrip()]
+        lines.append(f"TAKES_{name} := {' '.join(options)}".rstrip())
+        lines.append(f"OPTIONS_{name} = {' '.join(words)}".rstrip())
     return "\n".join(lines) + "\n"
 
 

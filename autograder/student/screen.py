@@ -13,7 +13,7 @@ from autograder.answers import questions_of
 from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.files import from_here
-from autograder.handouts.lock import read_lock, stub_hash
+from autograder.handouts.stubs import read_lock, stub_hash
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind
 from autograder.scores import Result, extra_possible, of_possible, total

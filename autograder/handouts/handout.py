@@ -58,9 +58,7 @@ def make_handout(
     The text ``about`` is the section of the README that describes the assignment.
     """
     if both := {c.name for c in chapters} & {c.name for c in given}:
-        raise ValueError(
-            f"{', '.join(sorted(both))} cannot be handed out both as stubs and as given"
-        )
+        raise ValueError(f"{min(both)} cannot be handed out both as stubs and as given")
     if out.is_file() or (out.exists() and any(out.iterdir())):
         raise ValueError(f"out must be a new or empty folder, got {str(out)!r}")
     part = out.resolve().with_name(f".{out.resolve().name}.part")

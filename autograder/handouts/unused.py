@@ -19,9 +19,9 @@ def without_unused(stub: str, source: str) -> str:
     An import such as ``from a import b as b`` stays, because other modules import b from this one.
     """
     tree = ast.parse(stub)
-    unused_there = {defined_name(node) for node in _unreached(ast.parse(source))}
-    gone = [node for node in _unreached(tree) if defined_name(node) not in unused_there]
-    stub = _changed(stub, tree, dict.fromkeys(gone, ""))
+    unused = {defined_name(node) for node in _unreached(ast.parse(source))}
+    gone = {node: "" for node in _unreached(tree) if defined_name(node) not in unused}
+    stub = _changed(stub, tree, gone)
     tree = ast.parse(stub)
     used = _used(tree)
     texts: dict[ast.stmt, str] = {}
@@ -56,9 +56,9 @@ def _used(node: ast.AST, but: Collection[ast.AST] = ()) -> set[str]:
 
 def _stays(node: ast.Import | ast.ImportFrom, one: ast.alias, used: Collection[str]) -> bool:
     """Return True if an import of a name is used, exports the name or changes the language."""
-    if isinstance(node, ast.ImportFrom) and node.module == "__future__":
-        return True
-    return one.asname == one.name or (one.asname or one.name.partition(".")[0]) in used
+    is_future = isinstance(node, ast.ImportFrom) and node.module == "__future__"
+    bound = one.asname or one.name.partition(".")[0]
+    return is_future or one.asname == one.name or bound in used
 
 
 def _import(node: ast.Import | ast.ImportFrom, names: list[ast.alias]) -> str:

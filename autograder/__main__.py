@@ -23,7 +23,7 @@ from autograder.manifest import (
     split_given,
 )
 from autograder.options import add_commands, read_table
-from autograder.student.check import check
+from autograder.student.screen import check
 
 
 def main() -> int:

@@ -14,12 +14,10 @@ from watchfiles import watch as changes_in
 
 from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import ROOT, Chapter
-from autograder.student.chapter_results import Memory
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.watching import keys
 from autograder.student.watching.guide import TROUBLE, Guide
-from autograder.student.watching.latest import LatestResults
 from autograder.student.watching.page import KEYS
 from autograder.text.wrapping import plain_console
 
@@ -32,8 +30,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     The current exercise is the one that the student edited last, at first the first open one.
     """
     with with_given(given, engine) as folders, keys.single_keys():
-        latest = LatestResults(chapters, folders, given, Memory(seed))
-        guide = Guide(latest, engine, plain_console(), has_keys=keys.available())
+        guide = Guide(chapters, engine, folders, given, seed, has_keys=keys.available())
         board = Keyboard(guide)
         if not guide.has_keys:
             board.say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
@@ -73,11 +70,11 @@ class Keyboard:
     def note(self, words: str, style: str = "") -> None:
         """Show a short message at the bottom of the page, in place of the previous one."""
         self.guide.page.note = [(line, style) for line in words.splitlines()]
-        self.guide.draw()
+        self.guide.page.draw(with_keys=self.guide.has_keys)
 
     def say(self, words: str, style: str = "") -> None:
         """Print a message below the page."""
-        self.guide.console.print(words, style=style, markup=False, soft_wrap=True)
+        plain_console().print(words, style=style, soft_wrap=True)
 
     def hint(self) -> None:
         """Show the next hint for the current exercise, or the last one again."""
@@ -105,22 +102,21 @@ class Keyboard:
 
     def list(self) -> None:
         """Print a table with the state of each exercise in the current chapter."""
-        guide = self.guide
-        print_chapter(guide.console, guide.latest.report(guide.chapter), guide.engine)
+        print_chapter(self.guide.report(self.guide.chapter), self.guide.engine)
 
     def check_all(self) -> None:
         """Rerun all checks on the student's code, and print what `make check` would print."""
-        guide, latest = self.guide, self.guide.latest
-        latest.memory.known.clear()
-        reports = [latest.report(chapter) for chapter in latest.chapters]
-        print_report(guide.console, reports, None, guide.engine, latest.given)
+        guide = self.guide
+        guide.memory.known.clear()
+        reports = [guide.report(chapter) for chapter in guide.chapters]
+        print_report(reports, None, guide.engine, guide.given)
 
     def plot(self) -> None:
         """Draw the plots of the current chapter in another process, without opening a window."""
         number = str(self.guide.chapter.number)
         self.say(f"Drawing chapter {number} ...")
         command = [sys.executable, "-m", "plots", "draw", "--engine", str(self.guide.engine[0])]
-        if given := self.guide.latest.given:
+        if given := self.guide.given:
             command += ["--given", ",".join(str(chapter.number) for chapter in given)]
         subprocess.run(
             [*command, "--chapter", number],

@@ -25,7 +25,7 @@ from autograder.handouts.handout import make_handout
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.message import Kind, Message
-from autograder.student.check import check as check_chapters
+from autograder.student.screen import check as check_chapters
 from autograder.submissions.find import Submission
 from copies import copy_tree
 from graded import points_of

@@ -92,7 +92,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 def run_debug(arguments: argparse.Namespace) -> bool:
     """Stop in the function of an exercise that fails, and return True if a check fails."""
-    from autograder.student.debugging.debug import debug
+    from autograder.student.debug import debug
 
     chapter, exercise = named_exercise("debug", arguments)
     given, _ = split_given(load_chapters(), arguments.given)

@@ -27,7 +27,6 @@ STUDENT_TOOLS = {
     "autograder/handouts": "__init__.py bodies.py stubs.lock stubs.py unused.py",
     "autograder/locks": "pictures.lock requirements.lock",
     "autograder/student": "*.py",
-    "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",
     "autograder/text": "*.py",
     "scenes": "*.py",

@@ -144,11 +144,7 @@ def named_exercise(what: str, arguments: argparse.Namespace) -> tuple[Chapter, E
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Find an exercise by its id, such as B2.3 or b2.3, and return it with its chapter.
-
-    Raises:
-        ValueError: No exercise has that id. The message suggests similar ids if there are any.
-    """
+    """Find an exercise by its id, such as B2.3 or b2.3, and return it with its chapter."""
     known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
     if wanted.lower() in known:
         return known[wanted.lower()]

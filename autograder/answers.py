@@ -90,10 +90,9 @@ def blank_answers(text: str) -> str:
 
 
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
-    """Split the text of an answers.md file into one section per question.
+    """Split the text of an answers.md file into one section per level-two heading (##).
 
-    A section begins at a level-two heading (##). So that a deleted # or space does no harm, any
-    other heading also begins a section if its first word is one of the exercise ids in ``ids``.
+    So that a deleted # or space does no harm, any heading that begins with one of ``ids`` counts.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -106,10 +105,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """List the written exercises of a chapter, each with the student's answer from answers.md.
-
-    The answers come from the first folder of ``engine`` that has the file.
-    """
+    """List the written exercises of a chapter, each with the answer in the first answers.md."""
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     ids = [exercise.id for exercise in exercises]
     files = [folder / chapter.name / FILE for folder in engine]

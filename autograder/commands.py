@@ -111,9 +111,6 @@ def find_engine(folder: str) -> list[Path]:
 
     Only chapters/ has the files that students do not edit. The tuned engine replaces only some
     modules of solutions/, so that folder is between the two.
-
-    Raises:
-        ValueError: The folder does not exist.
     """
     below = ("solutions", "chapters") if ROOT / folder == ROOT / TUNED else ("chapters",)
     engine = [ROOT / name for name in dict.fromkeys((folder, *below))]

@@ -51,10 +51,7 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
-    """Find the module from which a file such as ch06_springs/springs.py can import ``name``, or "".
-
-    It is in the file's chapter or an earlier one. If several define the name, the latest counts.
-    """
+    """Find the latest module from which ``file`` can import ``name``, up to its chapter, or ""."""
     chapter = file.partition("/")[0]
     found = ""
     for folder in folders:

@@ -88,10 +88,7 @@ def run(*command: str) -> str:
 
 
 def make_venv() -> None:
-    """Create .venv from scratch, with the packages of students.
-
-    The file .venv/ready is written last, as proof that the environment is complete.
-    """
+    """Create .venv from scratch. The file .venv/ready is written last, as proof."""
     check_python()
     print(
         f"Setting up .venv with {sys.executable}; this one-time step takes less than a minute.",

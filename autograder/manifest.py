@@ -145,11 +145,7 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Divide chapters into those that are given, as in "2,4-6", and those that students write.
-
-    Raises:
-        ValueError: No chapter is left for students to write, or ``numbers`` is malformed.
-    """
+    """Divide chapters into those that are given, as in "2,4-6", and those that students write."""
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
     if not left:
@@ -165,11 +161,7 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has selected, as in "2,4-6". Without a selection, it is all.
-
-    Raises:
-        ValueError: The selection is malformed or contains a chapter that does not exist.
-    """
+    """Return the chapters that a user has selected, as in "2,4-6". Without a selection, it is all."""
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
     for part in numbers.split(",") if numbers else []:

@@ -36,10 +36,7 @@ def read_table(name: str) -> Table:
 def add_commands(
     commands: argparse._SubParsersAction[argparse.ArgumentParser], table: str, module: ModuleType
 ) -> None:
-    """Add the commands of a table to the command line. Function run_check of ``module`` runs check.
-
-    Commands of other packages, such as plot, read their options themselves.
-    """
+    """Add the commands of a table to the command line, except those of other packages."""
     for name, entry in read_table(table).items():
         if "module" in entry:
             continue

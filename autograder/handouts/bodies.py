@@ -42,10 +42,7 @@ def with_bodies(source: bytes, bodies: Mapping[str, str]) -> bytes:
 def put_back(source: bytes, stub: bytes, names: list[str]) -> bytes:
     """Restore functions that a student has deleted, each where it is in the stub.
 
-    A class that the student has deleted is restored as a whole.
-
-    Raises:
-        ValueError: The stub does not define one of the functions, or does not fit into the file.
+    A deleted class is restored as a whole. If that is not possible, raise ValueError.
     """
     there = scopes(ast.parse(source))
     lost = {name.partition(".")[0] for name in names if "." in name} - there.keys()

@@ -35,11 +35,7 @@ def read_lock(root: Path = ROOT) -> dict[str, str]:
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate the text of every file that students start from, keyed by its path in ``root``.
-
-    The files are Python stubs, answers.md without the model answers, and data files that contain
-    only the column names.
-    """
+    """Generate all files that students start from: stubs, blank answers and empty tables."""
     stubs = {}
     for chapter in load_chapters(root):
         solution, folder = root / "solutions" / chapter.name, f"chapters/{chapter.name}"
@@ -67,10 +63,7 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write all stubs and stubs.lock. Return the paths that were written, and those left alone.
-
-    A stub that somebody has edited is left alone.
-    """
+    """Write all stubs and stubs.lock. Return the paths written, and those edited and left alone."""
     locked = read_lock(root)
     written, left_alone = [], []
     hashes = complete_hashes(root)
@@ -109,11 +102,7 @@ def _read(file: Path) -> str | None:
 def stub_module(source: str, messages: dict[str, str]) -> str:
     """Turn a solution into a stub, in which each function of ``messages`` raises its message.
 
-    Private helpers, constants and imports that only the removed bodies used would give the solution
-    away, so they are removed too.
-
-    Raises:
-        ValueError: The module does not define one of the names.
+    What only the removed bodies used would give the solution away, so it is removed too.
     """
     if missing := messages.keys() - functions(ast.parse(source)).keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")

@@ -31,10 +31,7 @@ def exercise_table(chapter: Chapter) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List what a student writes by file, as in "`vector.py`: `dot`, `cross`".
-
-    If several classes of a file have a method of the same name, it is listed with its class.
-    """
+    """List what a student writes by file, as in "`vector.py`: `dot`, `cross`"."""
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
     for name in exercise.edit:

@@ -53,10 +53,7 @@ def is_finished(report: ChapterResults) -> bool:
 
 
 def finish_lines(report: ChapterResults, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the screen that congratulates a student on a finished chapter.
-
-    It fits on a terminal of 20 lines and 80 columns.
-    """
+    """Return the screen for a finished chapter, which fits on a terminal of 20 lines."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]

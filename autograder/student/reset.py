@@ -41,9 +41,6 @@ def reset(
 
     If the student has deleted some of its functions, only those are restored. If ``whole`` is
     true, entire files are restored. Each file is first copied to the folder ``copies``.
-
-    Raises:
-        ValueError: A file cannot be read or lacks a function. Nothing is changed.
     """
     done = []
     for change in planned(chapter, exercise, engine, whole=whole):

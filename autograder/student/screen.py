@@ -86,10 +86,7 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the results of a student's exercises, and explain the first failure in full.
-
-    Return True if all checks pass and no file that should stay unchanged has been edited.
-    """
+    """Print the results and explain the first failure. Return True if nothing is wrong."""
     console = plain_console()
     for report in reports:
         print_chapter(report, engine)
@@ -133,7 +130,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that all checks pass. Edited originals (``changed``) are named there."""
+    """Return the sentence that all checks pass. ``changed`` means that originals are edited."""
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""
@@ -274,10 +271,7 @@ def points_line(results: list[Result]) -> str:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return a student's points for an exercise, such as "2/3".
-
-    An optional exercise is "optional", or "needed" if a required exercise builds on it.
-    """
+    """Return a student's points for an exercise, such as "2/3", "optional" or "needed"."""
     exercise = result.exercise
     if exercise.optional:
         return "needed" if exercise.id in asked_for(chapter) else "optional"

@@ -14,10 +14,7 @@ from autograder.text.wrapping import plain_console
 def print_written(
     chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise and, if it has been answered, the model answer.
-
-    A handout has neither the model answer nor the rubric.
-    """
+    """Print the question of a written exercise and, if it is answered, our model answer."""
     say = plain_console().print
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     section = question.section

@@ -61,8 +61,7 @@ class Guide:
     def look(self) -> bool:
         """Run the checks again if the student has changed a file. Return True if they have run.
 
-        The exercise that the student has edited becomes the current one. Of several, it is
-        preferably one that does not work yet.
+        Of several edited exercises, one that does not work yet becomes the current one.
         """
         state = state_of(self.folders, self.chapters[-1])
         if state == self.seen:
@@ -135,10 +134,7 @@ class Guide:
         return [r for r in self.last[chapter.name].values() if r.exercise.id in wanted]
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Find the exercise to work on next, or return None if all are done.
-
-        In a chapter, exercises that fail physics checks come before those that fail robust ones.
-        """
+        """Find the next exercise to work on. In a chapter, physics comes before robust checks."""
         for chapter in self.chapters:
             self.report(chapter)
             results = [r for r in self.required(chapter) if lacks_anything(r)]
@@ -147,10 +143,7 @@ class Guide:
         return None
 
     def progress(self, chapter: Chapter) -> str:
-        """Describe the student's progress in a chapter, as in "3 of 8 exercises work".
-
-        Once all exercises work, the robust checks count too, as in "8 of 8 work, 3 complete".
-        """
+        """Describe the progress, as in "3 of 8 exercises work" or "8 of 8 work, 3 complete"."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self.last[chapter.name].values() if r.exercise.id in wanted]
         done, of, what = sum(result.works for result in results), len(wanted), "exercises work"
@@ -189,10 +182,9 @@ class Guide:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next exercise that is not done yet, and offer it to the student.
+        """Find the next exercise, and offer it to the student, who accepts by Enter or an edit.
 
-        The student accepts by pressing Enter or by editing its code. If there is no current
-        exercise, as when `watch` starts, or there are no keys, the next one begins at once.
+        If there is no current exercise, or there are no keys, the next one begins at once.
         """
         self.next = self.next_open()
         if self.current or self.next is None:

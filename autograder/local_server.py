@@ -41,7 +41,7 @@ class Site:
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Reject a request to another host name, which prevents DNS rebinding by a malicious site."""
+        """Reject a request to another host name, which prevents DNS rebinding by other sites."""
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 

@@ -161,7 +161,7 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has selected, as in "2,4-6". Without a selection, it is all."""
+    """Return the chapters that a user has selected, as in "2,4-6". If empty, it is all."""
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
     for part in numbers.split(",") if numbers else []:

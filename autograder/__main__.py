@@ -19,12 +19,11 @@ from autograder.manifest import (
     Exercise,
     chapters_below,
     load_chapters,
-    refuse_given,
     select_chapters,
     split_given,
 )
 from autograder.options import add_commands, read_table
-from autograder.student.check import check
+from autograder.student.screen import check
 
 
 def main() -> int:
@@ -93,7 +92,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 def run_debug(arguments: argparse.Namespace) -> bool:
     """Stop in the function of an exercise that fails, and return True if a check fails."""
-    from autograder.student.debugging.debug import debug
+    from autograder.student.debug import debug
 
     chapter, exercise = named_exercise("debug", arguments)
     given, _ = split_given(load_chapters(), arguments.given)
@@ -136,16 +135,16 @@ def named_exercise(what: str, arguments: argparse.Namespace) -> tuple[Chapter, E
             f"exercises are open: {line_of('check')}"
         )
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
-    refuse_given(chapter, exercise, arguments.given)
+    if arguments.given and chapter in select_chapters(arguments.given):
+        raise ValueError(
+            f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
+            "reference replaces your code there, so there is nothing for you to write"
+        )
     return chapter, exercise
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Find an exercise by its id, such as B2.3 or b2.3, and return it with its chapter.
-
-    Raises:
-        ValueError: No exercise has that id. The message suggests similar ids if there are any.
-    """
+    """Find an exercise by its id, such as B2.3 or b2.3, and return it with its chapter."""
     known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
     if wanted.lower() in known:
         return known[wanted.lower()]

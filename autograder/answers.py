@@ -54,10 +54,8 @@ class Section:
     def words(self) -> int:
         """The number of words, without the placeholder, headings, quotations and HTML comments."""
         text = re.sub(r"<!--.*?(-->|\Z)", "", self.answer, flags=re.DOTALL)
-        lines = [
-            line for line in text.splitlines() if not (line[:1] in "#>" or line.strip() == PLACE)
-        ]
-        return len(WORD.findall(" ".join(lines)))
+        lines = (line for line in text.splitlines() if line[:1] not in "#>")
+        return sum(len(WORD.findall(line)) for line in lines if line.strip() != PLACE)
 
 
 @dataclass(frozen=True)
@@ -92,26 +90,22 @@ def blank_answers(text: str) -> str:
 
 
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
-    """Split the text of an answers.md file into one section per question.
+    """Split the text of an answers.md file into one section per level-two heading (##).
 
-    A section begins at a level-two heading (##). So that a deleted # or space does no harm, any
-    other heading also begins a section if its first word is one of the exercise ids in ``ids``.
+    So that a deleted # or space does no harm, any heading that begins with one of ``ids`` counts.
     """
     known = {*ids}
     lines = text.splitlines()
     starts = [
-        number
-        for number, line in enumerate(lines)
+        at
+        for at, line in enumerate(lines)
         if line.startswith("## ") or (line.startswith("#") and _first_word(line) in known)
     ]
     return [_section(lines, start, end) for start, end in pairwise([*starts, len(lines)])]
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """List the written exercises of a chapter, each with the student's answer from answers.md.
-
-    The answers come from the first folder of ``engine`` that has the file.
-    """
+    """List the written exercises of a chapter, each with the answer in the first answers.md."""
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     ids = [exercise.id for exercise in exercises]
     files = [folder / chapter.name / FILE for folder in engine]
@@ -125,9 +119,9 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
             rejected = rejection(chapter.name, FILE, error)
     questions = []
     for exercise in exercises:
-        own = next((section for section in sections if section.id == exercise.id), None)
         problem = rejected or _problem(exercise.id, ids, sections, from_here(file))
         problems = [problem] if problem else []
+        own = _section_of(exercise, sections)
         questions.append(Question(exercise, from_here(file), own, problems))
     return questions
 
@@ -137,24 +131,27 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
         return None
-    sections = sections_of(file.read_text(encoding="utf-8"))
+    return _section_of(exercise, sections_of(file.read_text(encoding="utf-8")))
+
+
+def _section_of(exercise: Exercise, sections: list[Section]) -> Section | None:
     return next((section for section in sections if section.id == exercise.id), None)
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
     """Parse the section with its heading on line ``start``. The next one begins on line ``end``."""
+
+    def skip(start: int, pattern: str) -> int:
+        others = (at for at in range(start, end) if not re.match(pattern, lines[at]))
+        return next(others, end)
+
     heading = lines[start]
-    first = start + 1
-    while first < end and not lines[first].strip():
-        first += 1
-    after = first
-    while after < end and lines[after].startswith(">"):
-        after += 1
+    first = skip(start + 1, r"\s*$")
+    after = skip(first, ">")
+    begin = skip(after, r"\s*$")
     question = "\n".join(lines[first:after])
-    while after < end and not lines[after].strip():
-        after += 1
-    answer, _, rubric = "\n".join(lines[after:end]).partition(f"\n{RUBRIC}\n")
-    line = min(after, end - 1) + 1
+    answer, _, rubric = "\n".join(lines[begin:end]).partition(f"\n{RUBRIC}\n")
+    line = min(begin, end - 1) + 1
     return Section(_first_word(heading), heading, question, answer.strip(), rubric.strip(), line)
 
 
@@ -165,7 +162,7 @@ def _first_word(heading: str) -> str:
 def _problem(exercise: str, ids: list[str], sections: list[Section], file: Path) -> str:
     """Say what a student must fix in answers.md before an answer can be marked, or return ""."""
     heading = f"## {exercise}"
-    own = [number for number, section in enumerate(sections) if section.id == exercise]
+    own = [at for at, section in enumerate(sections) if section.id == exercise]
     if not file.is_file():
         return f"{file} is missing. Create it again, with the line '{heading}' above your answer."
     if not own:
@@ -173,7 +170,7 @@ def _problem(exercise: str, ids: list[str], sections: list[Section], file: Path)
         there = ", ".join(repr(one.heading) for one in sections if one.id not in ids)
         return f"{words} Did you change it to {there}?" if there else words
     if len(own) > 1:
-        lines = " and ".join(str(sections[number].line) for number in own)
+        lines = " and ".join(str(sections[at].line) for at in own)
         return f"The heading '{heading}' appears twice in {file} (lines {lines}). Keep only one."
     section, after = sections[own[0]], sections[own[0] + 1 : own[0] + 2]
     if section.has_words and section.places:

@@ -15,15 +15,11 @@ from pathlib import Path
 from autograder.manifest import ROOT
 from autograder.text.clean import clean
 
-ADVICE = {
-    (errno.ENOSPC, errno.EDQUOT): "Free some space on that disk, and run the same command again",
-    (
-        errno.EROFS,
-        errno.EACCES,
-        errno.EPERM,
-    ): "Make sure that you can write there, or use another folder",
-    (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
-}
+FULL = "Free some space on that disk, and run the same command again"
+FORBIDDEN = "Make sure that you can write there, or use another folder"
+ADVICE = {errno.EFBIG: "A limit on the size of files is too low here (see ulimit -f)"}
+ADVICE |= dict.fromkeys((errno.ENOSPC, errno.EDQUOT), FULL)
+ADVICE |= dict.fromkeys((errno.EROFS, errno.EACCES, errno.EPERM), FORBIDDEN)
 # The packages that each lock adds, as they are called in import statements (see pyproject.toml).
 PACKAGES = {
     "requirements": "pymunk pytest rich tornado watchfiles",
@@ -44,18 +40,17 @@ def require(group: str) -> None:
 
     needed = f"{PACKAGES['requirements']} {PACKAGES[group]}".split()
     lacking = [name for name in needed if importlib.util.find_spec(name) is None]
-    if not lacking:
-        return
-    if group == "requirements" or lacking[0] in PACKAGES["requirements"]:
+    if lacking and lacking[0] in PACKAGES["requirements"]:
         raise LackingError(
             "this Python lacks the companion's packages. Run make setup (without make: run "
             f"{Path(sys.executable).name} autograder/make_venv.py, then use {shown_python()})"
         )
-    raise LackingError(
-        f"this Python lacks {lacking[0]}, which is one of the packages for this command. Run "
-        f"{shown_python()} autograder/make_venv.py {group}, and then the same command again with "
-        f"{shown_python()}"
-    )
+    if lacking:
+        raise LackingError(
+            f"this Python lacks {lacking[0]}, which is one of the packages for this command. Run "
+            f"{shown_python()} autograder/make_venv.py {group}, and then the same command again "
+            f"with {shown_python()}"
+        )
 
 
 def prepare(group: str = "requirements") -> bool:
@@ -100,8 +95,7 @@ def run_named(package: str, commands: Mapping[str, str]) -> int:
 
 def advice(error: BaseException) -> str:
     """Return advice on an error that occurred while writing a file, such as a full disk, or ""."""
-    number = error.errno if isinstance(error, OSError) else None
-    return next((words for numbers, words in ADVICE.items() if number in numbers), "")
+    return ADVICE.get(error.errno or 0, "") if isinstance(error, OSError) else ""
 
 
 def sentence(error: Exception) -> str:
@@ -117,9 +111,6 @@ def find_engine(folder: str) -> list[Path]:
 
     Only chapters/ has the files that students do not edit. The tuned engine replaces only some
     modules of solutions/, so that folder is between the two.
-
-    Raises:
-        ValueError: The folder does not exist.
     """
     below = ("solutions", "chapters") if ROOT / folder == ROOT / TUNED else ("chapters",)
     engine = [ROOT / name for name in dict.fromkeys((folder, *below))]

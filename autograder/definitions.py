@@ -20,10 +20,7 @@ def scopes(tree: ast.Module) -> dict[str, tuple[Scope, dict[str, Definition]]]:
     """
     owners = {"": tree} | {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     return {
-        name: (
-            owner,
-            {_name(node): node for node in owner.body if isinstance(node, Definition)},
-        )
+        name: (owner, {_name(node): node for node in owner.body if isinstance(node, Definition)})
         for name, owner in owners.items()
     }
 
@@ -54,33 +51,27 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
-    """Find the module from which a file such as ch06_springs/springs.py can import ``name``, or "".
-
-    It is in the file's chapter or an earlier one. If several define the name, the latest counts.
-    """
+    """Find the latest module from which ``file`` can import ``name``, up to its chapter, or ""."""
     chapter = file.partition("/")[0]
     found = ""
     for folder in folders:
         for path in sorted(folder.glob("ch[0-9][0-9]_*/*.py")):
             module = f"{path.parent.name}.{path.stem}"
             is_earlier = found.partition(".")[0] < path.parent.name <= chapter
-            own = f"{path.parent.name}/{path.name}" == file
-            if is_earlier and not own and name in _defined_at_the_top(path):
-                found = module
+            if is_earlier and f"{path.parent.name}/{path.name}" != file:
+                tree = read_module(path)
+                found = module if tree and name in map(defined_name, tree.body) else found
     return found
 
 
-def _defined_at_the_top(file: Path) -> set[str]:
-    """List the functions, classes and constants that a file defines, but not what it imports."""
-    tree = read_module(file)
-    found = set()
-    for node in tree.body if tree else []:
-        match node:
-            case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
-                found.add(name)
-            case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
-                found.add(name)
-    return found
+def defined_name(node: ast.stmt) -> str:
+    """Return the name that a statement defines, or "" if it is not a definition of one name."""
+    match node:
+        case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+            return name
+        case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
+            return name
+    return ""
 
 
 def bound_names(tree: ast.Module) -> set[str]:
@@ -88,11 +79,8 @@ def bound_names(tree: ast.Module) -> set[str]:
 
     A name assigned with = may be a property, so it is listed with ".setter" too.
     """
-    found = set(_bound(tree))
-    for node in tree.body:
-        if isinstance(node, ast.ClassDef):
-            found |= {f"{node.name}.{name}" for name in _bound(node)}
-    return found
+    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+    return {*_bound(tree)} | {f"{own.name}.{name}" for own in classes for name in _bound(own)}
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:

@@ -27,8 +27,7 @@ def replace_bytes(path: Path, content: bytes) -> None:
         temporary.replace(path)
     except OSError as error:
         error.filename = error.filename or str(path)  # the error lacks it if the disk is full
-        if temporary.exists():
-            temporary.unlink()
+        temporary.unlink(missing_ok=True)
         raise
 
 

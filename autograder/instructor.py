@@ -8,7 +8,6 @@ from __future__ import annotations
 import argparse
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 from autograder.course.choose import work_of
 from autograder.manifest import ROOT, select_chapters
@@ -16,19 +15,26 @@ from autograder.manifest import ROOT, select_chapters
 
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade the submissions of a whole class, or regrade one student."""
-    if sys.platform == "win32":
-        raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
+    refuse_windows("grade")
     import signal
 
-    from autograder.grader.class_folder import SAMPLE, earlier_choice
+    from autograder.grader.class_folder import SAMPLE, earlier_choice, graded_folder
     from autograder.grader.cohort import ClassOptions, grade
     from autograder.platforms.uploads import Column
-    from autograder.submissions.unpack import class_folder
+    from autograder.submissions.unpack import class_folder, refuse_newer_zip
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
-    folder = class_folder(arguments.folder or _class_of(arguments))
-    is_again = arguments.student or not (arguments.folder or folder == SAMPLE)
+    before = None if arguments.folder else graded_folder(arguments.out)
+    if before:
+        refuse_newer_zip(before)
+        print(f"grading the class in {before} again")
+    elif not arguments.folder and (arguments.assignment or arguments.student or arguments.roster):
+        raise ValueError(
+            "name the folder or the zip of the submissions (make: SUBMISSIONS=../handed-in)"
+        )
+    folder = class_folder(arguments.folder or before or SAMPLE)
+    is_again = arguments.student or (before and folder != SAMPLE)
     if is_again and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
@@ -42,26 +48,6 @@ def run_grade(arguments: argparse.Namespace) -> int:
         column=Column(arguments.title or work.title, arguments.points),
     )
     return grade(folder, arguments.out, replace(work, seed=seed, roster=roster), options)
-
-
-def _class_of(arguments: argparse.Namespace) -> Path:
-    """Return the class whose grades are in the folder for the results, or else the sample class.
-
-    Raises:
-        ValueError: The command is for a real class, which it must name.
-    """
-    from autograder.grader.class_folder import SAMPLE, graded_folder
-    from autograder.submissions.unpack import refuse_newer_zip
-
-    if before := graded_folder(arguments.out):
-        refuse_newer_zip(before)
-        print(f"grading the class in {before} again")
-        return before
-    if arguments.assignment or arguments.student or arguments.roster:
-        raise ValueError(
-            "name the folder or the zip of the submissions (make: SUBMISSIONS=../handed-in)"
-        )
-    return SAMPLE
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
@@ -112,8 +98,7 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 
 def run_mark(arguments: argparse.Namespace) -> int:
     """Serve the web page for marking written answers until the instructor presses Ctrl-C."""
-    if sys.platform == "win32":
-        raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
+    refuse_windows("mark")
     from autograder.marking.marking_server import mark
     from autograder.submissions.unpack import class_folder
 
@@ -130,18 +115,22 @@ def run_stubs(arguments: argparse.Namespace) -> int:
 
     if arguments.check:
         stale = stale_stubs()
-        for path in stale:
-            print(f"out of date: {path}")
-        print(f"stubs: {len(stale)} out of date")
+        lines = [f"out of date: {path}" for path in stale]
+        print("\n".join([*lines, f"stubs: {len(stale)} out of date"]))
         return bool(stale)
     written, left_alone = write_stubs()
     written += write_tables(select_chapters(""), ROOT)
-    for path in written:
-        print(f"generated {path}")
-    for path in left_alone:
-        print(f"not overwritten, since it was edited: {path}")
-    print(
+    lines = [f"generated {path}" for path in written]
+    lines += [f"not overwritten, since it was edited: {path}" for path in left_alone]
+    lines.append(
         f"stubs and tables: {len(written)} generated, {len(left_alone)} not overwritten, "
         "the rest up to date"
     )
+    print("\n".join(lines))
     return bool(left_alone)
+
+
+def refuse_windows(command: str) -> None:
+    """Raise ValueError on Windows, where a command that runs students' code cannot run."""
+    if sys.platform == "win32":
+        raise ValueError(f"{command} needs Linux or macOS; on Windows, run it under WSL")

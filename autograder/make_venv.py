@@ -74,43 +74,29 @@ def install(name: str) -> None:
 
 
 def run_pip(lock: Path) -> str:
-    """Run pip, and print its progress. Return its output if it fails, or an empty string."""
-    lines = lock.read_text(encoding="utf-8").splitlines()
-    total = sum("==" in line and line[0].isalpha() for line in lines)
-    command = [str(python_of_venv()), "-m", "pip", "install", "--disable-pip-version-check"]
-    command += ["--retries", "1", "--timeout", "30", "--require-hashes", "-r", str(lock)]
-    output, fetched = "", 0
-    with subprocess.Popen(
+    """Install the packages of a lock. Return pip's output if it fails, or an empty string."""
+    pip = [str(python_of_venv()), "-m", "pip", "install", "--disable-pip-version-check"]
+    return run(*pip, "--retries", "1", "--timeout", "30", "--require-hashes", "-r", str(lock))
+
+
+def run(*command: str) -> str:
+    """Run a program. Return its output if it fails, or an empty string."""
+    done = subprocess.run(
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace"
-    ) as pip:
-        for line in pip.stdout or []:
-            output += line
-            fetched += line.startswith("Collecting ")
-            if line.startswith("Collecting ") and sys.stdout.isatty():
-                print(f"\r  package {fetched} of at most {total} ", end="", flush=True)
-            if line.startswith("Installing "):
-                print(f"\r  {fetched} packages fetched, unpacking them ...", flush=True)
-    return output if pip.returncode else ""
+    )
+    return (done.stdout or f"it ended with status {done.returncode}") if done.returncode else ""
 
 
 def make_venv() -> None:
-    """Create .venv from scratch, with the packages of students.
-
-    The file .venv/ready is written last, as proof that the environment is complete.
-    """
+    """Create .venv from scratch. The file .venv/ready is written last, as proof."""
     check_python()
     print(
         f"Setting up .venv with {sys.executable}; this one-time step takes less than a minute.",
         flush=True,
     )
-    made = subprocess.run(
-        [sys.executable, "-m", "venv", "--clear", str(VENV)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        errors="replace",
-    )
-    if made.returncode:
-        stop(f"python -m venv failed: {made.stdout.strip()}")
+    failure = run(sys.executable, "-m", "venv", "--clear", str(VENV))
+    if failure:
+        stop(f"python -m venv failed: {failure.strip()}")
     install(STUDENTS)
     put_engine_on_path()
     (VENV / "ready").write_text(f"made from {STUDENTS}.lock\n", encoding="utf-8")

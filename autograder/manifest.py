@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Callable
 from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
 from pathlib import Path
@@ -15,6 +16,22 @@ from typing import Any
 ROOT = Path(__file__).parent.parent
 KINDS = ("build", "exercise", "mini-project", "project", "written")
 FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
+# What a value must be, by the type of its field and by its key.
+Demand = tuple[str, Callable[[Any], bool]]
+ANY: Demand = ("", lambda _: True)
+TYPES: dict[str, Demand] = {
+    "str": ("a string", lambda value: isinstance(value, str)),
+    "float": ("a positive number", lambda value: type(value) in (int, float) and value > 0),
+    "list[str]": (
+        "a list of strings",
+        lambda value: isinstance(value, list) and all(isinstance(text, str) for text in value),
+    ),
+}
+VALUES: dict[str, Demand] = {
+    "kind": (f"one of {', '.join(KINDS)}", lambda kind: kind in KINDS),
+    "stars": ("1, 2 or 3", lambda stars: stars in (1, 2, 3)),
+    "chart": ("the names of the cost and the error", lambda axes: len(axes) in (0, 2)),
+}
 
 
 @dataclass(frozen=True)
@@ -70,11 +87,12 @@ class Chapter:
 
     def exercise(self, exercise_id: str) -> Exercise:
         """Find an exercise by its id, such as B2.3. If there is none, raise ValueError."""
-        for exercise in self.exercises:
-            if exercise.id == exercise_id:
-                return exercise
-        known = ", ".join(exercise.id for exercise in self.exercises)
-        raise ValueError(f"there is no exercise {exercise_id!r} in {self.name}; it has {known}")
+        known = {exercise.id: exercise for exercise in self.exercises}
+        if exercise_id in known:
+            return known[exercise_id]
+        raise ValueError(
+            f"there is no exercise {exercise_id!r} in {self.name}; it has {', '.join(known)}"
+        )
 
 
 def load_chapter(folder: Path) -> Chapter:
@@ -92,50 +110,33 @@ def _read_chapter(path: Path, text: str) -> Chapter:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{path}: {error}") from error
-    exercises: list[Exercise] = []
+    exercises: dict[str, Exercise] = {}
     for entry in data.pop("exercise", []):
         where = f"{path}, exercise {entry.get('id', '(without an id)')}"
         _check(where, entry, Exercise)
         exercise = Exercise(**entry)
-        for key, fits, what in (
-            ("kind", exercise.kind in KINDS, f"one of {', '.join(KINDS)}"),
-            ("stars", exercise.stars in (1, 2, 3), "1, 2 or 3"),
-            ("points", exercise.points > 0, "a positive number"),
-            ("chart", len(exercise.chart) in (0, 2), "the names of the cost and the error"),
-        ):
-            if not fits:
-                raise ValueError(f"{where}: {key} must be {what}, got {getattr(exercise, key)!r}")
-        seen = [other.id for other in exercises]
-        if exercise.id in seen:
+        if exercise.id in exercises:
             raise ValueError(f"{where} is listed twice")
-        if missing := [need for need in exercise.needs if need not in seen]:
+        if missing := [need for need in exercise.needs if need not in exercises]:
             raise ValueError(f"{where} needs {missing[0]}, which does not precede it")
-        exercises.append(exercise)
-    data |= {"name": path.parent.name, "number": int(match[1]), "exercises": exercises}
-    data.setdefault("complete", [])
-    _check(str(path), data, Chapter)
-    return Chapter(**data)
+        exercises[exercise.id] = exercise
+    own = {"name": path.parent.name, "number": int(match[1]), "exercises": [*exercises.values()]}
+    chapter = {"complete": []} | data | own
+    _check(str(path), chapter, Chapter)
+    return Chapter(**chapter)
 
 
 def _check(where: str, entry: dict[str, Any], kind: type) -> None:
-    """Check the keys of a table, and the types of texts, numbers and lists of texts."""
+    """Check the keys of a table and their values, as TYPES and VALUES want them."""
     known = {item.name: item for item in fields(kind)}
     if unknown := entry.keys() - known.keys():
         raise ValueError(f"{where}: unknown key {min(unknown)!r}")
     for name, item in known.items():
-        if name not in entry:
-            if item.default is item.default_factory is MISSING:
-                raise ValueError(f"{where}: {name!r} is missing")
-            continue
-        value = entry[name]
-        is_texts = isinstance(value, list) and all(isinstance(text, str) for text in value)
-        for type_name, fits, what in (
-            ("str", isinstance(value, str), "a string"),
-            ("float", type(value) in (int, float), "a positive number"),
-            ("list[str]", is_texts, "a list of strings"),
-        ):
-            if item.type == type_name and not fits:
-                raise ValueError(f"{where}: {name} must be {what}, got {value!r}")
+        if name not in entry and item.default is item.default_factory is MISSING:
+            raise ValueError(f"{where}: {name!r} is missing")
+        for wanted, fits in (TYPES.get(str(item.type), ANY), VALUES.get(name, ANY)):
+            if name in entry and not fits(entry[name]):
+                raise ValueError(f"{where}: {name} must be {wanted}, got {entry[name]!r}")
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
@@ -144,11 +145,7 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Divide chapters into those that are given, as in "2,4-6", and those that students write.
-
-    Raises:
-        ValueError: No chapter is left for students to write, or ``numbers`` is malformed.
-    """
+    """Divide chapters into those that are given, as in "2,4-6", and those that students write."""
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
     if not left:
@@ -156,29 +153,15 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
     return given, left
 
 
-def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if an exercise belongs to one of the given chapters, as in "2-5"."""
-    if numbers and chapter in select_chapters(numbers):
-        raise ValueError(
-            f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
-            "reference replaces your code there, so there is nothing for you to write"
-        )
-
-
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
     """List the earlier chapters whose code a chapter imports."""
-    below = [other for other in load_chapters(root) if other.number < chapter.number]
-    if chapter.builds_on is None:
-        return below
-    return [other for other in below if other.number in chapter.builds_on]
+    earlier = [other for other in load_chapters(root) if other.number < chapter.number]
+    on = chapter.builds_on
+    return [other for other in earlier if on is None or other.number in on]
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has selected, as in "2,4-6". Without a selection, it is all.
-
-    Raises:
-        ValueError: The selection is malformed or contains a chapter that does not exist.
-    """
+    """Return the chapters that a user has selected, as in "2,4-6". If empty, it is all."""
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
     for part in numbers.split(",") if numbers else []:
@@ -189,11 +172,10 @@ def select_chapters(numbers: str) -> list[Chapter]:
         if last < first:
             raise ValueError(f"chapters must count upwards, got {part.strip()!r}")
         wanted += range(first, last + 1)
-    for number in wanted:
-        if number not in chapters:
-            there = ", ".join(map(str, chapters))
-            raise ValueError(f"there is no chapter {number} here, only {there}")
-    return [chapters[number] for number in sorted(set(wanted))] if wanted else [*chapters.values()]
+    if lacking := [number for number in wanted if number not in chapters]:
+        there = ", ".join(map(str, chapters))
+        raise ValueError(f"there is no chapter {lacking[0]} here, only {there}")
+    return [chapters[number] for number in sorted({*wanted} or chapters)]
 
 
 def numbers_of(chapters: list[Chapter]) -> str:

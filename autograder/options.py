@@ -36,25 +36,19 @@ def read_table(name: str) -> Table:
 def add_commands(
     commands: argparse._SubParsersAction[argparse.ArgumentParser], table: str, module: ModuleType
 ) -> None:
-    """Add the commands of a table to the command line. Function run_check of ``module`` runs check.
-
-    Commands of other packages, such as plot, read their options themselves.
-    """
+    """Add the commands of a table to the command line, except those of other packages."""
     for name, entry in read_table(table).items():
         if "module" in entry:
             continue
         command = commands.add_parser(name, help=entry["help"])
         for option in entry["options"].values():
-            kept: dict[str, Any] = {"help": option["help"]}
+            kept = {key: option[key] for key in ("help", "default", "required") if key in option}
             if option.get("switch") or option.get("off"):
                 kept["action"] = "store_true"
             else:
                 kept["type"] = TYPES.get(option.get("type", ""), str)
-                kept["default"] = option.get("default")
             if option.get("optional"):
                 kept["nargs"] = "?"
-            if option.get("required"):
-                kept["required"] = True
             command.add_argument(option["flag"], **kept)
         command.set_defaults(run=getattr(module, f"run_{name}"))
 
@@ -67,8 +61,8 @@ def makefile(table: str) -> str:
             continue
         options = {key: option for key, option in entry["options"].items() if key.isupper()}
         words = [_for_make(*item) for item in options.items() if "recipe" not in item[1]]
-        lines += [f"TAKES_{name} := {' '.join(options)}".rstrip()]
-        lines += [f"OPTIONS_{name} = {' '.join(words)}".rstrip()]
+        lines.append(f"TAKES_{name} := {' '.join(options)}".rstrip())
+        lines.append(f"OPTIONS_{name} = {' '.join(words)}".rstrip())
     return "\n".join(lines) + "\n"
 
 

@@ -18,7 +18,6 @@ from pathlib import Path
 from matplotlib import pyplot
 
 from autograder.manifest import ROOT, Chapter, select_chapters, split_given
-from autograder.student.finish import DRAWN_WITH
 from plots.drawing import Picture
 from scenes.engine import add_engine_options, use_engine
 from scenes.reason import reason, shown
@@ -41,10 +40,6 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
-    for folder in (options.out / chapter.name for chapter in chapters):
-        if [*folder.glob("*.png")]:  # `make check` mentions only plots of the student's engine
-            engine = (ROOT / options.engine).resolve()
-            (folder / DRAWN_WITH).write_text(f"{engine}\n", encoding="utf-8")
     if pyplot.get_backend().lower() != "agg":  # matplotlib has found a display
         pyplot.show()
     return 0 if all(drawn) else 1

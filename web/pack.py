@@ -19,7 +19,7 @@ from pathlib import Path
 from sysconfig import get_path
 
 from autograder.handouts.handout import make_handout
-from autograder.handouts.lock import LOCK_NAME
+from autograder.handouts.stubs import LOCK_NAME
 from autograder.manifest import ROOT, load_chapters
 from web.imports import imported_by
 from web.node import PACKAGES, WEB, run_node

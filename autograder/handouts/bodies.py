@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import codecs
 from collections.abc import Mapping
+from itertools import accumulate
 
 from autograder.definitions import Scope, functions, scopes
 
@@ -17,40 +18,31 @@ def with_bodies(source: bytes, bodies: Mapping[str, str]) -> bytes:
 
     ``bodies`` maps names such as Vector3.dot to the source of the new bodies.
     """
-    starts = _starts(source)
-
-    def at(line: int, column: int) -> int:
-        return starts[line - 1] + column
-
-    edits = []
-    for name, node in functions(ast.parse(source)).items():
+    bom = codecs.BOM_UTF8 if source.startswith(codecs.BOM_UTF8) else b""
+    text = source.removeprefix(bom)  # positions in the syntax tree do not count it
+    lines = text.splitlines(keepends=True)
+    starts = [0, *accumulate(map(len, lines))]
+    for name, node in reversed(functions(ast.parse(source)).items()):
         if name not in bodies:
             continue
-        first = node.body[0]
-        begin = at(first.lineno, first.col_offset)
-        before = source[starts[first.lineno - 1] : begin]
-        is_on_line_of_def = before.strip() not in (b"", codecs.BOM_UTF8)
-        indent = b" " * (node.col_offset + 4) if is_on_line_of_def else before
-        lines = bodies[name].strip().encode().splitlines()
+        first, last = node.body[0], node.end_lineno or 0
+        before = lines[first.lineno - 1][: first.col_offset]
+        begin = starts[first.lineno - 1] + first.col_offset
+        end = starts[last - 1] + len(lines[last - 1].rstrip(b"\r\n"))
+        indent = b" " * (node.col_offset + 4) if before.strip() else before
+        body = bodies[name].strip().encode().splitlines()
         if ast.get_docstring(node, clean=False) is not None:
-            lines.insert(0, source[begin : at(first.end_lineno or 0, first.end_col_offset or 0)])
-        newline = newline_of(source)
-        header = len(source[:begin].rstrip())
-        last_line = source[starts[(node.end_lineno or 0) - 1] :].splitlines()[0]
-        end = starts[(node.end_lineno or 0) - 1] + len(last_line)
-        edits.append((header, end, b"".join(newline + indent + line for line in lines)))
-    for begin, end, text in sorted(edits, reverse=True):
-        source = source[:begin] + text + source[end:]
-    return source
+            ends = starts[(first.end_lineno or 0) - 1] + (first.end_col_offset or 0)
+            body.insert(0, text[begin:ends])
+        added = b"".join(newline_of(source) + indent + line for line in body)
+        text = text[:begin].rstrip() + added + text[end:]
+    return bom + text
 
 
 def put_back(source: bytes, stub: bytes, names: list[str]) -> bytes:
     """Restore functions that a student has deleted, each where it is in the stub.
 
-    A class that the student has deleted is restored as a whole.
-
-    Raises:
-        ValueError: The stub does not define one of the functions, or does not fit into the file.
+    A deleted class is restored as a whole. If that is not possible, raise ValueError.
     """
     there = scopes(ast.parse(source))
     lost = {name.partition(".")[0] for name in names if "." in name} - there.keys()
@@ -73,12 +65,12 @@ def _inserted(source: bytes, stub: bytes, scope: str, name: str) -> bytes:
     lines, model = source.splitlines(keepends=True), stub.splitlines(keepends=True)
     (owner, there), (in_stub, order) = (scopes(ast.parse(s))[scope] for s in (source, stub))
     at = [*order].index(name)
-    before = [other for other in [*order][:at] if other in there]
-    after = [other for other in [*order][at + 1 :] if other in there]
+    before = [there[other] for other in [*order][:at] if other in there]
+    after = [there[other] for other in [*order][at + 1 :] if other in there]
     if before:
-        line = there[before[-1]].end_lineno or 0
+        line = before[-1].end_lineno or 0
     elif after:
-        line = first_line(owner, there[after[0]])
+        line = first_line(owner, after[0])
     else:
         line = owner.end_lineno or 0 if isinstance(owner, ast.ClassDef) else len(lines)
     chunk = model[first_line(in_stub, order[name]) : order[name].end_lineno]
@@ -103,13 +95,4 @@ def first_line(scope: Scope, node: ast.stmt) -> int:
 
 def newline_of(source: bytes) -> bytes:
     """Return the line end that a file uses."""
-    first = source.splitlines(keepends=True)[:1]
-    return b"\r\n" if first and first[0].endswith(b"\r\n") else b"\n"
-
-
-def _starts(source: bytes) -> list[int]:
-    """Return where each line starts. Positions in the syntax tree do not count a BOM."""
-    starts = [len(codecs.BOM_UTF8) if source.startswith(codecs.BOM_UTF8) else 0]
-    for line in source[starts[0] :].splitlines(keepends=True):
-        starts.append(starts[-1] + len(line))
-    return starts
+    return b"\r\n" if source.partition(b"\n")[0].endswith(b"\r") else b"\n"

@@ -24,10 +24,9 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py bodies.py lock.py stubs.lock stubs.py unused.py",
+    "autograder/handouts": "__init__.py bodies.py stubs.lock stubs.py unused.py",
     "autograder/locks": "pictures.lock requirements.lock",
     "autograder/student": "*.py",
-    "autograder/student/debugging": "*.py",
     "autograder/student/watching": "*.py",
     "autograder/text": "*.py",
     "scenes": "*.py",
@@ -56,16 +55,11 @@ def make_handout(
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
     code without checks. Exercises in a manifest that are missing from ``chapters`` become optional.
     The text ``about`` is the section of the README that describes the assignment.
-
-    Raises:
-        ValueError: A chapter is in both lists, or the folder ``out`` is not new or empty.
     """
-    if both := [c.name for c in chapters if c.name in [other.name for other in given]]:
-        raise ValueError(f"{', '.join(both)} cannot be handed out both as stubs and as given")
-    if out.exists() and not out.is_dir():
-        raise ValueError(f"out must be a new or empty folder, but {out} is a file")
-    if out.exists() and any(out.iterdir()):
-        raise ValueError(f"out must be a new or empty folder, but {out} is not empty. Name another")
+    if both := {c.name for c in chapters} & {c.name for c in given}:
+        raise ValueError(f"{min(both)} cannot be handed out both as stubs and as given")
+    if out.is_file() or (out.exists() and any(out.iterdir())):
+        raise ValueError(f"out must be a new or empty folder, got {str(out)!r}")
     part = out.resolve().with_name(f".{out.resolve().name}.part")
     shutil.rmtree(part, ignore_errors=True)  # left over from a run that was killed
     try:
@@ -78,10 +72,9 @@ def make_handout(
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
     if given:
         print(f"given complete: {', '.join(chapter.name for chapter in given)}")
-    there = [chapter.name for chapter in [*chapters, *given]]
-    below = [other for chapter in chapters for other in chapters_below(chapter, root)]
-    if missing := sorted({other.name for other in below if other.name not in there}):
-        print(f"each student must add: {', '.join(missing)}")
+    below = {other.name for chapter in chapters for other in chapters_below(chapter, root)}
+    if missing := below - {chapter.name for chapter in [*chapters, *given]}:
+        print(f"each student must add: {', '.join(sorted(missing))}")
     print(f"handout: {out}; try it with: make -C {shlex.quote(str(out))} check")
 
 
@@ -89,17 +82,16 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     """Copy or generate every file of a handout into the folder ``out``."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
-    names = [chapter.name for chapter in (*chapters, *given)]
-    _copy_room(root / "lab", out, names)
-    _copy_room(root / "plots", out, names)
+    for room in ("lab", "plots"):
+        _copy_room(root / room, out, [chapter.name for chapter in (*chapters, *given)])
     _copy([root / "chapters" / "README.md"], out / "chapters")
     _copy([root / "docs/claims.md", root / "docs/errata.md"], out / "docs")
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
-        source = root / "chapters" / chapter.name
+        source, target = (place / "chapters" / chapter.name for place in (root, out))
         for name in ("README.md", "reference.md", *chapter.complete):
-            _copy([source / name], (out / "chapters" / chapter.name / name).parent)
-        _copy((source / "pictures").glob("*"), out / "chapters" / chapter.name / "pictures")
+            _copy([source / name], (target / name).parent)
+        _copy((source / "pictures").glob("*"), target / "pictures")
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
         _write_manifest(chapter, root / folder, out / folder)
@@ -112,19 +104,13 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         _copy([*tests.glob("test_*.py"), *tests.glob("*probes.py")], out / "tests" / chapter.name)
     _write(out / KEPT / "README.md", KEPT_README)
     for chapter in given:
-        modules = (root / "solutions" / chapter.name).glob("*.py")
-        _copy(modules, out / "chapters" / chapter.name)
+        _copy((root / "solutions" / chapter.name).glob("*.py"), out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
-    example = chapters[0].exercises[0].id
     readme = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
-    heading, _, body = readme.format(titles=titles, example=example).partition("\n\n")
+    readme = readme.format(titles=titles, example=chapters[0].exercises[0].id)
+    heading, _, body = readme.partition("\n\n")
     _write(out / "README.md", "\n\n".join(filter(None, [heading, about, body])))
-    _remove_dead_links(out)
-
-
-def _remove_dead_links(out: Path) -> None:
-    """Replace links to files that the handout does not contain with plain text."""
-    for page in out.rglob("*.md"):
+    for page in out.rglob("*.md"):  # links to files that the handout does not contain
         text = page.read_text(encoding="utf-8")
         for link in PAGE_LINK.finditer(text):
             if not (page.parent / link[2]).exists():
@@ -149,9 +135,9 @@ def _copy_room(room: Path, out: Path, chapters: Collection[str]) -> None:
     for file in room.rglob("*"):
         path = file.relative_to(room.parent)
         numbered = re.search(r"ch\d\d_", str(path))
-        wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)
-        wanted = wanted and file.name not in (CHARTS, LESSONS)
-        if wanted and file.is_file() and "__pycache__" not in file.parts:
+        if numbered and not any(name.startswith(numbered[0]) for name in chapters):
+            continue
+        if file.is_file() and file.name not in (CHARTS, LESSONS) and file.suffix != ".pyc":
             _copy([file], out / path.parent)
 
 

@@ -8,6 +8,7 @@ it, and it is never overwritten.
 from __future__ import annotations
 
 import ast
+import hashlib
 import json
 from pathlib import Path
 
@@ -15,31 +16,36 @@ from autograder.answers import blank_answers
 from autograder.definitions import functions
 from autograder.files import replace_bytes
 from autograder.handouts.bodies import with_bodies
-from autograder.handouts.lock import LOCK_NAME, read_lock, stub_hash
 from autograder.handouts.unused import without_unused
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 KEPT = "stubs"  # the folder of a handout with the original stubs
+LOCK_NAME = "autograder/handouts/stubs.lock"
+
+
+def stub_hash(text: str) -> str:
+    """Compute the SHA-256 hash of a stub's text, as it is stored in stubs.lock."""
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def read_lock(root: Path = ROOT) -> dict[str, str]:
+    """Return the hashes in stubs.lock, if there is one, keyed by the paths of the files."""
+    hashes: dict[str, str] = json.loads(_read(root / LOCK_NAME) or "{}")
+    return hashes
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate the text of every file that students start from, keyed by its path in ``root``.
-
-    The files are Python stubs, answers.md without the model answers, and data files that contain
-    only the column names.
-    """
+    """Generate all files that students start from: stubs, blank answers and empty tables."""
     stubs = {}
     for chapter in load_chapters(root):
-        solution = root / "solutions" / chapter.name
+        solution, folder = root / "solutions" / chapter.name, f"chapters/{chapter.name}"
         for name in chapter.edited_files:
-            stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
+            stubs[f"{folder}/{name}"] = stub_of(chapter, name, root)
         for name in chapter.data_files:
-            with (solution / name).open(encoding="utf-8") as file:
-                stubs[f"chapters/{chapter.name}/{name}"] = file.readline()
-        answers = solution / "answers.md"
-        if answers.exists():
-            text = answers.read_text(encoding="utf-8")
-            stubs[f"chapters/{chapter.name}/answers.md"] = blank_answers(text)
+            text = (solution / name).read_text(encoding="utf-8")
+            stubs[f"{folder}/{name}"] = text.partition("\n")[0] + "\n"
+        if answers := _read(solution / "answers.md"):
+            stubs[f"{folder}/answers.md"] = blank_answers(answers)
     return stubs
 
 
@@ -50,39 +56,28 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the original stub of a module from our solution, or from the copy in a handout.
-
-    If there is neither, the result is None.
-    """
+    """Return the original stub of a module from our solution or from a handout, or else None."""
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
-    kept = root / KEPT / chapter.name / file
-    return kept.read_text(encoding="utf-8") if kept.is_file() else None
+    return _read(root / KEPT / chapter.name / file)
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write all stubs and stubs.lock. Return the paths that were written, and those left alone.
-
-    A stub that somebody has edited is left alone.
-    """
+    """Write all stubs and stubs.lock. Return the paths written, and those edited and left alone."""
     locked = read_lock(root)
     written, left_alone = [], []
-    stubs = make_stubs(root)
-    for path, text in stubs.items():
-        file = root / path
-        current = _read(file)
-        if current == text:
-            continue
-        if current is not None and stub_hash(current) != locked.get(path):
+    hashes = complete_hashes(root)
+    for path, text in make_stubs(root).items():
+        current = _read(root / path)
+        if current not in (text, None) and stub_hash(current or "") != locked.get(path):
             left_alone.append(path)
+            hashes |= {path: locked[path]} if path in locked else {}
             continue
-        replace_bytes(file, text.encode())
-        written.append(path)
-    hashes = {path: stub_hash(text) for path, text in stubs.items() if path not in left_alone}
-    hashes |= complete_hashes(root)
-    kept = {path: locked[path] for path in left_alone if path in locked}
-    lock_text = json.dumps(dict(sorted((hashes | kept).items())), indent=1) + "\n"
-    replace_bytes(root / LOCK_NAME, lock_text.encode())
+        hashes[path] = stub_hash(text)
+        if current != text:
+            replace_bytes(root / path, text.encode())
+            written.append(path)
+    replace_bytes(root / LOCK_NAME, (json.dumps(hashes, indent=1, sort_keys=True) + "\n").encode())
     return written, left_alone
 
 
@@ -107,11 +102,7 @@ def _read(file: Path) -> str | None:
 def stub_module(source: str, messages: dict[str, str]) -> str:
     """Turn a solution into a stub, in which each function of ``messages`` raises its message.
 
-    Private helpers, constants and imports that only the removed bodies used would give the solution
-    away, so they are removed too.
-
-    Raises:
-        ValueError: The module does not define one of the names.
+    What only the removed bodies used would give the solution away, so it is removed too.
     """
     if missing := messages.keys() - functions(ast.parse(source)).keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")

@@ -31,10 +31,7 @@ def exercise_table(chapter: Chapter) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List what a student writes by file, as in "`vector.py`: `dot`, `cross`".
-
-    If several classes of a file have a method of the same name, it is listed with its class.
-    """
+    """List what a student writes by file, as in "`vector.py`: `dot`, `cross`"."""
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
     for name in exercise.edit:
@@ -56,13 +53,11 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
     """Update the table in each reference.md, and the makefiles. List the files that changed."""
-    pages = {f"chapters/{chapter.name}/reference.md": chapter for chapter in chapters}
-    old = {name: (root / name).read_text(encoding="utf-8") for name in pages}
-    new = {name: with_table(old[name], chapter) for name, chapter in pages.items()}
-    for table in ("commands", "instructor"):
-        name = f"autograder/{table}.mk"
-        old[name], new[name] = (root / name).read_text(encoding="utf-8"), makefile(table)
-    changed = [name for name, text in new.items() if text != old[name]]
+    texts = {f"autograder/{table}.mk": makefile(table) for table in ("commands", "instructor")}
+    for chapter in chapters:
+        name = f"chapters/{chapter.name}/reference.md"
+        texts[name] = with_table((root / name).read_text(encoding="utf-8"), chapter)
+    changed = [name for name, text in texts.items() if text.encode() != (root / name).read_bytes()]
     for name in changed:
-        replace_bytes(root / name, new[name].encode())
+        replace_bytes(root / name, texts[name].encode())
     return changed

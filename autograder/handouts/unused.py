@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Collection
 
-from autograder.definitions import scopes
+from autograder.definitions import defined_name, scopes
 from autograder.handouts.bodies import first_line
 
 LINE = 100  # characters, as in pyproject.toml
+PRIVATE = re.compile(r"_(?!.*__$)")  # but no method of Python's own, such as __init__
 
 
 def without_unused(stub: str, source: str) -> str:
@@ -17,9 +19,9 @@ def without_unused(stub: str, source: str) -> str:
     An import such as ``from a import b as b`` stays, because other modules import b from this one.
     """
     tree = ast.parse(stub)
-    unused_there = {_name(node) for node in _unreached(ast.parse(source))}
-    gone = [node for node in _unreached(tree) if _name(node) not in unused_there]
-    stub = _changed(stub, tree, dict.fromkeys(gone, ""))
+    unused = {defined_name(node) for node in _unreached(ast.parse(source))}
+    gone = {node: "" for node in _unreached(tree) if defined_name(node) not in unused}
+    stub = _changed(stub, tree, gone)
     tree = ast.parse(stub)
     used = _used(tree)
     texts: dict[ast.stmt, str] = {}
@@ -34,22 +36,12 @@ def without_unused(stub: str, source: str) -> str:
 def _unreached(tree: ast.Module) -> list[ast.stmt]:
     """Return the private functions, methods, classes and constants that no other code reaches."""
     every = [node for owner, _ in scopes(tree).values() for node in owner.body]
-    left = [node for node in every if (n := _name(node)).startswith("_") and not n.endswith("__")]
+    left = [node for node in every if PRIVATE.match(defined_name(node))]
     reached = _used(tree, left)
-    while found := [node for node in left if _name(node) in reached]:
+    while found := [node for node in left if defined_name(node) in reached]:
         left = [node for node in left if node not in found]
         reached = reached.union(*(_used(node, left) for node in found))
     return left
-
-
-def _name(node: ast.stmt) -> str:
-    """Return the name that a statement defines, or "" if it is not a definition of one name."""
-    match node:
-        case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
-            return name
-        case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
-            return name
-    return ""
 
 
 def _used(node: ast.AST, but: Collection[ast.AST] = ()) -> set[str]:
@@ -64,9 +56,9 @@ def _used(node: ast.AST, but: Collection[ast.AST] = ()) -> set[str]:
 
 def _stays(node: ast.Import | ast.ImportFrom, one: ast.alias, used: Collection[str]) -> bool:
     """Return True if an import of a name is used, exports the name or changes the language."""
-    if isinstance(node, ast.ImportFrom) and node.module == "__future__":
-        return True
-    return one.asname == one.name or (one.asname or one.name.partition(".")[0]) in used
+    is_future = isinstance(node, ast.ImportFrom) and node.module == "__future__"
+    bound = one.asname or one.name.partition(".")[0]
+    return is_future or one.asname == one.name or bound in used
 
 
 def _import(node: ast.Import | ast.ImportFrom, names: list[ast.alias]) -> str:

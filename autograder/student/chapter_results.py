@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -23,7 +24,9 @@ from autograder.scores import Result, results_of
 from autograder.text.wrapping import plain_console
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from rich.progress import Progress
+
+Show = Callable[[str, int, int], None]  # takes a title, and how many checks of how many have run
 
 
 @dataclass(frozen=True)
@@ -40,31 +43,25 @@ class ChapterResults:
     suspects: list[Chapter]
 
 
-class ProgressBar:
-    """Shows the student on a terminal how many checks have run so far."""
+@contextmanager
+def progress_bar() -> Iterator[Show]:
+    """Yield a function that shows on a terminal how many checks of a chapter have run so far."""
+    bars: list[Progress] = []
 
-    title = ""
-    _bar = None
-
-    def __enter__(self) -> ProgressBar:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.stop()
-
-    @property
-    def console(self) -> Console:
-        return plain_console()
-
-    def show(self, done: int, of: int) -> None:
+    def show(title: str, done: int, of: int) -> None:
         from rich.progress import Progress
 
-        if self._bar is None:
-            self._bar = Progress(console=self.console, transient=True)
-            self._task = self._bar.add_task(self.title)
-            self._bar.start()
-        self._bar.update(self._task, description=self.title, completed=done, total=of)
+        if not bars:
+            bars.append(Progress(console=plain_console(), transient=True))
+            bars[0].add_task(title)
+            bars[0].start()
+        bars[0].update(bars[0].task_ids[0], description=title, completed=done, total=of)
+
+    try:
+        yield show
+    finally:
+        for bar in bars:
+            bar.stop()
 
 
 def report_on(
@@ -73,16 +70,16 @@ def report_on(
     folders: list[Path],
     given: list[Chapter],
     run: Callable[..., list[Verdict]],
-    progress: ProgressBar,
+    show: Show,
 ) -> ChapterResults:
     """Run the checks of a chapter, or of one exercise and its prerequisites, on a student's code.
 
     A check that fails only because of a mistake in an earlier chapter is reported as inherited.
     """
-    progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)
     below = below_and_not_given(chapter, given)
-    first = run(chapter, folders, exercises=wanted, on_verdict=progress.show)
+    progress = partial(show, f"chapter {chapter.number}")
+    first = run(chapter, folders, exercises=wanted, on_verdict=progress)
     try:
         again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
     except GraderError:  # use the first run alone
@@ -92,8 +89,9 @@ def report_on(
         [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
         for outcome in (verdicts, again)
     )
-    doubtful = [] if again else suspects(first, folders, below, run)
-    return ChapterResults(chapter, results, better if again else [], doubtful)
+    if again:
+        return ChapterResults(chapter, results, better, [])
+    return ChapterResults(chapter, results, [], suspects(first, folders, below, run))
 
 
 class Memory:
@@ -112,7 +110,6 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the results of a chapter's checks, or of some exercises and what they need."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from autograder.checks.calls import calls
 from autograder.checks.verdict import Verdict
@@ -15,10 +14,7 @@ from autograder.manifest import Chapter, chapters_below, numbers_of
 from autograder.message import Kind, Row
 from autograder.scores import Result
 from autograder.student.places import next_place
-from autograder.text.wrapping import few_lines, print_rows, print_wrapped
-
-if TYPE_CHECKING:
-    from rich.console import Console
+from autograder.text.wrapping import plain_console, print_rows, print_wrapped
 
 
 @dataclass(frozen=True)
@@ -50,19 +46,16 @@ def failure_of(
     Physics checks come before robust checks, then those of functions that the student has just
     edited. Checks of functions that are not written yet come last. Return None if no check failed.
     """
-    exercise = result.exercise
+
+    def order(check: Verdict) -> tuple[bool, bool, bool]:
+        is_unwritten = check.message.kind is Kind.UNWRITTEN
+        return check.robust, not _is_about(check, edited), is_unwritten
+
     candidates = [check for check in result.checks if check.status == result.status]
     if not candidates:
         return None
-    failed = min(
-        candidates,
-        key=lambda check: (
-            check.robust,
-            not _is_about(check, edited),
-            check.message.kind is Kind.UNWRITTEN,
-        ),
-    )
-    message = failed.message
+    failed = min(candidates, key=order)
+    exercise, message = result.exercise, failed.message
     inherited = failed.status == "inherited"
     if inherited:  # then the cause that this chapter's check suggests is wrong
         message = replace(message, likely="", other="", read="")
@@ -79,24 +72,19 @@ def failure_of(
     return Failure(heading, rows, message.printed, steps, place, hints)
 
 
-def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
+def print_failure(chapter: Chapter, result: Result, engine: list[Path]) -> None:
     """Print why an exercise fails and what the student should do next."""
+    console = plain_console()
     failure = failure_of(chapter, result, engine)
     if failure is None:
-        words = f"No check was found for exercise {result.exercise.id}."
-        console.print(words, style="magenta")
+        console.print(f"No check was found for exercise {result.exercise.id}.", style="magenta")
         return
     print_wrapped(console, failure.heading, "bold")
     printed = [("printed", failure.printed)] if failure.printed else []
     print_rows(console, [*failure.diagnosis, *printed])
-    print_wrapped(console, "", "")
+    console.print()
     for number, step in enumerate(failure.steps):
         print_wrapped(console, step, "" if number else "bold")
-
-
-def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Shorten what the student's code has printed to a row, or no row if it printed nothing."""
-    return [("printed", few_lines(printed, lines, characters))] if printed else []
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:

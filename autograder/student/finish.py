@@ -11,15 +11,13 @@ import textwrap
 from pathlib import Path
 
 from autograder.commands import command, engine_variables
-from autograder.files import from_here
-from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.scores import Result
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.written import listed, open_questions
 
 WIDTH = 79
 LABEL = 10  # width of the column with the labels
-DRAWN_WITH = "engine.txt"  # this file beside the pictures says whose engine has drawn them
 
 
 def end_of(
@@ -42,8 +40,8 @@ def end_of(
     for report in reversed(begun):
         for result in reversed(report.results):
             if exercise in (None, result.exercise) and _can_play(report, result, engine):
-                scenes = listed([_lab(name, engine, given) for name in result.exercise.play])
-                return [(f"{result.exercise.id} works. Try it: {scenes}", "green")]
+                play = [_command("lab", engine, given, SCENE=s) for s in result.exercise.play]
+                return [(f"{result.exercise.id} works. Try it: {listed(play)}", "green")]
     return []
 
 
@@ -55,23 +53,21 @@ def is_finished(report: ChapterResults) -> bool:
 
 
 def finish_lines(report: ChapterResults, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the screen that congratulates a student on a finished chapter.
-
-    It fits on a terminal of 20 lines and 80 columns.
-    """
+    """Return the screen for a finished chapter, which fits on a terminal of 20 lines."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
     entries = []
     if chapter.picture:
-        entries.append(("Picture", _picture(chapter, engine, given)))
+        draw = _command("plot", engine, given, CH=str(chapter.number))
+        entries.append(("Picture", f"{draw} draws it with your own functions"))
     if scenes := [name for r in report.results if r.works for name in r.exercise.play]:
         others = f" (or {listed(scenes[1:], 'or')})" if scenes[1:] else ""
-        entries.append(("Play", _lab(scenes[0], engine, given) + others))
+        entries.append(("Play", _command("lab", engine, given, SCENE=scenes[0]) + others))
     first, *others_open = _open(report, engine) or ["nothing"]
     entries += [("Open", first), *(("", words) for words in others_open)]
-    following = [other for other in load_chapters() if other.number > chapter.number]
-    for after in following[:1]:
+    after = next((other for other in load_chapters() if other.number > chapter.number), None)
+    if after:
         entries.append(("Next", f"chapter {after.number}, {after.title}. {after.summary}"))
     for label, words in entries:
         lines += textwrap.wrap(
@@ -121,39 +117,18 @@ def _open(report: ChapterResults, engine: list[Path]) -> list[str]:
     working = [result for result in report.results if result.works]
     robust = [r.exercise for r in working for check in r.robust if check.status != "passed"]
     if robust:
-        count = f"{len(robust)} robust check{'s' * (len(robust) > 1)}"
         first = command("check", EX=robust[0].id, **engine_variables(engine))
-        words.append(f"{count}; the first: {first}")
+        words.append(f"{len(robust)} robust check{'s' * (len(robust) > 1)}; the first: {first}")
     if questions := open_questions([report.chapter], engine):
         words.append(questions)
     extra = [r.exercise for r in report.results if _is_extra(r.exercise) and not r.works]
     if extra:
-        words.append(f"if you like: {'; '.join(f'{e.id} {e.title}' for e in extra)}")
+        words.append("if you like: " + "; ".join(f"{e.id} {e.title}" for e in extra))
     return words
 
 
-def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
-    """Name the chapter's picture, or the command that draws it if it is not of this code."""
-    folder = ROOT / "build" / "plots" / chapter.name
-    file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
-    if file.is_file() and drawn_with.is_file():
-        own = Path(drawn_with.read_text(encoding="utf-8").strip()) == engine[0].resolve()
-        code = [
-            source.stat().st_mtime
-            for source in engine[0].glob("ch??_*/*.*")
-            if source.parent.name <= chapter.name and source.suffix in (".py", ".csv")
-        ]
-        if own and file.stat().st_mtime > max(code, default=0.0):
-            return f"{from_here(file)}, drawn by your own functions"
-    draw = command("plot", CH=str(chapter.number), **_variables(engine, given))
-    return f"{draw} draws it with your own functions"
-
-
-def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
-    return command("lab", SCENE=name, **_variables(engine, given))
-
-
-def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the make variables that select the student's engine and the given chapters."""
-    numbers = ",".join(str(chapter.number) for chapter in given)
-    return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
+def _command(name: str, engine: list[Path], given: list[Chapter], **variables: str) -> str:
+    """Return a command of make with the variables for the student's engine and given chapters."""
+    if given:
+        variables["GIVEN"] = ",".join(str(chapter.number) for chapter in given)
+    return command(name, **variables, **engine_variables(engine))

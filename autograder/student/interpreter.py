@@ -56,11 +56,11 @@ def import_engine(chapters: list[Chapter], folders: list[Path]) -> dict[int, dic
     for chapter in chapters:
         found = engine[chapter.number] = {}
         for file in chapter.edited_files:
-            module, why = imported(f"{chapter.name}.{file.removesuffix('.py')}", folders)
-            if module:
+            try:
+                module = importlib.import_module(f"{chapter.name}.{file.removesuffix('.py')}")
                 found |= public(module)
-            else:
-                print(f"{chapter.name}/{file} cannot be imported: {why}")
+            except (Exception, SystemExit) as error:
+                print(f"{chapter.name}/{file} cannot be imported: {reason(error, folders)}")
         if "Particle" in found:
             remember_paths(found["Particle"])
     return engine
@@ -70,22 +70,17 @@ def listed(found: dict[str, Any]) -> str:
     """Say what a chapter defines: the classes by name, and how many functions."""
     words = [name for name, value in found.items() if isinstance(value, type)]
     functions = [name for name, value in found.items() if inspect.isfunction(value)]
-    if functions:
-        rest = f" and {len(functions) - 1} more functions" if functions[1:] else ""
-        words.append(f"{functions[0]}{rest}")
-    return ", ".join(words) or "nothing yet"
+    rest = f" and {len(functions) - 1} more functions" if functions[1:] else ""
+    return ", ".join([*words, *(f"{name}{rest}" for name in functions[:1])]) or "nothing yet"
 
 
-def imported(name: str, folders: list[Path]) -> tuple[ModuleType | None, str]:
-    """Import a module of the student's. Return it, or None and the reason why it failed."""
-    try:
-        return importlib.import_module(name), ""
-    except (Exception, SystemExit) as error:
-        fault = fault_of(error, [folder.resolve() for folder in folders])
-        place = f" ({fault.frames[-1]})" if fault.frames else ""
-        if fault.syntax:
-            place = f" (line {fault.syntax[1]}: {fault.syntax[2]})"
-        return None, f"{fault.first_line}{place}"
+def reason(error: BaseException, folders: list[Path]) -> str:
+    """Say why a student's module could not be imported, with the line of the mistake."""
+    fault = fault_of(error, [folder.resolve() for folder in folders])
+    place = f" ({fault.frames[-1]})" if fault.frames else ""
+    if fault.syntax:
+        place = f" (line {fault.syntax[1]}: {fault.syntax[2]})"
+    return f"{fault.first_line}{place}"
 
 
 def public(module: ModuleType) -> dict[str, Any]:

@@ -19,9 +19,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
     """Find the line that the student should open to fix a failed check, in the form path:line.
 
     It is the line in the check's message, or else the start of the function that the check calls.
-    Lines in files that must not be edited are ignored. So are usually lines in functions of other
-    exercises, because the mistake may lie elsewhere. For data that the student entered, it is the
-    path of the data file.
+    Lines in files that must not be edited are ignored, and so are most in other exercises. For data
+    that the student entered, it is the path of the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -42,10 +41,7 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Find the line that defines a function such as vector.Vector3.dot, in the form path:line.
-
-    If the file is missing or unreadable, the result is only its path.
-    """
+    """Find the line that defines vector.Vector3.dot, as path:line, or the path if unreadable."""
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
     tree = read_module(file)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from pathlib import Path
 
-from autograder.commands import command
+from autograder.commands import command, engine_variables
 from autograder.definitions import bound_names, functions
 from autograder.files import from_here, replace_bytes
 from autograder.handouts.bodies import put_back
@@ -41,9 +41,6 @@ def reset(
 
     If the student has deleted some of its functions, only those are restored. If ``whole`` is
     true, entire files are restored. Each file is first copied to the folder ``copies``.
-
-    Raises:
-        ValueError: A file cannot be read or lacks a function. Nothing is changed.
     """
     done = []
     for change in planned(chapter, exercise, engine, whole=whole):
@@ -51,8 +48,7 @@ def reset(
         if change.after == change.before:
             done.append(f"{file} already has the stub.")
             continue
-        if change.before:
-            copy = from_here(_keep(change.file, change.before, copies / chapter.name))
+        copy = _keep(change.file, change.before, copies / chapter.name)
         replace_bytes(change.file, change.after)
         names = "the whole file" if whole else ", ".join(change.names)
         what = "restored the missing stub" if change.gone else "restored the stub"
@@ -60,27 +56,21 @@ def reset(
         if change.gone:
             done.append("The other functions are unchanged.")
         if change.before:
-            done.append(f"A copy of your previous file: {copy}")
+            done.append(f"A copy of your previous file: {from_here(copy)}")
     return "\n".join(done)
 
 
 def question(
     chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = KEPT, *, whole: bool = False
 ) -> str:
-    """Return the question that asks a student to confirm the reset of an exercise.
-
-    Raises:
-        ValueError: The exercise cannot be reset, for example because a file is unreadable.
-    """
+    """Return the question that asks a student to confirm the reset of an exercise."""
     changes = planned(chapter, exercise, engine, whole=whole)
     names = "all exercises" if whole else ", ".join(n for change in changes for n in change.names)
     files = " and ".join(str(from_here(change.file)) for change in changes)
+    does = f"This replaces your code for {names} in {files} with the stub."
     if any(change.gone for change in changes):
-        does = (
-            f"This restores the missing stub of {names} in {files}. Your other code stays as it is."
-        )
-    else:
-        does = f"This replaces your code for {names} in {files} with the stub."
+        does = f"This restores the missing stub of {names} in {files}. "
+        does += "Your other code stays as it is."
     return (
         f"Reset {exercise.id} {exercise.title}? {does} A copy of the file is kept in "
         f"{from_here(copies / chapter.name)}."
@@ -98,16 +88,16 @@ def planned(
     for name in alone.edited_files:
         file = engine / chapter.name / name
         messages = messages_of(alone, name)
-        if whole:
-            before = file.read_bytes() if file.exists() else b""
-            if (stub := pristine_stub(chapter, name)) is None:
-                raise ValueError(
-                    f"{name} cannot be restored, because this folder has neither the reference nor "
-                    "the folder stubs. Copy the file from the handout again"
-                )
-            changes.append(Change(file, before, stub.encode(), [*messages]))
-        else:
+        if not whole:
             changes.append(_change(chapter, exercise, file, messages))
+            continue
+        if (stub := pristine_stub(chapter, name)) is None:
+            raise ValueError(
+                f"{name} cannot be restored, because this folder has neither the reference nor "
+                "the folder stubs. Copy the file from the handout again"
+            )
+        before = file.read_bytes() if file.exists() else b""
+        changes.append(Change(file, before, stub.encode(), [*messages]))
     return [change for change in changes if change.gone] or changes
 
 
@@ -140,8 +130,7 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
         why = str(error)
     way = "copy the file from the handout again"
     if stub:
-        engine = file.parent.parent
-        elsewhere = {} if engine == ROOT / "chapters" else {"ENGINE": str(engine)}
+        elsewhere = engine_variables([file.parent.parent])
         back = command("reset", EX=exercise.id, WHOLE="1", **elsewhere)
         way = f"restore the whole file (a copy is kept): {back}"
     raise ValueError(f"nothing was reset in {from_here(file)}: {why}. Fix that, or {way}")
@@ -149,9 +138,9 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
     """Save a numbered copy of a student's file, such as vector-1.py, and return its path."""
-    folder.mkdir(parents=True, exist_ok=True)
     numbered = (folder / f"{file.stem}-{number}{file.suffix}" for number in count(1))
     copy = next(path for path in numbered if not path.exists())
-    with copy.open("xb") as out:
-        out.write(content)
+    if content:
+        folder.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(content)
     return copy

@@ -1,4 +1,4 @@
-"""Print what a student sees after a check: the results, one failure in full, and what to do next.
+"""Check a student's code, and print the results, one failure in full, and what to do next.
 
 The rich library is slow to import, so it is imported while the checks run in another process.
 """
@@ -6,26 +6,33 @@ The rich library is slow to import, so it is imported while the checks run in an
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from autograder.answers import questions_of
+from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
+from autograder.diagnosis.earlier_chapters import with_given
 from autograder.files import from_here
-from autograder.handouts.lock import read_lock, stub_hash
+from autograder.handouts.stubs import read_lock, stub_hash
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind
-from autograder.scores import Result, extra_possible, of_possible, total
-from autograder.student.chapter_results import ChapterResults
+from autograder.scores import (
+    Result,
+    extra_possible,
+    of_possible,
+    possible,
+    result_of,
+    shown,
+    total,
+)
+from autograder.student.chapter_results import ChapterResults, progress_bar, report_on
 from autograder.student.failure import print_failure
 from autograder.student.finish import end_of
-from autograder.student.points import points_line, points_of
-from autograder.student.written import all_pass
-from autograder.text.wrapping import print_wrapped
-
-if TYPE_CHECKING:
-    from rich.console import Console
+from autograder.student.written import all_pass, print_written
+from autograder.text.wrapping import plain_console, print_wrapped
 
 URGENCY = {"blocked": 1, "inherited": 2}  # these come last, because another failure causes them
 STYLES = {
@@ -37,37 +44,67 @@ STYLES = {
     "error": "magenta",
 }
 WORKS = "works"
+BAR = 40  # characters of a progress bar
+
+
+def check(
+    chapters: list[Chapter],
+    exercise: Exercise | None,
+    engine: list[Path],
+    seed: str,
+    given: list[Chapter],
+    *,
+    only: bool = False,
+) -> bool:
+    """Check a student's code, print the results, and return True if all checks pass.
+
+    With ``exercise``, check only that exercise and its prerequisites. With ``only`` too, report
+    only its own physics checks. The reference replaces the student's code in ``given`` chapters.
+    A written exercise has no checks, so its question is shown instead.
+    """
+    if exercise and exercise.kind == "written":
+        print_written(chapters[0], exercise, engine)
+        return True
+    reports = []
+    run = partial(run_checks, seed=seed)
+    with with_given(given, engine) as folders, progress_bar() as show:
+        for chapter in chapters:
+            report = report_on(chapter, exercise, folders, given, run, show)
+            if exercise and only:
+                own, better = (
+                    [result_of(exercise, r.physics) for r in results if r.exercise == exercise]
+                    for results in (report.results, report.on_reference)
+                )
+                report = replace(report, results=own, on_reference=better)
+            reports.append(report)
+    return print_report(reports, exercise, engine, given)
 
 
 def print_report(
-    console: Console,
     reports: list[ChapterResults],
     exercise: Exercise | None,
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the results of a student's exercises, and explain the first failure in full.
-
-    Return True if all checks pass and no file that should stay unchanged has been edited.
-    """
+    """Print the results and explain the first failure. Return True if nothing is wrong."""
+    console = plain_console()
     for report in reports:
-        print_chapter(console, report, engine)
+        print_chapter(report, engine)
         for note in inherited_notes(report, exercise, engine):
             print_wrapped(console, note, STYLES["inherited"])
             console.print()
     first = first_open(reports, exercise)
     changed = [words for report in reports for words in changed_notes(report.chapter, engine)]
     for words in changed:
-        console.print(f"{words}\n", style="red", markup=False, soft_wrap=True)
+        console.print(f"{words}\n", style="red", soft_wrap=True)
     if first:
-        print_failure(console, *first, engine)
+        print_failure(*first, engine)
     else:
         words = passed_words(reports, exercise, engine, given, changed=bool(changed))
-        style = "red" if changed else "bold green"
-        console.print(words, style=style, markup=False, soft_wrap=True)
+        console.print(words, style="red" if changed else "bold green", soft_wrap=True)
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
-        console.print(words, style=style, markup=False, soft_wrap=True)
+        console.print(words, style=style, soft_wrap=True)
     return not first and not changed
 
 
@@ -93,7 +130,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that all checks pass. Edited originals (``changed``) are named there."""
+    """Return the sentence that all checks pass. ``changed`` means that originals are edited."""
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""
@@ -108,9 +145,8 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
     for name in chapter.complete:
         path = engine[0] / chapter.name / name
         known = locked.get(f"chapters/{chapter.name}/{name}")
-        if not (known and path.is_file()):
-            continue
-        if stub_hash(path.read_text(encoding="utf-8-sig", errors="replace")) != known:
+        text = path.read_text(encoding="utf-8-sig", errors="replace") if path.is_file() else None
+        if known and text is not None and stub_hash(text) != known:
             file = from_here(path)
             notes.append(
                 f"You have edited {file}. It isn't handed in, and grading uses the original, so "
@@ -121,11 +157,11 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
     return notes
 
 
-def print_chapter(console: Console, report: ChapterResults, engine: list[Path]) -> None:
+def print_chapter(report: ChapterResults, engine: list[Path]) -> None:
     """Print a table of a chapter's exercises, and warn about modules that the grader ignores."""
     from rich.table import Table
 
-    chapter, results = report.chapter, report.results
+    console, chapter, results = plain_console(), report.chapter, report.results
     console.print(f"\nChapter {chapter.number}: {chapter.title}", style="bold")
     table = Table("", "exercise", "", "state", box=None, pad_edge=False)
     for column in ("physics", "robust", "points"):
@@ -149,13 +185,10 @@ def print_chapter(console: Console, report: ChapterResults, engine: list[Path]) 
         console.print(
             f'"{WORKS}" means that the physics passes, but robust checks are still open.\n'
         )
-    console.print(f"{points_line(results)}\n", markup=False)
-    for result in results:
-        if result.place:
-            line = f"Your {result.exercise.id}: {result.place}\n"
-            console.print(line, markup=False, soft_wrap=True)
-    for words in extra_notes(chapter, engine):
-        console.print(f"{words}\n", markup=False, soft_wrap=True)
+    console.print(f"{points_line(results)}\n")
+    places = [f"Your {result.exercise.id}: {result.place}" for result in results if result.place]
+    for words in (*places, *extra_notes(chapter, engine)):
+        console.print(f"{words}\n", soft_wrap=True)
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
@@ -204,22 +237,49 @@ def _named(chapters: list[Chapter]) -> str:
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
-def _state(result: Result, answered: set[str]) -> str:
-    if result.status == "waiting":
-        return "answered" if result.exercise.id in answered else "to answer"
-    if result.status == "inherited":
-        return result.status
-    if result.works and result.status == "failed":
-        return WORKS
-    lost = [check.message for check in result.checks if check.status != "passed"]
-    waits = [m.kind is Kind.UNWRITTEN and m.exercise == result.exercise.id for m in lost]
-    if not lost or not all(waits):
-        return result.status
-    return Kind.UNWRITTEN.value if len(lost) == len(result.checks) else "half written"
-
-
 def states_of(report: ChapterResults, engine: list[Path]) -> list[str]:
     """Describe the state of each of a student's exercises in a few words, as in "half written"."""
     questions = questions_of(report.chapter, engine)
     answered = {question.exercise.id for question in questions if question.answered}
-    return [_state(result, answered) for result in report.results]
+
+    def state(result: Result) -> str:
+        if result.status == "waiting":
+            return "answered" if result.exercise.id in answered else "to answer"
+        if result.works and result.status == "failed":
+            return WORKS
+        lost = [check.message for check in result.checks if check.status != "passed"]
+        waits = [m.kind is Kind.UNWRITTEN and m.exercise == result.exercise.id for m in lost]
+        if result.status == "inherited" or not lost or not all(waits):
+            return result.status
+        return Kind.UNWRITTEN.value if len(lost) == len(result.checks) else "half written"
+
+    return [state(result) for result in report.results]
+
+
+def points_line(results: list[Result]) -> str:
+    """Return the line that shows how many points a student has, with a progress bar."""
+    earned, points = total(results)
+    written = [r.exercise for r in results if r.exercise.kind == "written"]
+    extra = extra_possible(r.exercise for r in results if r.exercise not in written)
+    answers = possible(written) + extra_possible(written)
+    if not points and not extra:
+        by_person = f"Points for written answers, marked by a person: {shown(answers)}"
+        return by_person if answers else "Optional exercises earn no points."
+    more = f", plus {shown(answers)} for written answers, marked by a person" if answers else ""
+    has_bar = bar(earned or 0.0, points or extra)
+    return f"{has_bar} {of_possible(earned, points, extra)}{more}"
+
+
+def points_of(chapter: Chapter, result: Result) -> str:
+    """Return a student's points for an exercise, such as "2/3", "optional" or "needed"."""
+    exercise = result.exercise
+    if exercise.optional:
+        return "needed" if exercise.id in asked_for(chapter) else "optional"
+    extra = " extra" if exercise.extra else ""
+    return f"{shown(result.score)}/{shown(exercise.points)}{extra}"
+
+
+def bar(part: float, whole: float) -> str:
+    """Return a progress bar such as [####....], which shows the fraction ``part / whole``."""
+    filled = min(BAR, int(BAR * part / whole)) if whole else 0
+    return f"[{'#' * filled}{'.' * (BAR - filled)}]"

@@ -4,47 +4,41 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from autograder.answers import model_answer, questions_of
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.scores import shown
-
-if TYPE_CHECKING:
-    from rich.console import Console
+from autograder.text.wrapping import plain_console
 
 
 def print_written(
-    console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
+    chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise and, if it has been answered, the model answer.
-
-    A handout has neither the model answer nor the rubric.
-    """
+    """Print the question of a written exercise and, if it is answered, our model answer."""
+    say = plain_console().print
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
+    section = question.section
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
-    _say(console, f"\n{exercise.id} {exercise.title} ({points})\n", "bold")
-    if question.section:
-        _say(console, f"{flowing(question.section.question)}\n")
-    if not question.answered or question.section is None:
+    say(f"\n{exercise.id} {exercise.title} ({points})\n", style="bold")
+    if section:
+        say(f"{flowing(section.question)}\n")
+    if not question.answered or section is None:
         for problem in question.problems:
-            _say(console, problem, "red", soft_wrap=True)
-        if not question.problems and question.section and question.section.words:
-            _say(console, "Your answer is too short. Give the reason in a sentence.", "red")
+            say(problem, style="red", soft_wrap=True)
+        if not question.problems and section and section.words:
+            say("Your answer is too short. Give the reason in a sentence.", style="red")
         waits = f"{exercise.id} is waiting for your answer. Write it here: {question.place}"
-        _say(console, waits, soft_wrap=True)
+        say(waits, soft_wrap=True)
         return
-    _say(console, "Your answer", "bold")
-    _say(console, f"{flowing(question.section.answer)}\n")
-    model = model_answer(chapter, exercise, root)
-    if model is None:
-        _say(console, "Your instructor has the model answer and will mark yours.")
-        return
-    _say(console, "The model answer", "bold")
-    _say(console, f"{flowing(model.answer)}\n")
-    _say(console, "Rubric", "bold")
-    _say(console, f"{flowing(model.rubric)}\n")
-    _say(console, "Compare the two, and improve your answer if you like. A person will mark it.")
+    parts = [("Your answer", section.answer)]
+    end = "Your instructor has the model answer and will mark yours."
+    if model := model_answer(chapter, exercise, root):
+        parts += [("The model answer", model.answer), ("Rubric", model.rubric)]
+        end = "Compare the two, and improve your answer if you like. A person will mark it."
+    for heading, text in parts:
+        say(heading, style="bold")
+        say(f"{flowing(text)}\n")
+    say(end)
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
@@ -84,7 +78,3 @@ def flowing(text: str) -> str:
         return text
     next_line = r"\n(?!\s|[-*+|] |\d+[.)] )"
     return re.sub(rf"(?<=\S)({next_line}|\n {{2}}(?=\S))", " ", text)
-
-
-def _say(console: Console, words: str, style: str = "", *, soft_wrap: bool = False) -> None:
-    console.print(words, style=style, markup=False, soft_wrap=soft_wrap)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from autograder.handouts.lock import read_lock, stub_hash
-from autograder.handouts.stubs import complete_hashes
+from autograder.handouts.stubs import complete_hashes, read_lock, stub_hash
 from autograder.manifest import ROOT
 
 

@@ -208,9 +208,14 @@ def test_links_between_pages_lead_somewhere() -> None:
 @pytest.mark.parametrize(
     ("change", "complaint"),
     [
-        (('kind = "build"', 'kind = "game"'), "kind must be one of"),
-        (("stars = 1", "stars = 4"), "stars must be 1, 2 or 3"),
-        (("points = 2", "points = 0"), "points must be a positive number"),
+        (('kind = "build"', 'kind = "game"'), "kind must be one of build, "),
+        (("stars = 1", "stars = 4"), "stars must be 1, 2 or 3, got 4"),
+        (("points = 2", "points = 0"), "points must be a positive number, got 0"),
+        (("points = 2", 'points = "2"'), "points must be a positive number, got '2'"),
+        (
+            ("needs = []", 'needs = []\nchart = ["cost"]'),
+            "chart must be the names of the cost and the error, got ['cost']",
+        ),
         (('id = "B2.2"', 'id = "B2.1"'), "exercise B2.1 is listed twice"),
         (("needs = []", 'needs = ["2.7"]'), "B2.1 needs 2.7, which does not precede it"),
         (("needs = []", "need = []"), "unknown key 'need'"),

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from autograder.definitions import functions
-from autograder.handouts.lock import LOCK_NAME
 from autograder.handouts.stubs import (
+    LOCK_NAME,
     complete_hashes,
     make_stubs,
     read_lock,

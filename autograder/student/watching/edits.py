@@ -22,8 +22,7 @@ class Edits:
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
         """Find the exercises edited since the last call, with their functions and data files.
 
-        Changes to comments and layout do not count. If a module is unreadable at the moment, all of
-        its functions count as edited, because any of them may have changed.
+        Comments and layout do not count. In an unreadable module, all functions may have changed.
         """
         edited = []
         for chapter in self.chapters:

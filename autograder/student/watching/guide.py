@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.console import Console
-
 from autograder.checks.runner import GraderError
+from autograder.checks.verdict import asked_for
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result, result_of
-from autograder.student.chapter_results import ChapterResults, state_of
+from autograder.student.chapter_results import (
+    ChapterResults,
+    Memory,
+    progress_bar,
+    report_on,
+    state_of,
+)
 from autograder.student.failure import failure_of
 from autograder.student.finish import end_of
-from autograder.student.screen import STYLES, inherited_notes
+from autograder.student.screen import STYLES, bar, inherited_notes
 from autograder.student.watching.edits import Edits
-from autograder.student.watching.latest import LatestResults, lacks_anything, lacks_physics
 from autograder.student.watching.page import Page
 from autograder.student.written import all_pass
 
@@ -26,15 +30,25 @@ class Guide:
     """Keeps track of a student's current exercise and, once that is done, of the next one."""
 
     def __init__(
-        self, latest: LatestResults, engine: list[Path], console: Console, *, has_keys: bool
+        self,
+        chapters: list[Chapter],
+        engine: list[Path],
+        folders: list[Path],
+        given: list[Chapter],
+        seed: str,
+        *,
+        has_keys: bool,
     ) -> None:
-        self.latest = latest
+        self.chapters = chapters
         self.engine = engine
-        self.console = console
+        self.folders = folders  # with the given chapters
+        self.given = given
+        self.memory = Memory(seed)
         self.has_keys = has_keys
+        self.last: dict[str, dict[str, Result]] = {}  # the latest results by chapter and exercise
         self.current: tuple[Chapter, Exercise] | None = None
         self.next: tuple[Chapter, Exercise] | None = None
-        self.edits = Edits(engine[0], latest.chapters)
+        self.edits = Edits(engine[0], chapters)
         self.edited: list[str] = []  # which functions of this exercise the last save has changed
         self.page = Page()
         self.seen = ""
@@ -42,21 +56,20 @@ class Guide:
     @property
     def chapter(self) -> Chapter:
         """The current chapter, or the last one if everything is done."""
-        return self.current[0] if self.current else self.latest.chapters[-1]
+        return self.current[0] if self.current else self.chapters[-1]
 
     def look(self) -> bool:
         """Run the checks again if the student has changed a file. Return True if they have run.
 
-        The exercise that the student has edited becomes the current one. Of several, it is
-        preferably one that does not work yet.
+        Of several edited exercises, one that does not work yet becomes the current one.
         """
-        state = state_of(self.latest.folders, self.latest.chapters[-1])
+        state = state_of(self.folders, self.chapters[-1])
         if state == self.seen:
             return False
         self.seen = state
         if edited := self.edits.look():
             chapter, exercise, self.edited = min(
-                edited, key=lambda e: (self.latest.works(e[0], e[1]), e[:2] != self.current)
+                edited, key=lambda e: (self.works(e[0], e[1]), e[:2] != self.current)
             )
             self.current = chapter, exercise
         self.show()
@@ -77,10 +90,7 @@ class Guide:
                 self.find_next()
         except TROUBLE as error:
             self.page.say(str(error), "magenta")
-        self.draw()
-
-    def draw(self) -> None:
-        self.page.draw(self.console, with_keys=self.has_keys)
+        self.page.draw(with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
         """Check and show the current exercise, and return True if it is done.
@@ -89,21 +99,58 @@ class Guide:
         only after all required physics checks of the chapter pass. If the physics checks of a
         prerequisite no longer pass, the prerequisite becomes the current exercise.
         """
-        worked = self.latest.works(chapter, exercise)
-        report = self.latest.report(chapter, exercise)
+        worked = self.works(chapter, exercise)
+        report = self.report(chapter, exercise)
         result = next(filter(lacks_physics, report.results), report.results[-1])
         self.current = chapter, result.exercise
         if lacks_physics(result):
             tier = result_of(result.exercise, result.physics)
             self.say_failure(report, tier, "physics checks" if result.robust else "checks")
             return False
-        self.latest.report(chapter)
-        all_physics = self.latest.has_all_physics(chapter)
+        self.report(chapter)
+        all_physics = not any(map(lacks_physics, self.required(chapter)))
         if lacks_anything(result) and worked and all_physics:
             self.say_failure(report, result_of(result.exercise, result.robust), "robust checks")
             return False
         self.say_done(result, wait=not all_physics)
         return True
+
+    def report(self, chapter: Chapter, exercise: Exercise | None = None) -> ChapterResults:
+        """Check a chapter, or one exercise and its prerequisites, and remember the results."""
+        with progress_bar() as show:
+            report = report_on(chapter, exercise, self.folders, self.given, self.memory, show)
+        last = self.last.setdefault(chapter.name, {})
+        last.update({result.exercise.id: result for result in report.results})
+        return report
+
+    def works(self, chapter: Chapter, exercise: Exercise) -> bool:
+        """Return True if all physics checks of an exercise passed when they last ran."""
+        result = self.last.get(chapter.name, {}).get(exercise.id)
+        return result is not None and result.works
+
+    def required(self, chapter: Chapter) -> list[Result]:
+        """Return the latest results of the exercises that a chapter asks for."""
+        wanted = asked_for(chapter)
+        return [r for r in self.last[chapter.name].values() if r.exercise.id in wanted]
+
+    def next_open(self) -> tuple[Chapter, Exercise] | None:
+        """Find the next exercise to work on. In a chapter, physics comes before robust checks."""
+        for chapter in self.chapters:
+            self.report(chapter)
+            results = [r for r in self.required(chapter) if lacks_anything(r)]
+            for result in sorted(results, key=lambda r: r.works):
+                return chapter, result.exercise
+        return None
+
+    def progress(self, chapter: Chapter) -> str:
+        """Describe the progress, as in "3 of 8 exercises work" or "8 of 8 work, 3 complete"."""
+        wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
+        results = [r for r in self.last[chapter.name].values() if r.exercise.id in wanted]
+        done, of, what = sum(result.works for result in results), len(wanted), "exercises work"
+        if done == of:
+            complete = sum(result.status == "passed" for result in results)
+            what = "are complete" if complete == of else f"work, {complete} complete"
+        return f"Chapter {chapter.number} {bar(done, of)} {done} of {of} {what}"
 
     def say_failure(self, report: ChapterResults, tier: Result, kind: str) -> None:
         """Show a failed check, and how many checks of its kind, such as robust checks, pass."""
@@ -118,7 +165,7 @@ class Guide:
         else:
             page.top.append((page.failure.heading, "bold"))
         page.whole = check_command(self.engine, EX=exercise.id)
-        page.say(self.latest.words(chapter))
+        page.say(self.progress(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
         """Tell the student that an exercise works, and how many of its robust checks are left."""
@@ -135,26 +182,35 @@ class Guide:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next exercise that is not done yet, and offer it to the student.
+        """Find the next exercise, and offer it to the student, who accepts by Enter or an edit.
 
-        The student accepts by pressing Enter or by editing its code. If there is no current
-        exercise, as when `watch` starts, or there are no keys, the next one begins at once.
+        If there is no current exercise, or there are no keys, the next one begins at once.
         """
-        self.next = self.latest.next_open()
+        self.next = self.next_open()
         if self.current or self.next is None:
             exercise = self.current[1] if self.current else None
-            report = self.latest.report(self.chapter)
-            self.page.top += end_of([report], exercise, self.engine, self.latest.given)
+            report = self.report(self.chapter)
+            self.page.top += end_of([report], exercise, self.engine, self.given)
         if self.next is None:
             self.current = None
-            self.page.say(all_pass(self.latest.chapters, self.engine), "bold green")
+            self.page.say(all_pass(self.chapters, self.engine), "bold green")
         elif self.current and self.has_keys:
             following, exercise = self.next
-            if self.latest.works(following, exercise):
+            if self.works(following, exercise):
                 self.page.say("All exercises work. Only robust checks are left.")
-            self.page.say(self.latest.words(following))
+            self.page.say(self.progress(following))
             self.page.say(
                 f"Press Enter, or edit its code, to go on to {exercise.id} {exercise.title}."
             )
         else:
             self.is_done(*self.next)
+
+
+def lacks_physics(result: Result) -> bool:
+    """Return True if any physics check of an exercise fails. A written exercise has no checks."""
+    return result.status != "waiting" and not result.works
+
+
+def lacks_anything(result: Result) -> bool:
+    """Return True if any check of an exercise fails. A written exercise has no checks."""
+    return result.status not in ("passed", "waiting")

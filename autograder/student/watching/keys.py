@@ -39,10 +39,7 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call, without special keys such as arrows.
-
-    If the terminal has been closed, the result ends with END.
-    """
+    """Return the keys pressed since the last call, without arrows, and END after the end."""
     keys = ""
     if sys.platform == "win32":
         import msvcrt

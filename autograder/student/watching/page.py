@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from rich.console import Console
-
 from autograder.message import Row, laid_out
-from autograder.student.failure import Failure, few_printed
-from autograder.text.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped, wrapped_rows
+from autograder.student.failure import Failure
+from autograder.text.wrapping import (
+    MOST_PRINTED,
+    MOST_PRINTED_LINES,
+    cut,
+    few_lines,
+    plain_console,
+    wrapped,
+    wrapped_rows,
+)
 
 KEYS = "h next hint   l list   a check all   r reset   p plot   q quit"
 Line = tuple[str, str]  # a text and its style
@@ -32,9 +38,9 @@ class Page:
         """Add a line below the explanation of the failed check."""
         self.bottom.append((words, style))
 
-    def draw(self, console: Console, *, with_keys: bool) -> None:
+    def draw(self, *, with_keys: bool) -> None:
         """Print the page, and the keys. On a terminal, clear the screen and make the page fit."""
-        keys = [(KEYS, "bold")] if with_keys else []
+        console, keys = plain_console(), [(KEYS, "bold")] if with_keys else []
         if console.is_terminal:
             console.clear()
             lines = self.fitted(console.width, console.height, keys)
@@ -43,7 +49,7 @@ class Page:
             diagnosis = [(laid_out(rows), "")] if self.failure else []
             lines = [*self.top, *diagnosis, *self._below(), *keys]
         for words, style in lines:
-            console.print(words, style=style, markup=False, soft_wrap=True)
+            console.print(words, style=style, soft_wrap=True)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Shorten the page by leaving out the middle of a long explanation."""
@@ -61,7 +67,7 @@ class Page:
 
     def _printed(self) -> list[Row]:
         printed = self.failure.printed if self.failure else ""
-        return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
+        return [("printed", few_lines(printed, MOST_PRINTED_LINES, MOST_PRINTED))] * bool(printed)
 
     def _below(self) -> list[Line]:
         """Return the lines below the failed check: what to do next, the progress and a message."""

@@ -13,13 +13,11 @@ from pathlib import Path
 from watchfiles import watch as changes_in
 
 from autograder.diagnosis.earlier_chapters import with_given
-from autograder.manifest import ROOT, Chapter
-from autograder.student.chapter_results import Memory
+from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.watching import keys
 from autograder.student.watching.guide import TROUBLE, Guide
-from autograder.student.watching.latest import LatestResults
 from autograder.student.watching.page import KEYS
 from autograder.text.wrapping import plain_console
 
@@ -32,11 +30,10 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     The current exercise is the one that the student edited last, at first the first open one.
     """
     with with_given(given, engine) as folders, keys.single_keys():
-        latest = LatestResults(chapters, folders, given, Memory(seed))
-        guide = Guide(latest, engine, plain_console(), has_keys=keys.available())
+        guide = Guide(chapters, engine, folders, given, seed, has_keys=keys.available())
         board = Keyboard(guide)
         if not guide.has_keys:
-            board.say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
+            say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
         # The first check runs after the first tick. After that, no change can be missed.
         for changes in changes_in(engine[0], rust_timeout=TICK, yield_on_timeout=True):
             if (changes or not guide.seen) and guide.look():
@@ -45,6 +42,11 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
                 if key in ("q", keys.END):
                     return
                 board.press(key)
+
+
+def say(words: str, style: str = "") -> None:
+    """Print a message below the page."""
+    plain_console().print(words, style=style, soft_wrap=True)
 
 
 class Keyboard:
@@ -57,70 +59,56 @@ class Keyboard:
 
     def press(self, key: str) -> None:
         """Respond to a key. After the question whether to reset, it is the answer."""
+        guide, current = self.guide, self.guide.current
+        asked, self.asking = self.asking, False
         try:
-            if self.asking:
-                self.answer(key)
+            if asked and key == "y" and current:
+                done = reset(*current, guide.engine[0])
+                guide.look()
+                self.note(done)
+            elif asked:
+                self.note("Nothing was reset.")
             elif key in "\r\n":
-                self.guide.go_on()
-            elif key in "hr" and self.guide.current:
-                {"h": self.hint, "r": self.ask}[key]()
+                guide.go_on()
+            elif key == "h" and current:
+                self.hint(current[1])
+            elif key == "r" and current:
+                self.note(f"{question(*current, guide.engine[0])} (y or n)", "bold")
+                self.asking = True
             elif key in "lap":
                 {"l": self.list, "a": self.check_all, "p": self.plot}[key]()
-                self.say(KEYS, "bold")
+                say(KEYS, "bold")
         except TROUBLE as error:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
         """Show a short message at the bottom of the page, in place of the previous one."""
         self.guide.page.note = [(line, style) for line in words.splitlines()]
-        self.guide.draw()
+        self.guide.page.draw(with_keys=self.guide.has_keys)
 
-    def say(self, words: str, style: str = "") -> None:
-        """Print a message below the page."""
-        self.guide.console.print(words, style=style, markup=False, soft_wrap=True)
-
-    def hint(self) -> None:
+    def hint(self, exercise: Exercise) -> None:
         """Show the next hint for the current exercise, or the last one again."""
-        assert self.guide.current
-        exercise = self.guide.current[1]
         of = len(exercise.hints)
         number = self.hints[exercise.id] = min(self.hints.get(exercise.id, 0) + 1, of)
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
-    def ask(self) -> None:
-        """Ask the student whether to replace the code for the current exercise with its stubs."""
-        assert self.guide.current
-        self.note(f"{question(*self.guide.current, self.guide.engine[0])} (y or n)", "bold")
-        self.asking = True
-
-    def answer(self, key: str) -> None:
-        """Reset the current exercise to its stubs if the student has answered y."""
-        self.asking = False
-        if key != "y" or not self.guide.current:
-            self.note("Nothing was reset.")
-            return
-        done = reset(*self.guide.current, self.guide.engine[0])
-        self.guide.look()
-        self.note(done)
-
     def list(self) -> None:
         """Print a table with the state of each exercise in the current chapter."""
-        guide = self.guide
-        print_chapter(guide.console, guide.latest.report(guide.chapter), guide.engine)
+        print_chapter(self.guide.report(self.guide.chapter), self.guide.engine)
 
     def check_all(self) -> None:
         """Rerun all checks on the student's code, and print what `make check` would print."""
-        guide, latest = self.guide, self.guide.latest
-        latest.memory.known.clear()
-        reports = [latest.report(chapter) for chapter in latest.chapters]
-        print_report(guide.console, reports, None, guide.engine, latest.given)
+        guide = self.guide
+        guide.memory.known.clear()
+        reports = [guide.report(chapter) for chapter in guide.chapters]
+        print_report(reports, None, guide.engine, guide.given)
 
     def plot(self) -> None:
         """Draw the plots of the current chapter in another process, without opening a window."""
         number = str(self.guide.chapter.number)
-        self.say(f"Drawing chapter {number} ...")
+        say(f"Drawing chapter {number} ...")
         command = [sys.executable, "-m", "plots", "draw", "--engine", str(self.guide.engine[0])]
-        if given := self.guide.latest.given:
+        if given := self.guide.given:
             command += ["--given", ",".join(str(chapter.number) for chapter in given)]
         subprocess.run(
             [*command, "--chapter", number],

@@ -26,8 +26,7 @@ from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
 from autograder.student.chapter_results import ChapterResults
-from autograder.student.points import points_of
-from autograder.student.screen import first_open
+from autograder.student.screen import first_open, points_of
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, SmallClass, on_gradescope
 from typed import typed

@@ -18,7 +18,7 @@ from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
 from autograder.reports.report import StudentReport
 from autograder.scores import Result
-from autograder.student.points import BAR, points_line
+from autograder.student.screen import BAR, points_line
 from autograder.text.wrapping import plain_console
 from graded import CHAPTERS, check, class_of, report_of, with_exercise
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,9 +11,8 @@ import pytest
 from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import Result, result_of
-from autograder.student import finish
 from autograder.student.chapter_results import ChapterResults
-from autograder.student.finish import DRAWN_WITH, end_of, finish_lines, is_finished
+from autograder.student.finish import end_of, finish_lines, is_finished
 from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
@@ -77,6 +75,7 @@ def test_it_says_what_one_can_do_what_to_play_what_is_open_and_what_comes_next()
     text = shown([report_of(CH03, robust=["B3.3"])])
     words = " ".join(text.split())
     assert all(sentence in words for sentence in CH03.you_can)
+    assert "make plot CH=3 ENGINE=solutions draws it with your own functions" in words
     assert "make lab SCENE=damping-forms ENGINE=solutions (or frame-rates or throw)" in words
     assert "1 robust check; the first: make check EX=B3.3 ENGINE=solutions" in words
     assert f"chapter 4, The particle engine. {CHAPTERS[4].summary}" in words
@@ -125,37 +124,6 @@ def test_a_scene_is_not_offered_while_an_exercise_before_it_is_a_stub(tmp_path: 
     stub = "raise NotImplementedError('Exercise B6.3: One spring for both ends')"
     write_all(ch06, stub, tmp_path, but=[e.id for e in ch06.exercises if e.id != "B6.3"])
     assert shown([alone], exercise, [tmp_path]) == ""
-
-
-def test_the_picture_is_shown_only_if_this_code_drew_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(finish, "ROOT", tmp_path)
-    engine = tmp_path / "chapters"
-    module = engine / "ch03_laws_of_motion/particle.py"
-    module.parent.mkdir(parents=True)
-    module.touch()
-    draw = "make plot CH=3"
-
-    def picture() -> str:
-        lines = finish_lines(report_of(CH03), [engine], [])
-        return " ".join(lines[lines.index("") :]).split("Picture")[1].split("Play")[0]
-
-    assert draw in picture()
-    folder = tmp_path / "build/plots/ch03_laws_of_motion"
-    folder.mkdir(parents=True)
-    file = folder / f"{CH03.picture}.png"
-    file.touch()
-    os.utime(file, (2e9, 2e9))
-    assert draw in picture(), "nobody knows which engine drew it"
-    (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
-    assert str(file) in picture()
-    assert draw not in picture()
-    os.utime(module, (2.1e9, 2.1e9))
-    assert draw in picture(), "the code has changed since"
-    os.utime(module, (1e9, 1e9))
-    (folder / DRAWN_WITH).write_text(f"{ROOT / 'solutions'}\n", encoding="utf-8")
-    assert draw in picture(), "the reference drew it"
 
 
 def test_without_make_the_commands_are_pythons(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -25,7 +25,7 @@ from autograder.handouts.handout import make_handout
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.message import Kind, Message
-from autograder.student.check import check as check_chapters
+from autograder.student.screen import check as check_chapters
 from autograder.submissions.find import Submission
 from copies import copy_tree
 from graded import points_of
@@ -194,7 +194,7 @@ def test_a_fault_of_the_second_run_leaves_the_first_as_it_is(
             raise GraderError("the disk is full")
         return real(chapter, engine, **options)
 
-    monkeypatch.setattr("autograder.student.check.run_checks", fails_on_given)
+    monkeypatch.setattr("autograder.student.screen.run_checks", fails_on_given)
     engine = [ROOT / "sample_class/hana", ROOT / "chapters"]
     assert not check_chapters([CH03], None, engine, "1", [])
     assert "inherited" not in capsys.readouterr().out

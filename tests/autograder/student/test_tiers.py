@@ -7,7 +7,6 @@ import shutil
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict
@@ -130,7 +129,7 @@ def test_the_screen_shows_physics_before_robust_checks(
     wrong = RIGHT.replace("return 4 * x", "return 5 * x")
     report = ChapterResults(chapter, list(results_by_id(chapter, tmp_path, wrong).values()), [], [])
     engine = [tmp_path / "engine"]
-    assert not print_report(Console(width=80), [report], None, engine, [])
+    assert not print_report([report], None, engine, [])
     screen = capsys.readouterr().out
     assert re.search(r"B90\.1 .* works +3/3 +0/1 +3\.4/4", screen)
     assert re.search(r"90\.1 .* failed +1/2 +1/2", screen)

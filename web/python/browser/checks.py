@@ -13,7 +13,7 @@ from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.message import Kind
 from autograder.scores import results_of
-from autograder.student.chapter_results import ChapterResults, Memory, ProgressBar, report_on
+from autograder.student.chapter_results import ChapterResults, Memory, report_on
 from autograder.student.failure import failure_of
 from autograder.student.screen import first_open
 from web.python.browser.folder import CHAPTERS, Folder
@@ -25,14 +25,14 @@ PERIOD = 0.1  # s between two reports of progress
 memories: dict[str, Memory] = {}  # the results of earlier chapters' checks, keyed by seed
 
 
-class Progress(ProgressBar):
+class Progress:
     """The progress bar that the page shows while checks run, updated about ten times per second."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
         self.next = 0.0  # earliest time of the next report in seconds
 
-    def show(self, done: int, of: int) -> None:
+    def show(self, _: str, done: int, of: int) -> None:
         """Send the number of finished checks to the page.
 
         Nothing is sent while the reports of an earlier web worker are being replayed.
@@ -111,7 +111,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
     processes = Processes(request["past"], shallow=request.get("shallow", False))
     runs = Runs(chapter, exercise, request["seed"], processes)
     with with_given(given, engine) as folders:
-        report = report_on(chapter, exercise, folders, given, runs, Progress(processes))
+        report = report_on(chapter, exercise, folders, given, runs, Progress(processes).show)
     return report_to_page(report, exercise, engine, given)
 
 

@@ -2,11 +2,17 @@
 
 The check that fails in a process of its own then runs twice in this one. The first run counts the
 calls of the exercise's functions until the failure, and the second stops at the last of them.
+
+The stop is one statement, ``if call_counts(): breakpoint()``, which is put in front of a function's
+own code while its module is imported. It works with pdb as well as with the debugger of an editor,
+and the line numbers stay those of the file. The file itself does not change.
 """
 
 from __future__ import annotations
 
 import _thread
+import ast
+import builtins
 import copy
 import os
 import sys
@@ -14,10 +20,10 @@ import threading
 from bdb import BdbQuit
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from pdb import Pdb
-from types import FrameType, TracebackType
+from types import CodeType, FrameType, TracebackType
 
 import pytest
 
@@ -25,11 +31,14 @@ from autograder.checks.pytest_plugin import exercise_of, pytest_arguments
 from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.commands import command
+from autograder.definitions import functions
+from autograder.diagnosis.faults import is_inside, short
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.message import Kind
-from autograder.student.debugging.stops import Stops
 
 CHECKS = ROOT / "tests"
+STOP = "__stop_at_this_call__"  # the name of a built-in function
+LOAD = SourceFileLoader.get_code
 KEYS = """\
 n  next line            a  the arguments of the function    c  continue
 s  step into a call     w  where you are                    q  quit
@@ -40,58 +49,90 @@ def debug(chapter: Chapter, exercise: Exercise, folders: list[Path], seed: str) 
     """Find the first check of an exercise that fails, and debug it. Return True if none fails."""
     with _breakpoints_off():
         verdicts = run_checks(chapter, folders, seed=seed, exercises=[exercise.id])
-    failed = [verdict for verdict in verdicts if verdict.status != "passed"]
+    failed = next((verdict for verdict in verdicts if verdict.status != "passed"), None)
     own = [verdict for verdict in verdicts if verdict.exercise == exercise.id]
-    if not failed:
+    if failed is None:
         print(f"All checks of {exercise.id} pass. They run again, to stop at your breakpoints.")
-        _run(chapter, exercise, folders, seed, own)
-        return True
-    first = failed[0]
-    print(f"{first.exercise}, {first.name}:\n{first.message}\n")
-    if first.exercise != exercise.id:
-        print(f"{exercise.id} builds on it. Start there: {command('debug', EX=first.exercise)}")
-    elif first.message.kind in (Kind.UNWRITTEN, Kind.BROKEN):
-        print("There is no code to step through yet.")
     else:
-        _run(chapter, exercise, folders, seed, [first])
-    return False
-
-
-def _run(
-    chapter: Chapter, exercise: Exercise, folders: list[Path], seed: str, checks: Sequence[Verdict]
-) -> None:
-    """Run checks in this process, and stop in the student's code."""
-    stops = Stops([f"{chapter.name}/{edit}" for edit in exercise.edit], folders)
-    stops.install()
-    failing = {check.name for check in checks if check.status != "passed"}
-    plugin = Debugging(stops, exercise, {check.name for check in checks}, failing)
+        print(f"{failed.exercise}, {failed.name}:\n{failed.message}\n")
+        if failed.exercise != exercise.id:
+            first = command("debug", EX=failed.exercise)
+            print(f"{exercise.id} builds on it. Start there: {first}")
+            return False
+        if failed.message.kind in (Kind.UNWRITTEN, Kind.BROKEN):
+            print("There is no code to step through yet.")
+            return False
+    plugin = Debugging(chapter, exercise, folders, [failed] if failed else own)
     arguments = pytest_arguments([f"tests/{chapter.name}"], ROOT, seed, folders)
     pytest.main(arguments, plugins=[plugin])
+    return failed is None
 
 
-@dataclass
 class Debugging:
-    """A pytest plugin that runs the chosen checks, and stops in the student's function."""
+    """A pytest plugin that runs some checks here, and stops in the student's function.
 
-    stops: Stops
-    exercise: Exercise
-    names: set[str]
-    failing: set[str]
+    It counts the calls of the exercise's functions, such as ch02_vectors/vector.Vector3.cross. A
+    call counts only if no other counted call is still running. The stop is at call number ``at``.
+    """
+
+    def __init__(
+        self, chapter: Chapter, exercise: Exercise, folders: list[Path], checks: Sequence[Verdict]
+    ) -> None:
+        self.exercise = exercise.id
+        self.edits = {f"{chapter.name}/{edit}" for edit in exercise.edit}
+        self.folders = [folder.resolve() for folder in folders]
+        self.failing = {check.name: check.status != "passed" for check in checks}
+        self.calls = 0
+        self.at = 0
+        setattr(builtins, STOP, self.count)
+        setattr(SourceFileLoader, "get_code", lambda loader, name: self.get_code(loader, name))  # noqa: B010
+
+    def count(self) -> bool:
+        """Count the call of a function, and return True if it is the one to stop at."""
+        frame: FrameType | None = sys._getframe(1)  # of the function itself
+        while frame and (frame := frame.f_back):
+            code = frame.f_code
+            if f"{_module(code.co_filename)}.{code.co_qualname}" in self.edits:
+                return False
+        self.calls += 1
+        return self.calls == self.at
+
+    def get_code(self, loader: SourceFileLoader, fullname: str) -> CodeType | None:
+        """Compile a module of the student's with stops. Python's cached bytecode has none."""
+        path = loader.path
+        if not is_inside(path, self.folders):
+            return LOAD(loader, fullname)
+        tree = ast.parse(loader.get_data(path), path)
+        for name, node in functions(tree).items():
+            if f"{_module(path)}.{name}" in self.edits:
+                first = min(1, len(node.body) - 1) if ast.get_docstring(node) is not None else 0
+                (stop,) = ast.parse(f"if {STOP}(): breakpoint()").body
+                # On the line of the def, because a debugger goes on to the next line.
+                for part in ast.walk(stop):
+                    if isinstance(part, ast.stmt | ast.expr):
+                        part.lineno = part.end_lineno = node.lineno
+                node.body.insert(first, stop)
+        return compile(tree, path, "exec", dont_inherit=True)
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Leave out all other checks."""
-        items[:] = [i for i in items if exercise_of(i) == self.exercise.id and i.name in self.names]
+        own = [item for item in items if exercise_of(item) == self.exercise]
+        items[:] = [item for item in own if item.name in self.failing]
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_pyfunc_call(self, pyfuncitem: pytest.Function) -> bool:
         """Run a check. If it fails, an earlier run counts the calls until it does."""
         names = pyfuncitem._fixtureinfo.argnames
         arguments = {name: pyfuncitem.funcargs[name] for name in names}
-        if pyfuncitem.name in self.failing:
-            with _breakpoints_off(), _limited(Limits().check):
+        if self.failing[pyfuncitem.name]:
+            # An endless loop is interrupted.
+            timer = threading.Timer(Limits().check, _thread.interrupt_main)
+            timer.start()
+            with _breakpoints_off():
                 _fails(lambda: pyfuncitem.obj(**copy.deepcopy(arguments)))
-            self.stops.at, self.stops.calls = self.stops.calls, 0
-            if not self.stops.at:
+            timer.cancel()
+            self.at, self.calls = self.calls, 0
+            if not self.at:
                 print("It fails before it calls your function. Put breakpoint() where to stop.")
             print(KEYS)
         if "debugpy" not in sys.modules:  # an editor's debugger stops by itself
@@ -141,23 +182,17 @@ def _breakpoints_off() -> Iterator[None]:
         del os.environ["PYTHONBREAKPOINT"]
 
 
-@contextmanager
-def _limited(seconds: float) -> Iterator[None]:
-    """Interrupt an endless loop."""
-    timer = threading.Timer(seconds, _thread.interrupt_main)
-    timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
-
-
 def _fails(check: Callable[[], object]) -> bool:
     """Run a check, and return True if it fails. BdbQuit, which ends the debugger, is passed on."""
     try:
         check()
-    except BaseException as error:  # including KeyboardInterrupt, which ends an endless loop
-        if isinstance(error, BdbQuit):
-            raise
+    except BdbQuit:
+        raise
+    except BaseException:  # including KeyboardInterrupt, which ends an endless loop
         return True
     return False
+
+
+def _module(path: str) -> str:
+    """Return a file's folder and name, such as ch02_vectors/vector."""
+    return short(path).removesuffix(".py")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 
-from lab.scenes.ch07_constraints.balls_and_ropes import Ropes
-
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import explicit_euler
@@ -15,6 +13,7 @@ from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top
 from ch07_constraints.going_further.small_steps import SmallSteps
 from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
 from ch07_constraints.time_division import time_division_step
+from lab.scenes.ch07_constraints.balls_and_ropes import Ropes
 from plots.ch07_constraints.rods import stretch
 from scenes.chain import Chain, Link
 from studies.contacts.scenes import (

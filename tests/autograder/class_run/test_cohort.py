@@ -20,10 +20,8 @@ from autograder.grader.class_folder import SAMPLE, only_run
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapter
-from copies import copy_tree
-from small import MANIFEST, RIGHT, WRITTEN
+from small import MANIFEST, RIGHT
 from small_class import HALF, SmallClass, everything_in, grade, results
-from typed import typed
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -202,24 +200,6 @@ def test_after_an_error_the_same_command_grades_that_student_alone(
     assert after["bob"]["score"] == 5.0
 
 
-def test_marks_of_a_person_are_merged_on_every_run(small: SmallClass) -> None:
-    manifest = small.root / "chapters/ch90_small/chapter.toml"
-    manifest.write_text(manifest.read_text(encoding="utf-8") + WRITTEN, encoding="utf-8")
-    small.grade()
-    assert small.results()["bob"]["waiting"] == 3
-    marks = "student,exercise,points,comment\nbob,90.2,2.5,well argued\n"
-    small.write("marks.csv", marks)
-    seconds = small.results()["bob"]["seconds"]
-    small.grade()
-    bob = small.results()["bob"]
-    assert (bob["by_hand"], bob["waiting"], bob["seconds"]) == (2.5, 0, seconds)
-    assert "well argued" in small.text("feedback/bob.html")
-    assert {row["student"]: row["90.2"] for row in small.table("gradebook.csv")}["bob"] == "2.5"
-    small.write("marks.csv", marks.replace("2.5", "4"))
-    with pytest.raises(ValueError, match=r"marks\.csv"):
-        small.grade()
-
-
 def test_without_a_wall_only_the_sample_class_is_graded(
     small: SmallClass, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -235,13 +215,3 @@ def test_without_a_wall_only_the_sample_class_is_graded(
     wall = Level(landlock=True, seccomp=True)
     monkeypatch.setattr(probe, "best_level", lambda: wall)
     assert probe.choose_level(small.folder, unsafe=False) == wall
-
-
-def test_the_command_takes_every_option(tmp_path: Path) -> None:
-    copy_tree(ROOT / "sample_class/dina", tmp_path / "class/dina")
-    command = "autograder grade class --out out --jobs 2 --seed 5 --chapters 2,3"
-    command += " --unsafe-no-sandbox"
-    done = typed(*command.split(), cwd=tmp_path, PYTHONPATH=str(ROOT))
-    assert done.returncode == 0, done.stderr
-    assert "1/1 dina" in done.stdout
-    assert results(tmp_path / "out")["dina"]["seed"] == "5"

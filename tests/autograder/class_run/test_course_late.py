@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-import random
 from datetime import UTC, datetime, timedelta, timezone
 from pathlib import Path
 from zoneinfo import ZoneInfo
@@ -52,16 +50,6 @@ def test_the_late_days_are_those_of_the_clock_on_the_wall(
     at = datetime.fromisoformat(submitted).replace(tzinfo=UTC)
     assert days_late(due, at) == days
     assert days_late(due, at.astimezone(ZoneInfo("Asia/Tokyo"))) == days, "wherever it is written"
-
-
-def test_the_late_days_agree_with_the_difference_of_two_clocks() -> None:
-    rng = random.Random(7)
-    for _ in range(300):
-        zone = ZoneInfo(rng.choice(["Europe/Berlin", "America/New_York", "Australia/Sydney"]))
-        due = datetime(2026, rng.randint(1, 12), rng.randint(1, 28), 12, 0, tzinfo=zone)
-        at = due.astimezone(UTC) + timedelta(minutes=rng.randint(-9000, 40_000))
-        passed = at.astimezone(zone).replace(tzinfo=None) - due.replace(tzinfo=None)
-        assert days_late(due, at) == max(0, math.ceil(passed / timedelta(days=1))), (due, at)
 
 
 @pytest.mark.parametrize(

@@ -219,14 +219,6 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
     assert states(report) == {"failed", "blocked", "waiting"}
 
 
-def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None:
-    for name in ("ch02_vectors", "ch03_laws_of_motion"):
-        copy_tree(ROOT / "solutions" / name, tmp_path / "max" / name)
-    own = tmp_path / "max/ch02_vectors/arguments.py"
-    own.write_text("raise SystemExit('my own arguments')\n", encoding="utf-8")
-    assert states(grade_one(tmp_path / "max", CHAPTERS[1:])) == {"passed"}
-
-
 @pytest.mark.parametrize("unusable", ["", "vector.py", "ch02_vectors/vector.py"])
 def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(
     tmp_path: Path, unusable: str

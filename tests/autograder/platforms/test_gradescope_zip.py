@@ -20,7 +20,7 @@ from autograder.course.model import Work
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
-from autograder.platforms.grade_one import main, students
+from autograder.platforms.grade_one import main
 from autograder.platforms.gradescope import make_gradescope
 from graded import points_of
 from made import made_stubs
@@ -223,18 +223,6 @@ def test_without_a_wall_nothing_is_graded_and_the_results_say_why(
     assert NO_ZERO in results["output"]
     assert "this machine has no sandbox" in results["output"]
     assert "--unsafe-no-sandbox" in results["output"]
-
-
-def test_the_names_come_from_the_metadata(tmp_path: Path) -> None:
-    for text, names in (
-        ('{"users": [{"name": "Ann"}, {"name": "Ben"}]}', "Ann, Ben"),
-        ('{"users": []}', "submission"),
-        ('{"users": [{"name": null}]}', "submission"),
-        ("[]", "submission"),
-        ("{", "submission"),
-    ):
-        (tmp_path / "metadata.json").write_text(text, encoding="utf-8")
-        assert students(tmp_path / "metadata.json") == names
 
 
 def test_the_zip_is_of_the_documented_layout_and_the_same_each_time(

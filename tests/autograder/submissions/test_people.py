@@ -12,7 +12,6 @@ from autograder.submissions.unpack import class_folder
 from small import MANIFEST, RIGHT, WRITTEN, make_root
 from small_class import HALF, grade, scores, table
 from staging import zip_of
-from typed import typed
 
 SMALL = "ch90_small/small.py"
 ROSTER = """id,name,email,login
@@ -75,17 +74,3 @@ def test_a_class_is_graded_under_the_names_of_its_roster(
     lines = [line for line in printed.splitlines() if str(tmp_path) not in line]
     assert max(map(len, lines)) <= 80, "they fit a terminal"
     assert "not marked yet" in " ".join(lines)
-
-
-def test_the_command_takes_a_zip_and_reports_a_mistake_in_the_roster(
-    roster: Path, tmp_path: Path
-) -> None:
-    (tmp_path / "lab.zip").write_bytes(zip_of({"doejane_77_3_work.zip": zip_of({SMALL: b""})}))
-    roster.write_text(ROSTER + "77,Ann,,\n", encoding="utf-8")
-    options = ("--roster", roster, "--out", tmp_path / "out", "--title", "Lab 1 (12)")
-    done = typed("autograder", "grade", tmp_path / "lab.zip", *options)
-    assert done.returncode == 2
-    assert done.stdout.startswith(f"lab.zip is unpacked in {tmp_path / 'lab'}: 1 entries")
-    where = f"grade: {roster}, line 5: the id '77' is already in line 2."
-    assert done.stderr.startswith(where)
-    assert not (tmp_path / "out").exists()

@@ -228,14 +228,6 @@ def test_a_worksheet_of_another_assignment_is_not_filled(tmp_path: Path) -> None
     assert lines[0].startswith("Not in worksheet.csv from Moodle: Ann Lee_99. Make sure that it is")
 
 
-def test_a_time_that_cannot_be_read_is_reported(tmp_path: Path) -> None:
-    text = download(Sheet()).replace("Friday, 23 October 2026, 8:15 PM", "Xday, 1 Foo 2026, 8:15")
-    worksheet, reports = worksheet_of(tmp_path, text), [report_of("Ann Lee_12")]
-    _, lines = write_uploads(tmp_path, CHAPTERS, OF_MOODLE, reports, Column(), worksheet)
-    wanted = "worksheet.csv: 3 submission times cannot be read, such as 'Xday, 1 Foo 2026, 8:15'."
-    assert wanted in lines
-
-
 def test_without_a_worksheet_the_instructor_hears_where_to_save_it(tmp_path: Path) -> None:
     paths, lines = write_uploads(tmp_path, CHAPTERS, OF_MOODLE, [report_of("zoe")], Column())
     assert paths == []

@@ -41,24 +41,13 @@ GERMAN = Language(
     *("Zuletzt geändert (Bewertung)", "Feedback als Kommentar", "Zur Bewertung abgegeben", "Ja"),
     *(",", "Freitag, 23. Oktober 2026, 20:15"),
 )
-FRENCH = Language(
-    *("Identifiant", "Participant", "Nom complet", "Adresse de courriel", "Numéro", "Statut"),
-    *("Note", "Note maximale", "La note peut être modifiée", "Dernière modification (travail)"),
-    *("Dernière modification (note)", "Feedback par commentaires", "Remis pour évaluation"),
-    *("Oui", ",", "vendredi 23 octobre 2026, 20:15"),
-)
 JAPANESE = Language(
     *("ID", "参加者", "氏名", "メールアドレス", "IDナンバー", "ステータス"),
     *("評点", "最大評点", "評点変更可", "最終更新日時 (提出)", "最終更新日時 (評定)"),
-    *(
-        "フィードバックコメント",
-        "評定のために提出済み",
-        "Yes",
-        ".",
-        "2026年 10月 23日(金曜日) 20:15",
-    ),
+    *("フィードバックコメント", "評定のために提出済み", "Yes"),
+    *(".", "2026年 10月 23日(金曜日) 20:15"),
 )
-LANGUAGES = {"English": ENGLISH, "German": GERMAN, "French": FRENCH, "Japanese": JAPANESE}
+LANGUAGES = {"English": ENGLISH, "German": GERMAN, "Japanese": JAPANESE}
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,7 @@ from autograder.scores import results_of
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.points import points_of
 from autograder.student.screen import first_open
+from copies import copy_tree
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, SmallClass, on_gradescope
 from typed import typed
@@ -65,6 +66,17 @@ extensions = { "ann@example.org" = 2026-10-24 23:59:00 }
 name = "lab2"
 exercises = ["2.1", "2.4"]
 """
+EARLIER = """
+[[assignment]]
+name = "lab1"
+exercises = ["{}"]
+
+[[assignment]]
+name = "lab3"
+exercises = ["{}"]
+"""
+ADVICE = "B90.1 of lab1 fails. Fix it first, because 90.1 builds on it."
+BOTH_WRONG = RIGHT.replace("x + x", "x - x").replace("4 * x", "double(double(x))")
 
 
 def course(folder: Path, text: str, root: Path = ROOT) -> dict[str, Work]:
@@ -285,3 +297,44 @@ def test_the_options_name_an_assignment_or_chapters(
     nothing = options(tmp_path, course=Path("course.toml"))
     with pytest.raises(ValueError, match="name the chapters"):
         work_of(nothing, handed_out=True)
+
+
+def test_the_exercise_of_an_earlier_assignment_is_named_first_and_earns_nothing(
+    small: SmallClass,
+) -> None:
+    """Bob is wrong in both exercises, and Cem only in that of lab1, so that it does not matter."""
+    small.write("bob/ch90_small/small.py", BOTH_WRONG)
+    lab3 = course(small.folder, EARLIER.format("B90.1", "90.1"), small.root)["lab3"]
+    assert small.grade(work=lab3) == 0
+    assert small.scores() == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
+    reports = small.results()
+    assert [student for student in reports if reports[student].get("causes")] == ["bob"]
+    page = small.text("feedback/bob.html")
+    assert f'">B90.1 of lab1</a> {ADVICE.partition("lab1 ")[2]}' in page
+    assert "double must double" in page
+    said = json.loads(small.text("gradescope/bob/results.json"))
+    assert ADVICE in said["output"]
+    assert said["score"] == 1
+    assert "B90.1 of lab1: double must double" in small.printed()
+    assert "B90.1" not in small.text("gradebook.csv")
+    assert '<span class="id">B90.1</span> Double' in small.text("index.html")
+    small.out = small.place / "whole"
+    small.grade()
+    assert not any("causes" in report for report in small.results().values())
+    assert "earlier assignment" not in small.everything(), "whole chapters have none"
+    assert "Fix <a" in small.text("feedback/bob.html")
+
+
+def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
+    ids = 'B2.1", "B2.2", "B2.3", "B2.4", "B2.9'
+    lab3 = course(tmp_path, EARLIER.format(ids, "B2.10"))["lab3"]
+    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "ada/ch02_vectors")
+    vector = tmp_path / "ada/ch02_vectors/vector.py"
+    right = vector.read_text(encoding="utf-8")
+    wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
+    assert wrong != right
+    vector.write_text(wrong, encoding="utf-8")
+    results = gradescope_results(on_gradescope(lab3, tmp_path, tmp_path / "ada"))
+    assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results["output"]
+    most = {test["number"]: test["max_score"] for test in results["tests"]}
+    assert most == {"B2.10": 4, "B2.9": 0}

@@ -16,7 +16,6 @@ from autograder.scores import Result
 from autograder.submissions.stage import stage
 from graded import SHOUT, exercise_of, report_of
 from small import RIGHT, hand_in
-from staging import zip_of
 from typed import typed
 
 CH02 = load_chapters()[0]
@@ -106,15 +105,6 @@ def test_a_class_with_a_roster_is_compared_under_its_names(
         assert [*(out / "students").iterdir()] == pages
     assert release(load_chapters(root), [], folder, grades, tmp_path / "other", root) == 0
     assert "77 has no page" in capsys.readouterr().out
-
-
-def test_the_class_may_be_the_zip_of_a_platform(tmp_path: Path) -> None:
-    (tmp_path / "class.zip").write_bytes(zip_of({"ann/ch02_vectors/vector.py": b"x = 1\n"}))
-    write_result(tmp_path / "grades", report_of("ann"))
-    graded = ("--submissions", tmp_path / "class.zip", "--grades", tmp_path / "grades")
-    done = typed("autograder", "release", "2", "--out", tmp_path / "out", *graded)
-    assert done.returncode == 0, done.stderr
-    assert "ann has no page" in done.stdout
 
 
 def test_exercises_alone_are_released_without_the_others() -> None:

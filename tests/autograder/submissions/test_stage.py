@@ -332,28 +332,6 @@ def test_what_may_not_be_read(public: Path, locked: str, outcome: Outcome) -> No
         path.chmod(0o755)
 
 
-@pytest.mark.parametrize(
-    ("gone", "outcome"),
-    [
-        ("ann", refused(f"the submission cannot be read: {GONE}")),
-        ("a", ({VECTOR: CODE}, {}, [f"'a' was not searched: {GONE}"])),
-    ],
-)
-def test_a_folder_that_vanishes_while_it_is_searched(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, gone: str, outcome: Outcome
-) -> None:
-    ann = make_folder(tmp_path, {VECTOR: CODE, "a/readme.txt": CODE})
-    real = os.scandir
-
-    def scandir(path: Any) -> Any:
-        if path.name == gone:
-            path.rename(tmp_path / "elsewhere")
-        return real(path)
-
-    monkeypatch.setattr(os, "scandir", scandir)
-    assert boxed(ann) == outcome
-
-
 def test_the_search_in_a_crowd_stops_and_says_so(tmp_path: Path) -> None:
     # With a, its ch02_vectors and vector.py: 5,000.
     ann = make_folder(tmp_path, {f"a/{VECTOR}": CODE} | {f"{n}.txt": b"" for n in range(4_997)})

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import csv
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from autograder.platforms.uploads import Column, write_uploads
-from autograder.reports.report import Late, StudentReport
+from autograder.reports.report import StudentReport
 from autograder.submissions.class_list import ClassList
 from autograder.submissions.moodle_worksheet import Worksheet, read_worksheet
 from autograder.submissions.roster import Student
@@ -88,17 +87,6 @@ def test_canvas_finds_the_assignment_and_everybodys_grade(tmp_path: Path) -> Non
     assert (title, possible) == ("Lab 1 (12345)", "14")
     # No grade for Cy, on whose work the grader failed, and for Di, who handed nothing in.
     assert grades == {77: "14", 78: "4.66", 501: "0", 80: "", 81: ""}
-
-
-def test_late_work_has_its_penalty_and_extra_credit_is_above_the_points(tmp_path: Path) -> None:
-    """Of 14 points, the 2 of B2.1 are extra credit. Ann has earned 13 and is a day late."""
-    exercises = [replace(e, extra=e.id == "B2.1") for e in CHAPTERS[0].exercises]
-    chapters = [replace(CHAPTERS[0], exercises=exercises), CHAPTERS[1]]
-    people, _ = a_class()
-    reports = [report_of("Ann Lee", score=13.0, waiting=0, late=Late(1, 1.5, "late"))]
-    write_uploads(tmp_path, chapters, people, reports, Column("Lab 1"))
-    grades, _, possible = import_into_canvas(rows_of(tmp_path / "canvas.csv"))
-    assert (grades[77], possible) == ("11.5", "12")
 
 
 class MoodleError(Exception):

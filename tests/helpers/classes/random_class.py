@@ -11,19 +11,8 @@ from pathlib import Path
 
 from moodle_sheet import LANGUAGES, Sheet, download
 
-GIVEN = [
-    "Ann",
-    "Bo",
-    "José",
-    "Ana María",
-    "Li",
-    "Wei",
-    "Zoë",
-    "小龙",
-    "Jean-Luc",
-    "J.",
-    "Ann Marie",
-]
+GIVEN = ["Ann", "Bo", "José", "Ana María", "Li", "Wei", "Zoë", "小龙", "Jean-Luc", "J."]
+GIVEN.append("Ann Marie")
 FAMILY = ["Lee", "Doe", "Ñandú", "O'Neill", "Li", "Wei", "van der Berg", "Müller", "王", "Ek-Dahl"]
 HOW = ["folders", "canvas", "canvas with other ids", "moodle", "moodle with a worksheet"]
 HOW += ["gradescope", "github", "groups", "twice", "canvas with groups"]

@@ -35,12 +35,6 @@ NAMES = (
     "new left right first second total diff amount part length vec pos speed step size factor"
 )
 REMARKS = ("# see the book", "# as in the lesson", "# careful here", "# TODO tidy up", "# works")
-FLIPPED: dict[type[ast.cmpop], type[ast.cmpop]] = {
-    ast.Lt: ast.Gt,
-    ast.Gt: ast.Lt,
-    ast.LtE: ast.GtE,
-    ast.GtE: ast.LtE,
-}
 Body = list[ast.stmt]
 
 
@@ -175,16 +169,6 @@ class Student(ast.NodeTransformer):
         self.generic_visit(node)
         if isinstance(node.op, (ast.Mult, ast.Add)) and self.does("swap operands"):
             node.left, node.right = node.right, node.left
-        half = isinstance(node.op, ast.Mult) and ast.unparse(node.right) == "0.5"
-        if half and self.does("halve"):
-            return ast.BinOp(node.left, ast.Div(), ast.Constant(2))
-        return node
-
-    def visit_Compare(self, node: ast.Compare) -> ast.AST:
-        self.generic_visit(node)
-        flipped = FLIPPED.get(type(node.ops[0]))
-        if len(node.ops) == 1 and flipped and self.does("flip comparisons"):
-            return ast.Compare(node.comparators[0], [flipped()], [node.left])
         return node
 
     def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
-import sys
 import zipfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -159,17 +158,6 @@ def test_extra_credit_counts_above_the_total(small: SmallClass) -> None:
     assert small.scores()["ann"] == 12, "and no report of the other points is kept"
 
 
-def check(out: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-P", "-m", "autograder", "check", *arguments],
-        cwd=out,
-        env={"PYTHONPATH": ".", "PYTHONUTF8": "1"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
-
-
 def row(screen: str, exercise: str) -> str:
     return next(line for line in screen.splitlines() if line.split()[:1] == [exercise])
 
@@ -187,7 +175,8 @@ def test_a_hand_out_marks_what_is_optional_and_is_done_without_it(tmp_path: Path
     assert "| B2.6 | Add a scaled vector | build | \\* | optional |" in table
     handed = load_chapter(out / "chapters/ch02_vectors")
     assert {e.id for e in handed.exercises if not e.optional} == {"B2.1", "B2.2", "B2.4", "B2.5"}
-    before = check(out)
+    check = partial(typed, "autograder", "check", cwd=out)
+    before = check()
     assert before.returncode == 1, before.stderr
     assert row(before.stdout, "B2.4").endswith("0/10")
     assert row(before.stdout, "B2.6").endswith("optional")
@@ -195,11 +184,11 @@ def test_a_hand_out_marks_what_is_optional_and_is_done_without_it(tmp_path: Path
     assert "Fix this first: B2.1" in before.stdout
     assigned = ["B2.1", "B2.2", "B2.4", "B2.5"]
     write_all(CH02, "raise NotImplementedError", out / "chapters", but=assigned)
-    after = check(out)
+    after = check()
     assert after.returncode == 0, after.stdout
     assert "26 of 20 points" in after.stdout
     assert "All checks of the assigned exercises pass." in after.stdout
-    assert check(out, "--exercise", "B2.6").returncode == 1, "it can be checked all the same"
+    assert check("--exercise", "B2.6").returncode == 1, "it can be checked all the same"
 
 
 def test_a_hand_out_names_what_earlier_assignments_must_have_left(tmp_path: Path) -> None:

@@ -38,15 +38,11 @@ def submissions(tmp_path: Path) -> Path:
     return tmp_path / "class"
 
 
-@pytest.fixture
-def roster(tmp_path: Path) -> Path:
-    (tmp_path / "roster.csv").write_text(ROSTER, encoding="utf-8")
-    return tmp_path / "roster.csv"
-
-
 def test_a_class_is_graded_under_the_names_of_its_roster(
-    root: Path, roster: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    roster = tmp_path / "roster.csv"
+    roster.write_text(ROSTER, encoding="utf-8")
     files = {
         "doejane_LATE_77_3_work.zip": {SMALL: HALF.encode()},
         "leebo_501_4_work-1.zip": {f"bo lee's/{SMALL}": RIGHT.encode(), f"old/{SMALL}": b""},

@@ -121,8 +121,9 @@ def test_the_command_grades_the_same_class_again_and_never_guesses_one(tmp_path:
             for student in students:
                 file.writestr(f"{student}/ch02_vectors/vector.py", "x = 1\n")
 
-    command = ("autograder", "grade", "--out", out)
-    done = typed(*command, "--chapters", "2")
+    command, course = ("autograder", "grade", "--out", out), tmp_path / "course.toml"
+    course.write_text('[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\n', encoding="utf-8")
+    done = typed(*command, "--assignment", "lab1", "--course", course)
     assert (done.returncode, out.exists()) == (2, False)
     assert "name the folder or the zip of the submissions (make: SUBMISSIONS=" in done.stderr
     download("ann")

@@ -31,7 +31,7 @@ from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.class_list import read_class
 from graded import message_of
 from small import RIGHT, hand_in
-from small_class import HALF, grade, results
+from small_class import HALF, grade, interrupt, results
 
 distributed = pytest.importorskip("distributed")
 
@@ -193,26 +193,8 @@ def _becomes_true(condition: Callable[[], bool]) -> bool:
 
 
 def test_ctrl_c_leaves_what_has_landed(cluster: Any, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out", str(out)]
-    process = subprocess.Popen(
-        [*command, "--chapters", "2", "--cluster", cluster.scheduler_address],
-        cwd=ROOT,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        encoding="utf-8",
-    )
-    _becomes_true(lambda: bool([*out.glob("results/*.json")]) or process.poll() is not None)
-    process.send_signal(signal.SIGINT)
-    told, complaint = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 130, complaint
-    assert "Run the same command again to resume." in told
-    assert "grade: stopped" in complaint
-    assert "Traceback" not in complaint
-    landed = results(out)
-    assert 0 < len(landed) < 8
-    assert {report["status"] for report in landed.values()} == {"graded"}
-    assert not (out / ".temporary").exists()
+    said = interrupt(tmp_path / "out", "--cluster", cluster.scheduler_address)
+    assert "Run the same command again to resume." in said
 
 
 def test_a_worker_of_another_version_is_refused(

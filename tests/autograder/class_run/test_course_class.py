@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
-import sys
 import zipfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +26,7 @@ from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.screen import first_open, points_of
+from copies import copy_tree
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, SmallClass, on_gradescope
 from typed import typed
@@ -64,6 +64,17 @@ extensions = { "ann@example.org" = 2026-10-24 23:59:00 }
 name = "lab2"
 exercises = ["2.1", "2.4"]
 """
+EARLIER = """
+[[assignment]]
+name = "lab1"
+exercises = ["{}"]
+
+[[assignment]]
+name = "lab3"
+exercises = ["{}"]
+"""
+ADVICE = "B90.1 of lab1 fails. Fix it first, because 90.1 builds on it."
+BOTH_WRONG = RIGHT.replace("x + x", "x - x").replace("4 * x", "double(double(x))")
 
 
 def course(folder: Path, text: str, root: Path = ROOT) -> dict[str, Work]:
@@ -146,17 +157,6 @@ def test_extra_credit_counts_above_the_total(small: SmallClass) -> None:
     assert small.scores()["ann"] == 12, "and no report of the other points is kept"
 
 
-def check(out: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-P", "-m", "autograder", "check", *arguments],
-        cwd=out,
-        env={"PYTHONPATH": ".", "PYTHONUTF8": "1"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
-
-
 def row(screen: str, exercise: str) -> str:
     return next(line for line in screen.splitlines() if line.split()[:1] == [exercise])
 
@@ -174,7 +174,8 @@ def test_a_hand_out_marks_what_is_optional_and_is_done_without_it(tmp_path: Path
     assert "| B2.6 | Add a scaled vector | build | \\* | optional |" in table
     handed = load_chapter(out / "chapters/ch02_vectors")
     assert {e.id for e in handed.exercises if not e.optional} == {"B2.1", "B2.2", "B2.4", "B2.5"}
-    before = check(out)
+    check = partial(typed, "autograder", "check", cwd=out)
+    before = check()
     assert before.returncode == 1, before.stderr
     assert row(before.stdout, "B2.4").endswith("0/10")
     assert row(before.stdout, "B2.6").endswith("optional")
@@ -182,11 +183,11 @@ def test_a_hand_out_marks_what_is_optional_and_is_done_without_it(tmp_path: Path
     assert "Fix this first: B2.1" in before.stdout
     assigned = ["B2.1", "B2.2", "B2.4", "B2.5"]
     write_all(CH02, "raise NotImplementedError", out / "chapters", but=assigned)
-    after = check(out)
+    after = check()
     assert after.returncode == 0, after.stdout
     assert "26 of 20 points" in after.stdout
     assert "All checks of the assigned exercises pass." in after.stdout
-    assert check(out, "--exercise", "B2.6").returncode == 1, "it can be checked all the same"
+    assert check("--exercise", "B2.6").returncode == 1, "it can be checked all the same"
 
 
 def test_a_hand_out_names_what_earlier_assignments_must_have_left(tmp_path: Path) -> None:
@@ -284,3 +285,44 @@ def test_the_options_name_an_assignment_or_chapters(
     nothing = options(tmp_path, course=Path("course.toml"))
     with pytest.raises(ValueError, match="name the chapters"):
         work_of(nothing, handed_out=True)
+
+
+def test_the_exercise_of_an_earlier_assignment_is_named_first_and_earns_nothing(
+    small: SmallClass,
+) -> None:
+    """Bob is wrong in both exercises, and Cem only in that of lab1, so that it does not matter."""
+    small.write("bob/ch90_small/small.py", BOTH_WRONG)
+    lab3 = course(small.folder, EARLIER.format("B90.1", "90.1"), small.root)["lab3"]
+    assert small.grade(work=lab3) == 0
+    assert small.scores() == {"ann": 2.0, "bob": 1.0, "cem": 2.0}
+    reports = small.results()
+    assert [student for student in reports if reports[student].get("causes")] == ["bob"]
+    page = small.text("feedback/bob.html")
+    assert f'">B90.1 of lab1</a> {ADVICE.partition("lab1 ")[2]}' in page
+    assert "double must double" in page
+    said = json.loads(small.text("gradescope/bob/results.json"))
+    assert ADVICE in said["output"]
+    assert said["score"] == 1
+    assert "B90.1 of lab1: double must double" in small.printed()
+    assert "B90.1" not in small.text("gradebook.csv")
+    assert '<span class="id">B90.1</span> Double' in small.text("index.html")
+    small.out = small.place / "whole"
+    small.grade()
+    assert not any("causes" in report for report in small.results().values())
+    assert "earlier assignment" not in small.everything(), "whole chapters have none"
+    assert "Fix <a" in small.text("feedback/bob.html")
+
+
+def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
+    ids = 'B2.1", "B2.2", "B2.3", "B2.4", "B2.9'
+    lab3 = course(tmp_path, EARLIER.format(ids, "B2.10"))["lab3"]
+    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "ada/ch02_vectors")
+    vector = tmp_path / "ada/ch02_vectors/vector.py"
+    right = vector.read_text(encoding="utf-8")
+    wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
+    assert wrong != right
+    vector.write_text(wrong, encoding="utf-8")
+    results = gradescope_results(on_gradescope(lab3, tmp_path, tmp_path / "ada"))
+    assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results["output"]
+    most = {test["number"]: test["max_score"] for test in results["tests"]}
+    assert most == {"B2.10": 4, "B2.9": 0}

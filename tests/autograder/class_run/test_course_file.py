@@ -87,30 +87,19 @@ TIME = "expected time such as 2026-10-23 23:59:00 without quotes, got"
     [
         # keys and types
         ("name = ", r"is not valid TOML: .*\(at .*\)"),
-        ('[[assignment]]\nname = "a"\nname = "b"\n', r"is not valid TOML: .*\(at line 3"),
-        (f'title = "x"\n{LAB}chapters = [2]', "there is no key title"),
-        (f"{LAB}exercise = []", "assignment lab1: there is no key exercise"),
         (f"{LAB}roster = 'x'", "assignment lab1: there is no key roster"),
         (f"[late]\npercent_a_day = 2\n{LAB}", "late: there is no key percent_a_day"),
         ("", "it must have assignment"),
-        ("[[assignment]]\nchapters = [2]", "assignment 1: it must have name"),
         ("assignment = [1]", "assignment 1: expected table, got 1"),
         ('[[assignment]]\nname = "a b"', "name: expected str of letters, digits, .* got 'a b'"),
         (f"{LAB}chapters = [2]\n{LAB}chapters = [3]", "name: two assignments are called lab1"),
         (f'{LAB}exercises = ["B2.1", 2.1]', r"lab1, exercises\[1\]: expected str, got 2.1"),
-        (f'{LAB}exercises = "B2.1"', "lab1, exercises: expected list, got 'B2.1'"),
         (f"{LAB}out_of = 0", "out_of: expected int >= 1, got 0"),
-        (f"{LAB}out_of = nan", "out_of: expected float > 0.0, got nan"),
-        (f"{LAB}out_of = 1e9", "out_of: expected float <= 1000000.0, got 1000000000.0"),
-        (f'{LAB}points = {{"2.4" = "a"}}', "points: expected int [|] float, got {'2.4': 'a'}"),
-        (f"{LAB}seed = 1.5", r"seed: expected int [|] str, got 1.5"),
         # exercises
         (LAB, "exercises: there are none"),
-        (f'{LAB}extra_credit = ["2.4"]', "exercises: there are none"),
         (f'{LAB}exercises = ["B2.14"]', "exercises: there is no exercise 'B2.14'"),
         (f'{LAB}exercises = ["B2.1",\n"B2.1"]', "exercises: B2.1 is listed twice"),
         (f'{LAB}chapters = [2]\nexercises = ["2.4"]', "2.4 belongs to chapter 2, which is listed"),
-        (f'{LAB}exercises = ["2.4"]\nextra_credit = ["2.4"]', "exercises: 2.4 is listed twice"),
         (f"{LAB}chapters = [12]", "there is no chapter 12. The chapters are 2, 3, 4"),
         (f"{LAB}chapters = [2]\ngiven = [2]", "chapter 2 is complete, so B2.1 cannot"),
         (f'{LAB}exercises = ["2.1"]', "2.1 needs B2.2, B2.4, which is in no assignment so far"),
@@ -122,9 +111,7 @@ TIME = "expected time such as 2026-10-23 23:59:00 without quotes, got"
         # dates
         (f"{LAB}chapters = [2]\ndue = 2026-10-23 23:59:00", "due .* has no time zone"),
         (f"{LAB}due = 2026-10-23", f"due: {TIME} 2026-10-23"),
-        (f'{LAB}due = "Friday"', f"due: {TIME} 'Friday'"),
         (f"{LAB}chapters = [2]\ndue = 0001-01-01T00:00:00Z", "due must be from 1970 to 2999, got"),
-        (f"{LAB}extensions = {{ann = 3}}", f"extensions: {TIME} {{'ann': 3}}"),
         (f'time_zone = "Europe/Berln"\n{LAB}chapters = [2]', "there is none called 'Europe/Berln'"),
         (
             f"{BERLIN}{LAB}chapters = [2]\ndue = 2027-03-28 02:30:00",
@@ -138,7 +125,6 @@ TIME = "expected time such as 2026-10-23 23:59:00 without quotes, got"
         (f"{DUE}extensions = {{bob = 2026-10-23T23:58:00Z}}", "that of bob ends before the assig"),
         # files
         (f'roster = "nobody.csv"\n{LAB}chapters = [2]', "roster: 'nobody.csv' is not there"),
-        (f'{LAB}chapters = [2]\nhidden_checks = "x"', "hidden_checks: 'x' is not there"),
         (f'{LAB}chapters = [2]\nhidden_checks = "hidden"', "contain a folder ch02_vectors"),
     ],
 )
@@ -151,23 +137,14 @@ def test_a_mistake_is_one_line_with_its_key_and_what_is_wanted(
     assert "\n" not in str(error.value)
 
 
-def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
+def test_an_assignment_builds_on_the_first_ones_that_have_what_it_needs(folder: Path) -> None:
     with pytest.raises(ValueError, match=r"there is no file '.*course\.toml'"):
-        read_course(tmp_path / "course.toml")
-
-
-def test_an_assignment_builds_on_earlier_ones(folder: Path) -> None:
-    text = f'{LAB}exercises = ["B2.1", "B2.2", "B2.4"]\n[[assignment]]\nname = "b"\n'
-    one, two = read_course(write(folder, f'{text}exercises = ["2.1"]')).assignments
-    assert one.earlier == {}
-    assert two.earlier == dict.fromkeys(["B2.1", "B2.2", "B2.4"], "lab1"), "directly or indirectly"
-
-
-def test_an_exercise_belongs_to_the_first_assignment_that_has_it(folder: Path) -> None:
+        read_course(folder / "course.toml")
     text = f'{LAB}exercises = ["B2.1", "B2.2"]\n[[assignment]]\nname = "b"\n'
     text += 'exercises = ["B2.2", "B2.4"]\n[[assignment]]\nname = "c"\n'
-    *_, last = read_course(write(folder, f'{text}exercises = ["2.1"]')).assignments
-    assert last.earlier == {"B2.1": "lab1", "B2.2": "lab1", "B2.4": "b"}
+    first, *_, last = read_course(write(folder, f'{text}exercises = ["2.1"]')).assignments
+    assert first.earlier == {}
+    assert last.earlier == {"B2.1": "lab1", "B2.2": "lab1", "B2.4": "b"}, "directly or indirectly"
 
 
 @pytest.mark.parametrize("values", [[1, 1, 1], [2, 3, 3, 5, 3, 2, 4, 1], [0.1, 7, 12.5]])

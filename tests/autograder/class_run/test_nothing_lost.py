@@ -113,25 +113,7 @@ def test_the_zip_for_gradescope_replaces_only_an_earlier_one(tmp_path: Path) -> 
 
 
 def test_the_command_grades_the_same_class_again_and_never_guesses_one(tmp_path: Path) -> None:
-    course, out = tmp_path / "course.toml", tmp_path / "out"
-    course.write_text('[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\n', encoding="utf-8")
-    command = ("autograder", "grade", "--out", out, "--assignment", "lab1", "--course", course)
-    done = typed(*command)
-    assert (done.returncode, out.exists()) == (2, False)
-    assert "name the folder or the zip of the submissions (make: SUBMISSIONS=" in done.stderr
-    submission = tmp_path / "class/ann/ch02_vectors"
-    submission.mkdir(parents=True)
-    (submission / "vector.py").write_text("x = 1\n", encoding="utf-8")
-    assert typed(*command[:2], tmp_path / "class", *command[2:]).returncode == 0
-    again = typed(*command, "--student", "Ann", "--note", 'it\'s "$5"')
-    assert again.returncode == 0, again.stderr
-    assert f"grading the class in {tmp_path / 'class'} again" in again.stdout
-    assert table(out / "regrades.csv")[0]["why"] == 'it\'s "$5"'
-
-
-def test_the_class_is_graded_again_on_the_same_chapters_and_never_from_an_older_zip(
-    tmp_path: Path,
-) -> None:
+    """It takes the same chapters, and never an older zip."""
     out, zipped = tmp_path / "out", tmp_path / "lab1.zip"
 
     def download(*students: str) -> None:
@@ -139,16 +121,22 @@ def test_the_class_is_graded_again_on_the_same_chapters_and_never_from_an_older_
             for student in students:
                 file.writestr(f"{student}/ch02_vectors/vector.py", "x = 1\n")
 
+    command, course = ("autograder", "grade", "--out", out), tmp_path / "course.toml"
+    course.write_text('[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\n', encoding="utf-8")
+    done = typed(*command, "--assignment", "lab1", "--course", course)
+    assert (done.returncode, out.exists()) == (2, False)
+    assert "name the folder or the zip of the submissions (make: SUBMISSIONS=" in done.stderr
     download("ann")
-    command = ("autograder", "grade", "--out", out)
     first = typed(*command, zipped, "--chapters", "2")
     assert first.returncode == 0, first.stderr
     download("ann", "bob")
     newer = typed(*command)
     assert (newer.returncode, "lab1.zip has changed since it was unp" in newer.stderr) == (2, True)
     assert typed(*command, zipped, "--chapters", "2").returncode == 0
-    again = typed(*command)
+    again = typed(*command, "--student", "Ann", "--note", 'it\'s "$5"')
     assert again.returncode == 0, again.stderr
+    assert f"grading the class in {tmp_path / 'lab1'} again" in again.stdout
+    assert table(out / "regrades.csv")[0]["why"] == 'it\'s "$5"'
     _, *rows = table(out / "gradebook.csv")
     assert [row["student"] for row in rows] == ["ann", "bob"]
     assert not any(name.startswith("B3.") for name in rows[0]), "only chapter 2"

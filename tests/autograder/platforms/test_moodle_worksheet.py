@@ -17,17 +17,19 @@ from autograder.submissions.moodle_worksheet import Worksheet, read_worksheet, w
 from moodle_sheet import GERMAN, LANGUAGES, PEOPLE, Language, Sheet, download, upload
 
 AT = datetime(2026, 10, 23, 20, 15)
-LAYOUTS = {
-    "plain": Sheet(),
-    "anonymous": Sheet(anonymous=True),
-    "no e-mail": Sheet(identity=("idnumber",)),
-    "only the name": Sheet(identity=()),
-    "everything": Sheet(
-        overrides=True, teams=True, workflow=True, online_text=True, identity=("idnumber", "email")
-    ),
-    "no comments": Sheet(comments=False),
-    "some grades": Sheet(graded={12: "50.00", 13: "0.00"}),
-    "equal grades": Sheet(workflow=True, graded=dict.fromkeys(PEOPLE, "80.00")),
+ALL = ("Ann Lee", "ann@x.org", "u77", AT)  # what is shown of Ann
+LAYOUTS: dict[str, tuple[Sheet, tuple[object, ...]]] = {
+    "plain": (Sheet(), ALL),
+    "anonymous": (Sheet(anonymous=True, teams=True, overrides=True), ("", "", "", AT)),
+    "no e-mail": (Sheet(identity=("idnumber",)), ("Ann Lee", "", "u77", AT)),
+    "only the name": (Sheet(identity=()), ("Ann Lee", "", "", AT)),
+    "a user name": (Sheet(identity=("username", "idnumber", "email")), ALL),
+    "not certain": (Sheet(identity=("username", "idnumber")), ("Ann Lee", "", "", AT)),
+    "the same phones": (Sheet(identity=("idnumber", "phone1")), ("Ann Lee", "", "u77", AT)),
+    "everything": (Sheet(overrides=True, teams=True, workflow=True, online_text=True), ALL),
+    "no comments": (Sheet(comments=False), ALL),
+    "nothing to hand in": (Sheet(submissions=False, graded={12: "5.00"}), (*ALL[:3], None)),
+    "equal grades": (Sheet(workflow=True, graded=dict.fromkeys(PEOPLE, "80.00")), ALL),
 }
 
 
@@ -57,13 +59,17 @@ def test_a_worksheet_in_any_language_is_understood_and_taken_back(
     assert upload(filled, sheet) == ({12: 87.5, 14: 0.0}, [])
 
 
-@pytest.mark.parametrize("sheet", LAYOUTS.values(), ids=LAYOUTS)
-def test_only_the_cells_of_the_grades_change(tmp_path: Path, sheet: Sheet) -> None:
+@pytest.mark.parametrize(("sheet", "shown"), LAYOUTS.values(), ids=LAYOUTS)
+def test_what_a_worksheet_shows_is_read_and_only_the_cells_of_the_grades_change(
+    tmp_path: Path, sheet: Sheet, shown: tuple[object, ...]
+) -> None:
     text = download(sheet)
-    filled = cells(read(tmp_path, text).filled({"12": 87.5}))
+    worksheet = read(tmp_path, text)
+    ann = worksheet.rows[0]
+    assert (ann.name, ann.email, ann.id_number, ann.submitted) == shown
     expected = cells(text)
     expected[1][expected[0].index("Grade")] = "87.50"
-    assert filled == expected
+    assert cells(worksheet.filled({"12": 87.5})) == expected
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
@@ -81,38 +87,11 @@ def test_the_form_of_the_file_stays_as_it_was(
     assert after == before.replace(b"1,00", b"2,50")
 
 
-@pytest.mark.parametrize(
-    ("sheet", "shown"),
-    [
-        (LAYOUTS["anonymous"], ("", "", "", AT)),
-        (Sheet(anonymous=True, teams=True, overrides=True), ("", "", "", AT)),
-        (Sheet(identity=("username", "idnumber", "email")), ("Ann Lee", "ann@x.org", "u77", AT)),
-        (Sheet(identity=("username", "idnumber")), ("Ann Lee", "", "", AT)),
-        (LAYOUTS["no e-mail"], ("Ann Lee", "", "u77", AT)),
-        (LAYOUTS["only the name"], ("Ann Lee", "", "", AT)),
-        (Sheet(identity=("email", "phone1")), ("Ann Lee", "ann@x.org", "", AT)),
-        (Sheet(identity=("idnumber", "phone1")), ("Ann Lee", "", "u77", AT)),  # the same phones
-        (LAYOUTS["everything"], ("Ann Lee", "ann@x.org", "u77", AT)),
-        (Sheet(submissions=False, graded={12: "5.00"}), ("Ann Lee", "ann@x.org", "u77", None)),
-    ],
-)
-def test_what_a_worksheet_does_not_show_is_left_empty(
-    tmp_path: Path, sheet: Sheet, shown: tuple[object, ...]
-) -> None:
-    ann = read(tmp_path, download(sheet)).rows[0]
-    assert (ann.name, ann.email, ann.id_number, ann.submitted) == shown
-
-
-def test_a_suspended_student_has_a_name_without_html(tmp_path: Path) -> None:
-    name = '<span class="usersuspended">Ann Lee <i class="icon" title="Suspended"></i></span>'
-    worksheet = read(tmp_path, download(Sheet(), PEOPLE | {12: (name, "u77", "ann@x.org")}))
-    assert worksheet.rows[0].name == "Ann Lee"
-
-
 @pytest.mark.parametrize("known", ["idnumber", "phone1"])
 def test_a_class_of_one_is_understood(tmp_path: Path, known: str) -> None:
     """Its e-mail address is empty like a grade, and its other number is the same in each row."""
-    one = {12: ("Ann Lee", "2024", "")}
+    suspended = '<span class="usersuspended">Ann Lee <i class="icon" title="Suspended"></i></span>'
+    one = {12: (suspended, "2024", "")}
     identity = (known, "email") if known == "idnumber" else ("email", known)
     worksheet = read(tmp_path, download(Sheet(identity=identity), one))
     assert worksheet.rows[0].name == "Ann Lee"
@@ -134,14 +113,11 @@ def test_a_time_that_is_not_certain_is_unknown_and_listed(tmp_path: Path, time: 
     ("change", "message"),
     [
         (lambda _: "", "below its header"),
-        (lambda text: text.partition("\n")[0], "below its header"),
         (lambda text: text + "Participant 99,Eve\n", "below its header"),
         (lambda text: text + '"', "unexpected end of data"),
         (lambda text: text.replace("Participant 13", "Bo"), "must have identifiers, .* got 'Part"),
-        (lambda text: text.replace("Participant 13", "Student 13"), "must have identifiers"),
         (lambda text: text.replace("Participant 13", "Participant 12"), "appears twice"),
         (lambda text: text.replace("100.00", "A\nB"), "not certain which column"),  # a scale
-        (lambda text: text.replace("100.00", "", 1), "not certain which column"),
         (lambda text: text.replace("100.00", "0.00"), "not certain which column"),
     ],
 )

@@ -18,8 +18,9 @@ from autograder.analysis.discrimination import FEWEST, discrimination
 from autograder.checks.verdict import Verdict
 from autograder.message import Kind, Message
 from autograder.release.pages import Compared, Pair, write_page
+from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.report import StudentReport
-from graded import CHAPTERS, SHOUT, check, failed_run, hostile, report_of, with_exercise
+from graded import CHAPTERS, SHOUT, check, class_of, failed_run, hostile, report_of, with_exercise
 
 browser = pytest.fixture(browsers.browser, scope="module")
 GONE = Message(wanted="1", likely="The stub is gone.", kind=Kind.GONE)
@@ -150,10 +151,13 @@ def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
     pair = Pair("Vector3.dot", f"return self.x  # {SHOUT}", None)
-    everybody = [*class_of_twenty(), failed_run(), hostile()]
+    everybody = [*class_of_twenty(), failed_run(), report_of()]
+    index = write_index(tmp_path, CHAPTERS, everybody, class_of())
+    page = write_feedback(tmp_path, report_of())
     narrow, wide = (360, "dark"), (1280, "light")
     for path, size in (
-        (write_class_page(tmp_path, CHAPTERS, everybody), narrow),
+        *((path, size) for path in (page, index) for size in (narrow, wide)),
+        (write_class_page(tmp_path, CHAPTERS, [*everybody, hostile()]), narrow),
         (write_page(tmp_path, SHOUT, [Compared("2.2 Angles", [pair])], ["2.3"]), wide),
     ):
         assert SHOUT not in path.read_text(encoding="utf-8")

@@ -301,27 +301,6 @@ def test_the_histogram_and_its_table_count_every_score_once(tmp_path: Path) -> N
     assert "90 to 100 percent: 2" in index.text
 
 
-def test_text_stands_out_from_its_ground_in_light_and_in_dark() -> None:
-    style = (ROOT / "autograder/reports/templates/style.css").read_text(encoding="utf-8")
-    schemes = [
-        dict(re.findall(r"--(\w+): (#\w{6})", block))
-        for block in re.findall(r":root \{[^}]*--paper[^}]*\}", style)
-    ]
-    assert len(schemes) == 2
-    for colors in schemes:
-        for ground in ("paper", "raised"):
-            for ink in colors.keys() - {"paper", "raised", "rule"}:
-                light = sorted(luminance(colors[name]) for name in (ground, ink))
-                assert (light[1] + 0.05) / (light[0] + 0.05) >= 4.5, (ink, ground, colors)
-
-
-def luminance(color: str) -> float:
-    """WCAG's relative luminance of #rrggbb."""
-    parts = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
 @pytest.mark.slow
 def test_a_browser_shows_and_prints_the_pages_and_nothing_leaves(
     browser: Any, tmp_path: Path

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from autograder.analysis.class_page import write_class_page
 from autograder.grader.people import people_of
-from autograder.records import to_json
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.results import (
     read_result,
@@ -41,41 +39,6 @@ def test_a_result_that_is_missing_or_cut_off_is_none(tmp_path: Path) -> None:
     path.unlink()
     assert read_result(path) is None
     assert read_result(tmp_path) is None
-
-
-@pytest.mark.parametrize(
-    ("where", "key", "value"),
-    [
-        ((), "score", "18"),
-        ((), "score", float("nan")),
-        ((), "status", "passed"),
-        ((), "notes", [1]),
-        ((), "results", None),
-        ((), "seed", 7),
-        (("results", 0), "status", "graded"),
-        (("results", 0), "checks", [None]),
-        (("results", 0, "exercise"), "points", "2"),
-        (("results", 1, "checks", 1), "status", "no"),
-        (("results", 1, "checks", 1), "weight", "1"),
-    ],
-)
-def test_a_result_of_another_form_is_none(
-    tmp_path: Path, where: tuple[Any, ...], key: str, value: object
-) -> None:
-    report = to_json(report_of())
-    part: Any = report
-    for step in where:
-        part = part[step]
-    path = tmp_path / "ada.json"
-    path.write_text(json.dumps(report), encoding="utf-8")
-    assert read_result(path) is not None
-    kept = part.pop(key)
-    path.write_text(json.dumps(report), encoding="utf-8")
-    assert read_result(path) is None, "the key is missing"
-    part[key] = value
-    assert value != kept
-    path.write_text(json.dumps(report), encoding="utf-8")
-    assert read_result(path) is None, "the value is wrong"
 
 
 def test_what_is_wrong_in_a_result_is_said_in_one_line(tmp_path: Path) -> None:

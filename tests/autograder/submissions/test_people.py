@@ -1,18 +1,22 @@
-"""A class from Canvas is graded under the names of its roster."""
+"""A class that was downloaded from Canvas or Moodle is graded, and its grades go back there."""
 
 from __future__ import annotations
 
 import re
+import zipfile
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
+from autograder.course.times import times_of
 from autograder.platforms.uploads import Column
 from autograder.submissions.unpack import class_folder
+from listed import class_in
+from moodle_sheet import GERMAN, Sheet, download, upload
 from small import MANIFEST, RIGHT, WRITTEN, make_root
-from small_class import HALF, grade, scores, table
+from small_class import HALF, SmallClass, grade, scores, table
 from staging import zip_of
-from typed import typed
 
 SMALL = "ch90_small/small.py"
 ROSTER = """id,name,email,login
@@ -28,14 +32,17 @@ def root(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def roster(tmp_path: Path) -> Path:
-    (tmp_path / "roster.csv").write_text(ROSTER, encoding="utf-8")
-    return tmp_path / "roster.csv"
+def submissions(tmp_path: Path) -> Path:
+    """Return the folder of a class that has handed in nothing yet."""
+    (tmp_path / "class").mkdir()
+    return tmp_path / "class"
 
 
 def test_a_class_is_graded_under_the_names_of_its_roster(
-    root: Path, roster: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    roster = tmp_path / "roster.csv"
+    roster.write_text(ROSTER, encoding="utf-8")
     files = {
         "doejane_LATE_77_3_work.zip": {SMALL: HALF.encode()},
         "leebo_501_4_work-1.zip": {f"bo lee's/{SMALL}": RIGHT.encode(), f"old/{SMALL}": b""},
@@ -77,15 +84,36 @@ def test_a_class_is_graded_under_the_names_of_its_roster(
     assert "not marked yet" in " ".join(lines)
 
 
-def test_the_command_takes_a_zip_and_reports_a_mistake_in_the_roster(
-    roster: Path, tmp_path: Path
+def test_moodles_worksheet_is_filled_and_the_pages_are_in_a_zip_for_moodle(
+    small: SmallClass,
 ) -> None:
-    (tmp_path / "lab.zip").write_bytes(zip_of({"doejane_77_3_work.zip": zip_of({SMALL: b""})}))
-    roster.write_text(ROSTER + "77,Ann,,\n", encoding="utf-8")
-    options = ("--roster", roster, "--out", tmp_path / "out", "--title", "Lab 1 (12)")
-    done = typed("autograder", "grade", tmp_path / "lab.zip", *options)
-    assert done.returncode == 2
-    assert done.stdout.startswith(f"lab.zip is unpacked in {tmp_path / 'lab'}: 1 entries")
-    where = f"grade: {roster}, line 5: the id '77' is already in line 2."
-    assert done.stderr.startswith(where)
-    assert not (tmp_path / "out").exists()
+    sheet = Sheet(GERMAN, most=10)
+    for name, code in (("Ann Lee_12", RIGHT), ("Bo O'Neill_13", HALF)):
+        small.hand_in(f"{name}_assignsubmission_file", code)
+    small.write("worksheet.csv", "a,b\n1,2\n")
+    with pytest.raises(ValueError, match=r"class/worksheet\.csv is not a worksheet from Moodle"):
+        small.grade()
+    assert not small.out.exists(), "nothing was graded"
+    small.write("worksheet.csv", download(sheet))
+    assert small.grade() == 0
+    printed = small.printed()
+    assert "worksheet.csv was left out" not in printed
+    assert str(small.out / "moodle-worksheet.csv") in printed
+    grades, comments = upload((small.out / "moodle-worksheet.csv").read_bytes(), sheet)
+    assert grades == {12: 6.67, 13: 5.56}, "of 9 points"
+    assert comments == []
+    with zipfile.ZipFile(small.out / "feedback-moodle.zip") as file:
+        pages = {file.read(name) for name in file.namelist()}
+    assert pages == {page.read_bytes() for page in small.out.glob("feedback/*.html")}
+
+
+@pytest.mark.parametrize("name", ["J. R. Ewing", "Lee, A."])
+@pytest.mark.parametrize("file", ["", "_work.zip", "_report.v2.pdf"])
+def test_the_worksheet_says_when_a_student_handed_in_whatever_dots_are_in_the_name(
+    tmp_path: Path, name: str, file: str
+) -> None:
+    sheet = download(Sheet(GERMAN), {14: (name, "u14", "e@x.org"), 12: ("Bo", "u12", "b@x.org")})
+    names = f"{name}_14_assignsubmission_file{file}"
+    people = class_in(tmp_path, names, files={"worksheet.csv": sheet})
+    ((_, said),) = times_of(tmp_path / "class", people, UTC)[0].items()
+    assert (said.source, said.at) == ("Moodle", datetime(2026, 10, 23, 20, 15, tzinfo=UTC))

@@ -80,23 +80,19 @@ def test_paths_that_lead_out_of_the_zip(tmp_path: Path, above: str) -> None:
     [
         ({"mode": stat.S_IFLNK | 0o777}, LINK),
         ({"mode": stat.S_IFIFO | 0o644}, NO_FILE),
-        ({"mode": stat.S_IFCHR | 0o644}, NO_FILE),
         ({"mode": stat.S_IFDIR | 0o755}, FOLDER),
         ({"mode": 0, "name": f"{VECTOR}/"}, FOLDER),
         ({"mode": 0, "name": "ch02_vectors\\vector.py\\"}, FOLDER),
         ({"flags": 1}, "it is encrypted in the zip: zip it without a password"),
         ({"flags": 1 << 6}, SPOILT),  # another encryption
         ({"method": zipfile.ZIP_BZIP2}, UNUSUAL),
-        ({"method": zipfile.ZIP_LZMA}, UNUSUAL),
         ({"method": 97}, UNUSUAL),
         ({"method": zipfile.ZIP_DEFLATED}, SPOILT),
         ({"packed": 3}, SPOILT),
         ({"packed": LARGEST_FILE + 1}, TOO_LARGE),
-        ({"size": 3}, SPOILT),
         ({"size": 7}, SPOILT),
         ({"size": LARGEST_FILE + 1}, TOO_LARGE),
         ({"crc": 0}, SPOILT),
-        ({"offset": 1}, SPOILT),
         ({"offset": 4_000_000_000}, SPOILT),
         ({"offset": 0xFFFF_FFFF, "extra": struct.pack("<2HQ", 1, 8, 1 << 63)}, SPOILT),  # zip64
     ],

@@ -2,25 +2,40 @@
 
 Correct functions come from the reference and from Ada. Wrong functions come from wrong.toml and
 from the sample class. Each student writes in a personal style, gets some functions wrong, and
-leaves some out.
+leaves some out. What is rewritten does the same, except that the last digit of a sum may change.
 """
 
 from __future__ import annotations
 
 import ast
+import builtins
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from random import Random
+from typing import Any
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from restyled import Student, disguised
 from wrong import body_of, read_wrong
 
 COPIED = 0.85  # fraction of the exercises; the others are the copier's own work
 Bodies = dict[tuple[str, str], str]  # by file, such as ch02_vectors/vector.py, and function
 Files = dict[str, str]
+HABITS = [
+    "swap operands",
+    "halve",
+    "flip comparisons",
+    "expand +=",
+    "whole numbers",
+    "name results",
+]
+NAMES = (
+    "a b c d e f g h i j k m n p q r s t u w val tmp res out num cur acc cnt idx item thing old "
+    "new left right first second total diff amount part length vec pos speed step size factor"
+)
+REMARKS = ("# see the book", "# as in the lesson", "# careful here", "# TODO tidy up", "# works")
+Body = list[ast.stmt]
 
 
 def copied_class(
@@ -131,3 +146,116 @@ def _parameters(file: str, function: str) -> list[str]:
 def _place(chapter: Chapter, edit: str) -> tuple[str, str]:
     module, _, name = edit.partition(".")
     return f"{chapter.name}/{module}.py", name
+
+
+class Student(ast.NodeTransformer):
+    """A student's habits: different ways to write an expression, and how often each is used."""
+
+    def __init__(self, rng: Random) -> None:
+        self.rng = rng
+        self.habits = {habit: rng.choice([0.0, 0.1, 0.3, 0.6, 0.9]) for habit in HABITS}
+
+    def does(self, habit: str) -> bool:
+        return self.rng.random() < self.habits[habit]
+
+    def write(self, source: str, parameters: Iterable[str] = ()) -> str:
+        """Return a function's body, with these parameters, in this student's style."""
+        body = []
+        for statement in map(self.visit, parsed(source)):
+            body += statement if isinstance(statement, list) else [statement]
+        return written(renamed(body, self.rng, parameters), self.rng)
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        if isinstance(node.op, (ast.Mult, ast.Add)) and self.does("swap operands"):
+            node.left, node.right = node.right, node.left
+        return node
+
+    def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
+        self.generic_visit(node)
+        if self.does("expand +="):
+            read = ast.parse(ast.unparse(node.target), mode="eval").body
+            return ast.Assign([node.target], ast.BinOp(read, node.op, node.value), lineno=1)
+        return node
+
+    def visit_Constant(self, node: ast.Constant) -> ast.AST:
+        value = node.value
+        whole = isinstance(value, float) and abs(value) < 1e9 and value == int(value)
+        return ast.Constant(int(value)) if whole and self.does("whole numbers") else node
+
+    def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.AST:
+        return node
+
+    def visit_Return(self, node: ast.Return) -> Any:
+        self.generic_visit(node)
+        if isinstance(node.value, (ast.Call, ast.BinOp)) and self.does("name results"):
+            name = self.rng.choice(["result", "answer", "value"])
+            value = ast.Assign([ast.Name(name, ast.Store())], node.value, lineno=1)
+            return [value, ast.Return(ast.Name(name, ast.Load()))]
+        return node
+
+
+def disguised(source: str, rng: Random, parameters: Iterable[str] = ()) -> str:
+    """Return a body whose variables are renamed, statements reordered, and comments changed."""
+    return written(renamed(reordered(parsed(source), rng), rng, parameters), rng)
+
+
+def renamed(body: Body, rng: Random, parameters: Iterable[str]) -> Body:
+    """Rename the local variables of a body, but not its parameters."""
+    nodes = [node for statement in body for node in ast.walk(statement)]
+    names = [node for node in nodes if isinstance(node, ast.Name)]
+    used = {name.id for name in names} | {*dir(builtins)}
+    free = [name for name in NAMES.split() if name not in used]
+    rng.shuffle(free)
+    stored = {name.id for name in names if isinstance(name.ctx, ast.Store)}
+    local = sorted(stored - {*parameters})
+    new = dict(zip(local, free, strict=False))
+    for name in names:
+        name.id = new.get(name.id, name.id)
+    return body
+
+
+def reordered(body: Body, rng: Random) -> Body:
+    """Swap most pairs of neighboring statements that do not depend on each other."""
+    body = [*body]
+    for i in range(len(body) - 1):
+        if independent(body[i], body[i + 1]) and rng.random() < 0.7:
+            body[i], body[i + 1] = body[i + 1], body[i]
+    for statement in body:
+        for field in ("body", "orelse"):
+            if isinstance(getattr(statement, field, None), list):
+                setattr(statement, field, reordered(getattr(statement, field), rng))
+    return body
+
+
+def independent(one: ast.stmt, other: ast.stmt) -> bool:
+    if not all(isinstance(statement, (ast.Assign, ast.AugAssign)) for statement in (one, other)):
+        return False
+    return not (targets(one) & names_in(other) or targets(other) & names_in(one))
+
+
+def targets(statement: ast.stmt) -> set[str]:
+    found = getattr(statement, "targets", None) or [getattr(statement, "target", None)]
+    parts = [part for target in found for part in getattr(target, "elts", [target])]
+    return {ast.unparse(part) for part in parts}
+
+
+def names_in(statement: ast.stmt) -> set[str]:
+    nodes = ast.walk(statement)
+    return {ast.unparse(node) for node in nodes if isinstance(node, (ast.Name, ast.Attribute))}
+
+
+def parsed(source: str) -> Body:
+    (function,) = ast.parse("def f():\n" + textwrap.indent(source, "    ")).body
+    assert isinstance(function, ast.FunctionDef)
+    return function.body
+
+
+def written(body: Iterable[ast.stmt], rng: Random) -> str:
+    """Return the source code of a body, with a few comments added."""
+    lines: list[str] = []
+    for statement in body:
+        if rng.random() < 0.2:
+            lines.append(rng.choice(REMARKS))
+        lines.append(ast.unparse(ast.fix_missing_locations(statement)))
+    return "\n".join(lines)

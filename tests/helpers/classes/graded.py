@@ -27,18 +27,13 @@ def exercise_of(exercise_id: str, title: str, kind: str, points: float) -> Exerc
     return Exercise(exercise_id, title, kind, 1, points, [], [])
 
 
+VECTORS = [
+    exercise_of("B2.1", "Copy", "build", 2.0),
+    exercise_of("2.2", "Angles", "exercise", 4.0),
+    exercise_of("2.3", "Why", "written", 3.0),
+]
 CHAPTERS = [
-    Chapter(
-        "ch02_vectors",
-        2,
-        "Vectors",
-        [],
-        [
-            exercise_of("B2.1", "Copy", "build", 2.0),
-            exercise_of("2.2", "Angles", "exercise", 4.0),
-            exercise_of("2.3", "Why", "written", 3.0),
-        ],
-    ),
+    Chapter("ch02_vectors", 2, "Vectors", [], VECTORS),
     Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5.0)]),
 ]
 

@@ -11,19 +11,8 @@ from pathlib import Path
 
 from moodle_sheet import LANGUAGES, Sheet, download
 
-GIVEN = [
-    "Ann",
-    "Bo",
-    "José",
-    "Ana María",
-    "Li",
-    "Wei",
-    "Zoë",
-    "小龙",
-    "Jean-Luc",
-    "J.",
-    "Ann Marie",
-]
+GIVEN = ["Ann", "Bo", "José", "Ana María", "Li", "Wei", "Zoë", "小龙", "Jean-Luc", "J."]
+GIVEN.append("Ann Marie")
 FAMILY = ["Lee", "Doe", "Ñandú", "O'Neill", "Li", "Wei", "van der Berg", "Müller", "王", "Ek-Dahl"]
 HOW = ["folders", "canvas", "canvas with other ids", "moodle", "moodle with a worksheet"]
 HOW += ["gradescope", "github", "groups", "twice", "canvas with groups"]
@@ -150,20 +139,16 @@ def _hand_in(
             "twice": [first, last],
         }[action]
         person.path = files[-1]
-    elif made.how.startswith("moodle"):
+    elif made.how.startswith(("moodle", "gradescope", "github")):
         alike = [plain(p.name()) for p in made.people].count(plain(person.name()))
         made.is_unclear |= made.how == "moodle" and alike > 1  # the given name is first
-        person.path = f"{person.name()}_{other}_assignsubmission_file"
+        person.path = {
+            "moodle": f"{person.name()}_{other}_assignsubmission_file",
+            "gradescope": f"submission_{other}",
+            "github": f"lab1-user{other}",
+        }[made.how.split()[0]]
         files = [f"{person.path}/{'report.pdf' if action == 'pdf' else 'work.zip'}"]
         person.is_gradable = True  # as far as the folder tells; grading looks inside
-    elif made.how.startswith("gradescope"):
-        person.path = f"submission_{other}"
-        files = [f"{person.path}/x.py"]
-        person.is_gradable = True
-    elif made.how.startswith("github"):
-        person.path = f"lab1-user{other}"
-        files = [f"{person.path}/x.py"]
-        person.is_gradable = True
     else:
         name = a_name_of(rng, made, person).strip().replace("/", "")
         person.path = f"{name}.pdf" if action == "pdf" else rng.choice([name, f"{name}.zip"])

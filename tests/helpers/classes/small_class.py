@@ -4,6 +4,11 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import signal
+import subprocess
+import sys
+import time
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +20,7 @@ from autograder.course.model import Work
 from autograder.grader import cohort
 from autograder.grader.cohort import ClassOptions
 from autograder.isolation.probe import best_level
-from autograder.manifest import load_chapters
+from autograder.manifest import ROOT, load_chapters
 from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.report import StudentReport
@@ -50,6 +55,32 @@ def grade(
     parts = {name: more.pop(name) for name in [*more] if name in vars(work)}
     options = ClassOptions(root=root, unsafe=True, **more)
     return cohort.grade(submissions, out, replace(work, seed=seed, **parts), options)
+
+
+def interrupt(out: Path, *options: str, **environment: str) -> str:
+    """Grade the sample class in another process until something has landed; return its output."""
+    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out", str(out)]
+    process = subprocess.Popen(
+        [*command, "--chapters", "2", *options],
+        cwd=ROOT,
+        env=os.environ | environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    deadline = time.monotonic() + 60.0
+    while not [*out.glob("results/*.json")] and time.monotonic() < deadline:
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    told, complaint = process.communicate(timeout=60.0)
+    assert process.returncode == 130, complaint
+    assert "grade: stopped" in complaint
+    assert "Traceback" not in complaint
+    landed = results(out)
+    assert 0 < len(landed) < 8
+    assert {report["status"] for report in landed.values()} == {"graded"}
+    assert not (out / ".temporary").exists()
+    return told
 
 
 def on_gradescope(work: Work, folder: Path, source: Path) -> StudentReport:

@@ -205,9 +205,7 @@ def _engine(config: Config) -> InProcess | InWorker:
         return InProcess(config)
     from autograder.isolation.in_worker import InWorker  # not in handouts
 
-    return InWorker(
-        config.engine, config.time_limit, config.stack_file, config.complete, config.worker
-    )
+    return InWorker(config, config.worker)
 
 
 def exercise_of(item: pytest.Item) -> str:

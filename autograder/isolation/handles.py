@@ -78,8 +78,8 @@ class Session:
 
     def end(self) -> None:
         """Refuse all further requests, because the worker is gone."""
-        ended = Message("the process of the student's code has ended", kind=Kind.LEFT)
-        self.dead = self.dead or ended
+        if not self.dead:
+            self.dead = Message("the process of the student's code has ended", kind=Kind.LEFT)
 
     def ask(self, what: str, *operands: Any) -> Any:
         """Send a request to the worker, and return its answer or raise the exception of its code.
@@ -135,8 +135,8 @@ class Session:
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
         """Call a function that the check has passed to the student's code, such as a force.
 
-        If it raises an Exception, the worker raises it again in the student's code. Anything else,
-        such as a failure of the check, ends the session, so that the code cannot catch it.
+        An Exception is raised again in the student's code. Anything else, such as a failure of the
+        check, ends the session, so that the code cannot catch it.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -260,8 +260,8 @@ REFUSED = "eq ne lt le gt ge bool float int complex index contains"
 for _name in UNARY.split():
     setattr(ObjectHandle, f"__{_name}__", _operation(_name))
 for _name in BINARY.split():
-    _function = _name + "_" if _name in ("and", "or") else _name
-    setattr(ObjectHandle, f"__{_name}__", _operation(_function))
+    _function = f"__{_name}__"  # the module operator has it under this name, too
+    setattr(ObjectHandle, _function, _operation(_function))
     setattr(ObjectHandle, f"__r{_name}__", _operation(_function, reflected=True))
     setattr(ObjectHandle, f"__i{_name}__", _operation("i" + _name))
 for _name in REFUSED.split():

@@ -185,10 +185,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> bool:
-        """Record that a check hung, and skip the exercise's other checks, which then fail.
+        """Record that a check hung, skip the others of its exercise, and return if any was skipped.
 
         In a sandbox, where they may still earn points, they are skipped only if a check of a
-        prerequisite has hung too. Return whether any was skipped.
+        prerequisite has hung too.
         """
         before = len(self.verdicts)
         if not self.request.sandbox or self.hung & needs_of(self.request.chapter, exercise):

@@ -25,10 +25,7 @@ def read(data: Any, kind: type[T]) -> T:
     """Read a text, or a dataclass of texts and numbers, from data that a worker has sent.
 
     Its texts could contain anything, even control characters that clear the instructor's screen,
-    so each is shortened and escaped.
-
-    Raises:
-        BrokenProtocolError: The data has another form.
+    so each is shortened and escaped. Data in another form is a BrokenProtocolError.
     """
     try:
         value = msgspec.convert(data, kind)
@@ -44,9 +41,6 @@ def exception_of(name: Any, data: Any) -> BaseException:
 
     The result is the built-in exception ``name``, or StudentLeft if the original is not a subclass
     of Exception, as in the case of SystemExit. Its attribute ``fault`` describes the original.
-
-    Raises:
-        BrokenProtocolError: The data does not describe an exception.
     """
     fault = read(data, Fault)
     none = fault.none[:MOST_OF_AN_EXPRESSION]

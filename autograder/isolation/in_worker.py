@@ -78,8 +78,7 @@ class InWorker:
     def after_collection(self) -> None:
         """Compile the student's modules, and find out which of them cannot be imported.
 
-        Every check has a new worker, which imports the same modules, so compiling them only once
-        saves time. Each module is then imported once. If that fails, so do the checks that need it.
+        If a module cannot be imported, the checks that need it fail.
         """
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():

@@ -57,13 +57,12 @@ class _Worker(NamedTuple):
 class Launcher:
     """A process that forks a worker for each check, but never runs any student code itself.
 
-    A worker looks for modules in the standard library, then in ``engine``, which lists the folders
-    of the student's chapters, and then in ``probes``, which has the helper functions of checks that
-    must run in a worker. ``folder`` is for temporary files, and ``seconds`` is how long a worker
-    may take to answer.
+    A worker looks for modules in the standard library, then in the folders ``engine`` of the
+    student's chapters, and then in ``probes``, the helper functions of checks that must run in a
+    worker. It may take ``seconds`` to answer. ``folder`` is for temporary files.
 
-    Without seccomp, each worker gets a launcher of its own. That is slower, but then it is the only
-    way to keep one worker from affecting the next.
+    Without seccomp, each worker gets a launcher of its own, because nothing else would keep one
+    worker from affecting the next.
     """
 
     def __init__(
@@ -133,10 +132,7 @@ class Launcher:
     ) -> Session:
         """Start a session with a worker process that has not run any student code yet.
 
-        ``broken`` maps each student module that cannot be imported to the reason.
-
-        Raises:
-            LauncherError: The worker did not start.
+        Raise LauncherError if it does not start. ``broken`` says why some modules are broken.
         """
         self.stop_worker()
         own, theirs = socket.socketpair()
@@ -168,10 +164,7 @@ class Launcher:
         return next(filter(None, map(_text, logs)), repr(error))
 
     def stack(self) -> str:
-        """Return a stack trace of the student's code, to show where it is stuck.
-
-        Python's faulthandler writes the trace in the worker process.
-        """
+        """Return a stack trace of the student's code, which faulthandler writes in the worker."""
         if self._worker is None:
             return ""
         with contextlib.suppress(OSError, EOFError):  # the launcher is gone
@@ -186,9 +179,7 @@ class Launcher:
     def how_it_ended(self) -> str:
         """Explain to the student in one sentence why the worker ended.
 
-        Raises:
-            LauncherError: The worker was killed from outside, perhaps because the machine ran out
-                of memory. Code inside the sandbox cannot cause this.
+        If it was killed from outside, which code in the sandbox cannot do, raise LauncherError.
         """
         try:
             answer = self._ask("wait")

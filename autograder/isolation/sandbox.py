@@ -85,10 +85,7 @@ def landlock_version() -> int:
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that let a worker read only these files and folders, and write none.
-
-    The result is a file descriptor.
-    """
+    """Create Landlock rules, as a descriptor, that let a worker read these paths and write none."""
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
     # All file access rights. Version 4 adds TCP, and version 6 abstract sockets and signals.
@@ -167,10 +164,7 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the launcher, before it forks workers that inherit the restrictions.
-
-    ``rules`` is the file descriptor of the Landlock rules, or None if Landlock is not used.
-    """
+    """Permanently restrict the launcher, before it forks workers that inherit the restrictions."""
     for name, value in _LIMITS.items():
         if hasattr(resource, name):
             _lower(getattr(resource, name), value, value)

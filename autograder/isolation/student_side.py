@@ -180,15 +180,10 @@ def _reach_out(_: str) -> None:
         outside.connect(("192.0.2.1", 9))  # an address reserved for documentation
 
 
-def _start_a_process(_: str) -> None:
-    if os.fork() == 0:
-        os._exit(0)
-
-
 ATTEMPTS: dict[str, Callable[[str], Any]] = {
     "reading a file": lambda path: os.open(path, os.O_RDONLY),
     "writing a file": lambda path: os.open(path + ".new", os.O_WRONLY | os.O_CREAT),
     "reaching the network": _reach_out,
-    "starting a process": _start_a_process,
+    "starting a process": lambda _: os.fork() or os._exit(0),
     "sending a signal": lambda _: os.kill(os.getpid(), 0),
 }

@@ -1,7 +1,4 @@
-"""Assemble the files and settings for a check process.
-
-A check process runs the checks of one chapter on the code of one student.
-"""
+"""Assemble the files and settings for a process that checks one chapter of one student."""
 
 from __future__ import annotations
 
@@ -29,10 +26,9 @@ class SandboxSettings:
 
 @dataclass(frozen=True)
 class Request:
-    """A request to run some of a chapter's checks on a student's code.
+    """A request to run some of a chapter's checks on the code in the folders of ``engine``.
 
-    The code is searched for in the folders of ``engine``, in this order. Without ``sandbox``, it
-    runs in the same process as the checks.
+    Without ``sandbox``, it runs in the same process as the checks.
     """
 
     chapter: Chapter
@@ -48,8 +44,8 @@ class Workers:
     """Settings for the sandboxed worker processes that run a student's code.
 
     A probe is a part of a check that has to run in the same process as the student's code, which
-    can therefore read it. The folder ``hidden_probes`` contains the probes of hidden checks as
-    well. Only the workers of hidden checks may use it, because students never see their output.
+    can therefore read it. Only the workers of hidden checks, whose output students never see, may
+    use the folder ``hidden_probes``, which contains the probes of hidden checks as well.
     """
 
     level: dict[str, bool]
@@ -93,21 +89,21 @@ def arrange(
     place, tests = root, [f"tests/{chapter.name}"]
     if sandbox and sandbox.hidden:
         place = folder / "root"
-        tests += _put_checks(place, chapter, root, sandbox.hidden)
+        tests += _put_checks(place, chapter.name, root, sandbox.hidden)
     return Config(
         chapter=chapter.name,
         root=str(place),
         engine=[str(path) for path in request.engine],
         tests=tests,
         edits={exercise.id: exercise.edit for exercise in chapter.exercises},
-        modules=_modules(chapter, chapters, request.engine, root),
+        modules=_modules(chapter, chapters, request),
         complete=[f"{c.name}/{file}" for c in chapters for file in c.complete],
         graded={
             # A rejected data file is listed too, as in ch07_constraints.drops.csv.
             package: [file for file in files if f"{package}.{file}" not in broken]
             for package, files in graded_files(load_chapters(root)).items()
         },
-        worker=_workers(folder, chapter, root, sandbox) if sandbox else None,
+        worker=_workers(folder, chapter.name, root, sandbox) if sandbox else None,
         exercises=request.exercises,
         seed=request.seed,
         time_limit=time_limit,
@@ -122,46 +118,43 @@ def shared_by_checks(root: Path) -> list[Path]:
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
-def _put_checks(place: Path, chapter: Chapter, root: Path, hidden: Path) -> list[str]:
+def _put_checks(place: Path, name: str, root: Path, hidden: Path) -> list[str]:
     """Copy public and hidden checks into a folder, and return where in it the hidden ones are."""
-    tests = Path("tests") / chapter.name
-    shutil.copytree(root / tests, place / tests, ignore=NO_CACHE)
+    shutil.copytree(root / "tests" / name, place / "tests" / name, ignore=NO_CACHE)
     for file in [root / "pyproject.toml", *shared_by_checks(root)]:
         copy = place / file.relative_to(root)
         copy.parent.mkdir(exist_ok=True)
         shutil.copyfile(file, copy)
-    if not (hidden / chapter.name).is_dir():
+    if not (hidden / name).is_dir():
         return []
-    shutil.copytree(hidden / chapter.name, place / "tests/hidden" / chapter.name, ignore=NO_CACHE)
-    return [f"tests/hidden/{chapter.name}"]
+    shutil.copytree(hidden / name, place / "tests/hidden" / name, ignore=NO_CACHE)
+    return [f"tests/hidden/{name}"]
 
 
-def _workers(folder: Path, chapter: Chapter, root: Path, sandbox: SandboxSettings) -> Workers:
+def _workers(folder: Path, name: str, root: Path, sandbox: SandboxSettings) -> Workers:
     """Create the folders for the worker processes, and return the workers' settings."""
-    public = hidden = _put_probes(folder / "probes", chapter, [root / "tests"])
-    if sandbox.hidden and any((sandbox.hidden / chapter.name).glob("*probes.py")):
-        tests = [root / "tests", sandbox.hidden]
-        hidden = _put_probes(folder / "hidden_probes", chapter, tests)
+    probes = [*(root / "tests" / name).glob("*probes.py")]
+    public = hidden = _put_probes(folder / "probes", name, probes)
+    if sandbox.hidden and (secret := [*(sandbox.hidden / name).glob("*probes.py")]):
+        hidden = _put_probes(folder / "hidden_probes", name, probes + secret)
     compiled = sandbox.compiled or folder / "compiled"
     compiled.mkdir(exist_ok=True)
-    return Workers(sandbox.level, str(public), str(hidden), str(compiled))
+    return Workers(sandbox.level, public, hidden, str(compiled))
 
 
-def _put_probes(folder: Path, chapter: Chapter, tests: list[Path]) -> Path:
-    """Copy the chapter's probes from folders of checks into a new folder, and return it."""
-    (folder / chapter.name).mkdir(parents=True)
-    for file in (file for of in tests for file in (of / chapter.name).glob("*probes.py")):
-        shutil.copyfile(file, folder / chapter.name / file.name)
-    return folder
+def _put_probes(folder: Path, name: str, probes: list[Path]) -> str:
+    """Copy the probes of a chapter into a new folder, and return it."""
+    (folder / name).mkdir(parents=True)
+    for file in probes:
+        shutil.copyfile(file, folder / name / file.name)
+    return str(folder)
 
 
-def _modules(
-    chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
-) -> list[str]:
+def _modules(chapter: Chapter, chapters: list[Chapter], request: Request) -> list[str]:
     """List the student's modules, with all files of an earlier chapter without a manifest."""
     files = {c.name: c.edited_files for c in chapters}
-    listed = {c.name for c in load_chapters(root)}
-    for file in sorted(f for folder in engine for f in folder.glob("ch??_*/*.py")):
+    listed = {c.name for c in load_chapters(request.root)}
+    for file in sorted(f for folder in request.engine for f in folder.glob("ch??_*/*.py")):
         name = file.parent.name
         if name < chapter.name and name not in listed:
             files.setdefault(name, []).append(file.name)

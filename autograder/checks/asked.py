@@ -20,8 +20,7 @@ LONG = re.compile(r"\b\d{1,5}\.\d{10,}(?:e[-+]?\d+)?\b")  # a computed number wi
 class Words(TypedDict, total=False):
     """Parts of a failure message that a check sets for only one of its comparisons.
 
-    ``call``, ``cause`` and ``read`` replace the parts that the check has stored, and ``then`` is
-    appended to the call. ``unit``, such as "m/s" or "contacts", follows both numbers.
+    ``then`` is appended to the call. ``unit``, such as "m/s" or "contacts", follows both numbers.
     """
 
     call: str
@@ -34,8 +33,7 @@ class Words(TypedDict, total=False):
 class About:
     """The parts of a check's failure message: the call, the likely mistake and the section to read.
 
-    To change only some of them, call the object with the new values, or assign to an attribute. The
-    call may be a function that writes it, because only a check that fails needs it.
+    To change some of them, call the object with the new values, or assign to an attribute.
     """
 
     def __init__(self) -> None:

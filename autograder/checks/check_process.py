@@ -58,18 +58,12 @@ def is_stopped() -> bool:
 
 @dataclass(frozen=True)
 class Ending:
-    """How a check process ended and, if known, why.
+    """How a check process ended and, if known, why."""
 
-    Attributes:
-        stack: A stack trace of what the process was doing, if it ran out of time.
-        silent: True if the process stopped responding and had to be killed.
-        stderr: The last part of the process's standard error.
-    """
-
-    stack: str = ""
-    silent: bool = False
+    stack: str = ""  # a stack trace of what the process was doing, if it ran out of time
+    silent: bool = False  # whether the process stopped responding and had to be killed
     code: int = 0
-    stderr: str = ""
+    stderr: str = ""  # the end of it
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
         """Explain to the student why the process ended before the current check had finished."""
@@ -81,10 +75,8 @@ class Ending:
         """Explain why the process ended before any check of the chapter had a verdict."""
         if missing := MISSING.search(self.stderr):
             return f"{missing[1]} is missing: put your own folder of that name beside {chapter}"
-        words = self.stderr or "it printed nothing"
-        if "INTERNALERROR>" in words:  # leave out pytest's own traceback
-            words = words.rpartition("INTERNALERROR>")[2].strip()
-        return f"the check process stopped without a verdict: {words}"
+        words = self.stderr.rpartition("INTERNALERROR>")[2].strip()  # without pytest's traceback
+        return f"the check process stopped without a verdict: {words or 'it printed nothing'}"
 
 
 class Listener(Protocol):
@@ -99,10 +91,7 @@ class Listener(Protocol):
 
 
 def run_process(run: Listener) -> Ending:
-    """Run the checks that have no verdict yet in a new process, and report how it ended.
-
-    Each line that the process prints is an event, which ``run`` hears at once.
-    """
+    """Run the checks that have no verdict yet in a new process, while ``run`` hears its events."""
     silent = False
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
@@ -159,26 +148,24 @@ def _lines(
     process: subprocess.Popen[str] | ForkedJudge, time_limit: float, deadline: float
 ) -> Iterator[str | None]:
     """Yield each line that a process prints, and None if it is silent for too long."""
-    assert process.stdout is not None
+    stream = process.stdout
+    assert stream is not None
     lines: queue.Queue[str] = queue.Queue()
-    threading.Thread(target=_pass_on, args=(process.stdout, lines), daemon=True).start()
-    while True:
-        left = deadline - time.monotonic()
-        try:
-            line = lines.get(timeout=max(0.0, min(left, time_limit + GRACE)))
-        except queue.Empty:
-            yield None
-            return
-        if not line:
-            return
-        yield line
 
+    def pass_on() -> None:
+        with contextlib.suppress(ValueError):  # the stream may be closed while it is read
+            for line in stream:
+                lines.put(line)
+        lines.put("")
 
-def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
-    with contextlib.suppress(ValueError):  # the stream may be closed while it is read
-        for line in stream:
-            lines.put(line)
-    lines.put("")
+    threading.Thread(target=pass_on, daemon=True).start()
+    try:
+        while line := lines.get(
+            timeout=max(0.0, min(deadline - time.monotonic(), time_limit + GRACE))
+        ):
+            yield line
+    except queue.Empty:
+        yield None
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
@@ -192,16 +179,12 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment variables for a check process.
-
-    They keep pytest from loading plugins or options that are set up on the user's machine, and the
-    C library from reserving 64 MB of the student's memory for the thread of the time limit.
-    """
+    """Return the environment variables for a check process."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
-        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",  # it loads no plugins of the user's machine
+        "PYTEST_ADDOPTS": "",
         "PYTHONPATH": path,
         "PYTHONUTF8": "1",
-        "MALLOC_ARENA_MAX": "1",
-        "PYTEST_ADDOPTS": "",
+        "MALLOC_ARENA_MAX": "1",  # or the thread of the time limit takes 64 MB of the memory
     }

@@ -1,8 +1,7 @@
 """Run checks in a forked copy of this process, so that exercises cannot affect each other.
 
-A check may change a counter or a cache in the student's module. The grader therefore starts a new
-process for each check. At home, even a fork for each check would double the run time, so all checks
-of an exercise share one forked copy.
+A check may change a counter or a cache in the student's module. In the grader, each check therefore
+has its own process. At home, that would double the run time, so an exercise's checks share one.
 """
 
 from __future__ import annotations
@@ -19,10 +18,7 @@ DONE = 87  # exit code of a copy that has finished its work
 
 
 def run_forked(work: Callable[[], object]) -> None:
-    """Call ``work`` in a fork of this process.
-
-    If the fork ends early, this process ends in the same way, so that the runner notices.
-    """
+    """Call ``work`` in a fork. If it ends early, so does this process, for the runner to notice."""
     if sys.platform == "win32":
         raise OSError("Windows cannot fork")
     child = os.fork()

@@ -1,8 +1,6 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
-The runner starts this program, and reads an event, such as a verdict, from each line of its output.
-The verdicts come from pytest's own reports and not from printed text, because the student's code
-could print anything.
+The runner reads an event, such as a verdict, from each line of this program's output.
 """
 
 from __future__ import annotations
@@ -54,7 +52,13 @@ class Recorder:
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
         self.config = config
         self.send = send
-        self.engine = engine or _engine(config)
+        self.engine: InProcess | InWorker
+        if engine or not config.worker:
+            self.engine = engine or InProcess(config)
+        else:
+            from autograder.isolation.in_worker import InWorker  # not in handouts
+
+            self.engine = InWorker(config, config.worker)
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
@@ -73,10 +77,7 @@ class Recorder:
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks into manifest order, and announce them to the runner.
-
-        Checks that already have a verdict, from a process that ended early, are not run again.
-        """
+        """Sort the checks into manifest order, announce them, and drop those with a verdict."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if (exercise := exercise_of(item)) not in self.config.edits:
@@ -140,10 +141,7 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report the verdict on a check, with a message for the student if it failed.
-
-        An error outside the body of the check is the grader's fault, not the student's.
-        """
+        """Report the verdict on a check. An error outside its body is the grader's fault."""
         # Nobody reads pytest's traceback, and formatting it would take four times as long as
         # everything else here.
         setattr(item, "repr_failure", str)  # noqa: B010
@@ -198,16 +196,6 @@ class Recorder:
 def run_all(checks: list[pytest.Item]) -> None:
     for check in checks:
         runtestprotocol(check, log=False)
-
-
-def _engine(config: Config) -> InProcess | InWorker:
-    if config.worker is None:
-        return InProcess(config)
-    from autograder.isolation.in_worker import InWorker  # not in handouts
-
-    return InWorker(
-        config.engine, config.time_limit, config.stack_file, config.complete, config.worker
-    )
 
 
 def exercise_of(item: pytest.Item) -> str:

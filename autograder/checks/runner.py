@@ -51,25 +51,22 @@ def run_checks(
 ) -> list[Verdict]:
     """Run a chapter's checks on a student's code, and return the verdict on each check.
 
-    If ``exercises`` is given, only the checks of those exercises and their prerequisites run. After
-    each verdict, ``on_verdict`` is called with the number of verdicts so far and the total number
-    of checks. ``process`` runs a process, and passes its events to the run.
-
-    Raises:
-        GraderError: The checks could not be run.
+    If ``exercises`` is given, only the checks of those exercises and their prerequisites run.
+    ``on_verdict`` is called with the number of verdicts so far and of all checks. ``process`` runs
+    a process, and passes its events to the run. Raise GraderError if the checks cannot run.
     """
     wanted = with_needs(chapter, exercises)
     run = Run(Request(chapter, engine, wanted, seed, sandbox, root), limits, on_verdict)
     while not run.finished:
         if is_stopped():
             raise GraderError("the run was stopped")
-        before = run.progress
+        before = len(run.verdicts), len(run.broken)
         run.current, run.restarts = None, False
         ending = process(run)
         run.end_process(ending)
         if time.monotonic() > run.deadline:
             run.give_up(ending)
-        elif not run.finished and run.progress == before:
+        elif not run.finished and (len(run.verdicts), len(run.broken)) == before:
             raise GraderError(ending.why_no_verdict(chapter.name))
     return run.outcome()
 
@@ -102,11 +99,6 @@ class Run:
         """The number of seconds that the next check may take."""
         hurried = len(set(self.loops)) < len(self.loops)
         return self.limits.check * (HURRIED if hurried else 1.0)
-
-    @property
-    def progress(self) -> tuple[int, int]:
-        """The number of verdicts so far, and the number of modules that could not be imported."""
-        return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
         """Return the verdicts in manifest order, and mark those that are blocked."""
@@ -158,11 +150,8 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _decide(self, decided: events.Decided) -> None:
-        check = self.checks.get(decided.name)
-        if check is None:
-            raise GraderError(
-                f"the check process sent a verdict on an unknown check, {decided.name[:200]!r}"
-            )
+        if (check := self.checks.get(decided.name)) is None:
+            raise GraderError(f"there is a verdict on an unknown check, {decided.name[:200]!r}")
         message, status = presentable(self._with_rejected_data(decided.message)), decided.status
         secret = None
         if check.rationale is not None:
@@ -171,15 +160,11 @@ class Run:
             words = {"failed": check.rationale, "error": "the grader failed on this check"}
             message = presentable(Message(words.get(status, "")))
         self.verdicts[check.name] = Verdict(
-            check.name,
-            check.exercise,
-            check.weight,
-            status,
-            message,
-            check.rationale is not None,
-            decided.on_chart,
-            check.robust,
-            secret,
+            *(check.name, check.exercise, check.weight, status, message),
+            hidden=secret is not None,
+            on_chart=decided.on_chart,
+            robust=check.robust,
+            secret=secret,
         )
         self.on_verdict(len(self.verdicts), len(self.checks))
 
@@ -200,10 +185,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> bool:
-        """Record that a check hung, and skip the exercise's other checks, which then fail.
+        """Record that a check hung, skip the others of its exercise, and return if any was skipped.
 
         In a sandbox, where they may still earn points, they are skipped only if a check of a
-        prerequisite has hung too. Return whether any was skipped.
+        prerequisite has hung too.
         """
         before = len(self.verdicts)
         if not self.request.sandbox or self.hung & needs_of(self.request.chapter, exercise):

@@ -24,8 +24,7 @@ class Secret:
 class Verdict:
     """The outcome of one check: whether it passed and, if not, the message for the student.
 
-    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics. The name and the
-    message of a hidden check are safe to show to students: the real ones are in its ``secret``.
+    Students may see the name and message of a hidden check: the real ones are in its ``secret``.
     """
 
     name: str
@@ -35,7 +34,7 @@ class Verdict:
     message: Message = NOTHING
     hidden: bool = False
     on_chart: Point | None = None
-    robust: bool = False
+    robust: bool = False  # whether it tests bad arguments, overflow or NaN, not the physics
     secret: Secret | None = None
 
 

@@ -1,70 +1,62 @@
-"""Recreate an exception that a student's code raised in a worker, so that a check can catch it.
-
-The worker is not trusted and could send anything. Each text from it is shortened and cleaned, and
-data that does not describe an exception is rejected with a BrokenProtocolError.
-"""
+"""Recreate an exception that a student's code raised in a worker, so that a check can catch it."""
 
 from __future__ import annotations
 
 import ast
 import builtins
 import re
-from typing import Any
+from dataclasses import replace
+from typing import Any, TypeVar
 
-from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
-from autograder.diagnosis.misspelled import MOST_SLOTS, Unknown
+import msgspec
+
+from autograder.diagnosis.faults import GOING_FURTHER, MOST_FRAMES, Fault, StudentLeft
 from autograder.diagnosis.none_values import LONGEST as MOST_OF_AN_EXPRESSION
-from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
-from autograder.message import Place
+from autograder.isolation.wire import KNOWN_ERRORS, LONGEST_TEXT, BrokenProtocolError
+from autograder.message import Place, with_texts
 from autograder.text.clean import clean
 
 FILE = re.compile(rf"ch\d\d_\w+/({GOING_FURTHER}/)?\w+\.py")
+LONGEST_REPORT = 100 * LONGEST_TEXT  # characters in all texts together
+T = TypeVar("T")
 
 
-def known_name(error: Exception) -> str:
-    """Return the name of an exception's class, or of its nearest base class that is built in.
+def read(data: Any, kind: type[T]) -> T:
+    """Read a text, or a dataclass of texts and numbers, from data that a worker has sent.
 
-    Exceptions are sent to a worker by name, and it knows only built-in ones.
-    """
-    return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
-
-
-def exception_of(data: Any) -> BaseException:
-    """Rebuild an exception of the student's code from the worker's description of it.
-
-    The result is the nearest built-in exception, or StudentLeft if the original is not a subclass
-    of Exception, as in the case of SystemExit. Its attribute ``fault`` describes the original.
-
-    Raises:
-        BrokenProtocolError: The data does not describe an exception.
+    Its texts could contain anything, even control characters that clear the instructor's screen,
+    so each is shortened and escaped. Data in another form is a BrokenProtocolError.
     """
     try:
-        frames = [
-            Place(file, line, text_of_worker(function, 100))
-            for file, line, function in data["frames"][-50:]
-            if type(file) is str and FILE.fullmatch(file) and type(line) is int
-        ]
-        syntax = data["syntax"]
-        if syntax is not None:
-            file, line, text = syntax
-            syntax = (text_of_worker(file, 200), int(line), text_of_worker(text, 200))
-        fault = Fault(
-            text_of_worker(data["type"], 100),
-            text_of_worker(data["text"], 2000),
-            frames,
-            syntax,
-            text_of_worker(data["missing_module"], 200),
-            _unknown(data["unknown"]),
-            text_of_worker(data["none"], MOST_OF_AN_EXPRESSION),
-        )
-        if fault.none:
-            ast.parse(fault.none, mode="eval")  # raises SyntaxError if it is not an expression
-        name = data["as"]
-        kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
-    except (KeyError, TypeError, ValueError, OverflowError, SyntaxError) as error:
-        raise BrokenProtocolError("an exception in an unknown form") from error
+        value = msgspec.convert(data, kind)
+    except msgspec.ValidationError as error:
+        raise BrokenProtocolError(f"a report in an unknown form: {clean(str(error))}") from error
+    if len(repr(value)) > LONGEST_REPORT:
+        raise BrokenProtocolError("a report that is too long")
+    return with_texts(value, lambda text: clean(text[:LONGEST_TEXT]))
+
+
+def exception_of(name: Any, data: Any) -> BaseException:
+    """Rebuild an exception of the student's code from the worker's description of it.
+
+    The result is the built-in exception ``name``, or StudentLeft if the original is not a subclass
+    of Exception, as in the case of SystemExit. Its attribute ``fault`` describes the original.
+    """
+    fault = read(data, Fault)
+    none = fault.none[:MOST_OF_AN_EXPRESSION]
+    try:
+        if none:
+            ast.parse(none, mode="eval")
+    except (SyntaxError, ValueError) as error:
+        raise BrokenProtocolError("a value of None that is not an expression") from error
+    frames = [
+        Place(frame.file, frame.line, frame.function)
+        for frame in fault.frames[-MOST_FRAMES:]
+        if FILE.fullmatch(frame.file)
+    ]
+    kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
     exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
-    exception.fault = fault  # type: ignore[attr-defined]
+    exception.fault = replace(fault, frames=frames, none=none)  # type: ignore[attr-defined]
     return exception
 
 
@@ -76,25 +68,3 @@ class WordedKeyError(KeyError):
 
 
 WordedKeyError.__name__ = KeyError.__name__
-
-
-def _unknown(data: Any) -> Unknown | None:
-    """Rebuild the undefined name that caused an exception, or return None if nothing did."""
-    if data is None:
-        return None
-    name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
-    slots = [text_of_worker(slot, 100) for slot in data["slots"][:MOST_SLOTS]]
-    return Unknown(name, of, near, slots, data["module"] is True)
-
-
-def text_of_worker(value: Any, longest: int) -> str:
-    """Shorten a string from a worker, and escape its unprintable characters.
-
-    It could contain anything, even control characters that clear the instructor's screen.
-
-    Raises:
-        BrokenProtocolError: The worker sent something other than a string.
-    """
-    if type(value) is not str:
-        raise BrokenProtocolError("a value that is not a text")
-    return clean(value[:longest])

@@ -8,32 +8,49 @@ numbers and compare them itself.
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import Any, NoReturn
 
 from autograder.diagnosis.faults import CheckEnded
 from autograder.diagnosis.slips import NOT_IMPLEMENTED
 from autograder.diagnosis.undefined import MissingName
-from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
-from autograder.isolation.extra_time import extra_time
-from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack
+from autograder.isolation.exceptions import exception_of, read
+from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
 from autograder.message import Kind, Message
 from autograder.text.clean import clean
 
 BROKEN = "the code broke the protocol between its process and the checks"
+ENOUGH = 0.5  # a worker that had this part of the time limit on a processor gets no more
 
 
 class WorkerFailure(CheckEnded):
     """Raised when the process that runs the student's code has died or sent something invalid."""
 
 
+def extra_time(process: int, seconds: float) -> float:
+    """Return how many more seconds a process gets after a time limit of ``seconds``.
+
+    The limit is in real time, because code that only waits must be stopped too. On a busy machine
+    even correct code would then sometimes seem too slow. A process that had a processor for less
+    than half of the limit therefore gets the rest. It gets none if its ID, ``process``, is unknown.
+    """
+    try:
+        text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
+        user, system = text.rpartition(")")[2].split()[11:13]  # its name may contain anything
+    except (OSError, ValueError):
+        return 0.0
+    used = (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+    return seconds - used if used < ENOUGH * seconds else 0.0
+
+
 class Session:
     """A session between a check and the worker process that runs the student's code.
 
-    The worker has ``seconds`` for all answers of a check. If ``process``, its process ID, is not 0,
-    it may get extra time once. ``broken`` maps each student module that cannot be imported to the
-    reason.
+    The worker, whose process ID is ``process``, has ``seconds`` for all answers of a check.
+    ``broken`` maps each student module that cannot be imported to the reason.
     """
 
     def __init__(
@@ -61,23 +78,19 @@ class Session:
 
     def end(self) -> None:
         """Refuse all further requests, because the worker is gone."""
-        ended = Message("the process of the student's code has ended", kind=Kind.LEFT)
-        self.dead = self.dead or ended
+        if not self.dead:
+            self.dead = Message("the process of the student's code has ended", kind=Kind.LEFT)
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request to the worker, and return its answer.
+        """Send a request to the worker, and return its answer or raise the exception of its code.
 
-        If the student's code raises an Exception, this method raises the nearest built-in one.
-
-        Raises:
-            StudentLeft: The student's code raised something that is not an Exception.
-            WorkerFailure: The worker did not give a valid answer.
+        Without a valid answer, this method raises WorkerFailure.
         """
         if self.dead:
             raise WorkerFailure(self.dead)
         self._last += 1
-        message = {"id": self._last, "do": what}
-        message["with"] = [pack(operand, self._refer) for operand in operands]
+        packed = [pack(operand, self._refer) for operand in operands]
+        message = {"id": self._last, "do": what, "with": packed}
         try:
             return self._answer(self._exchange(message))
         except BrokenProtocolError as error:
@@ -112,22 +125,18 @@ class Session:
         if "value" in reply:
             return unpack(reply["value"], self._find)
         if "missing" in reply:
-            missing = reply["missing"]
-            if type(missing) is not list or len(missing) != 4:
-                raise BrokenProtocolError("a missing name in an unknown form")
-            module, name, near = (text_of_worker(part, 100) for part in missing[:3])
-            unknown = MissingName(module, name, near, missing[3] is True)
-            raise WorkerFailure(self.broken.get(module) or unknown.explain())
+            missing = read(reply["missing"], MissingName)
+            raise WorkerFailure(self.broken.get(missing.module) or missing.explain())
         if "unsendable" in reply:
-            what = text_of_worker(reply["unsendable"], 200)
+            what = read(reply["unsendable"], str)
             raise WorkerFailure(Message(f"the returned value cannot be used: {what}"))
-        raise exception_of(reply.get("raised"))
+        raise exception_of(reply.get("raised"), reply.get("fault"))
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
         """Call a function that the check has passed to the student's code, such as a force.
 
-        If it raises an Exception, the worker raises it again in the student's code. Anything else,
-        such as a failure of the check, ends the session, so that the code cannot catch it.
+        An Exception is raised again in the student's code. Anything else, such as a failure of the
+        check, ends the session, so that the code cannot catch it.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -139,7 +148,8 @@ class Session:
             return {"value": pack(self._callbacks[number](*arguments), self._refer)}
         except Exception as error:
             text = str(error.args[0]) if len(error.args) == 1 else str(error)
-            return {"error": [known_name(error), text]}
+            names = [base.__name__ for base in type(error).__mro__]
+            return {"error": [next(name for name in names if name in KNOWN_ERRORS), text]}
         except BaseException:
             self.dead = Message("a callback of the check failed")
             raise
@@ -163,7 +173,7 @@ class Session:
         number = data.get("object")
         if type(number) is not int:
             raise BrokenProtocolError("a value of an unknown kind")
-        return ObjectHandle(lambda: self, {"object": number}, text_of_worker(data.get("type"), 100))
+        return ObjectHandle(lambda: self, {"object": number}, read(data.get("type"), str))
 
     def _fail(self, why: Message) -> NoReturn:
         self.dead = why
@@ -173,9 +183,7 @@ class Session:
 class ObjectHandle:
     """Represents one of the student's objects, which is in the worker, in a check.
 
-    When a check reads an attribute of the handle or calls it, the worker does the same with the
-    object. ``session`` returns the session with that worker, in which ``reference`` stands for the
-    object.
+    ``session`` returns the session with that worker, in which ``reference`` stands for the object.
     """
 
     __slots__ = ("_reference", "_session", "_type_name")
@@ -252,8 +260,8 @@ REFUSED = "eq ne lt le gt ge bool float int complex index contains"
 for _name in UNARY.split():
     setattr(ObjectHandle, f"__{_name}__", _operation(_name))
 for _name in BINARY.split():
-    _function = _name + "_" if _name in ("and", "or") else _name
-    setattr(ObjectHandle, f"__{_name}__", _operation(_function))
+    _function = f"__{_name}__"  # the module operator has it under this name, too
+    setattr(ObjectHandle, _function, _operation(_function))
     setattr(ObjectHandle, f"__r{_name}__", _operation(_function, reflected=True))
     setattr(ObjectHandle, f"__i{_name}__", _operation("i" + _name))
 for _name in REFUSED.split():

@@ -10,26 +10,32 @@ from __future__ import annotations
 import base64
 import contextlib
 import hashlib
+import importlib.abc
 import os
+import re
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from importlib.machinery import ModuleSpec
 from pathlib import Path
-from typing import NoReturn
+from types import ModuleType
+from typing import Any, NoReturn
 
 from autograder.at_home.in_process import Send
-from autograder.checks.arrange import Workers
+from autograder.checks.arrange import Config, Workers
 from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
-from autograder.diagnosis.faults import Fault, StudentLeft
+from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
 from autograder.diagnosis.undefined import while_imported
-from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.handles import ObjectHandle, Session, WorkerFailure
 from autograder.isolation.launcher import Launcher
-from autograder.isolation.placeholders import ChapterFinder
 from autograder.isolation.sandbox import Level
 from autograder.message import Message
 
 LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
+PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
+CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
+Current = Callable[[], Session | None]  # returns the session of the current check, if there is one
 
 
 class InWorker:
@@ -42,26 +48,17 @@ class InWorker:
 
     session: Session | None = None
 
-    def __init__(
-        self,
-        engine: list[str],
-        time_limit: float,
-        stack_file: str,
-        complete: Sequence[str],
-        worker: Workers,
-    ) -> None:
-        self.engine = [Path(folder).resolve() for folder in engine]
-        self.stack_file = Path(stack_file)
-        self.complete = complete
-        self.probes = Path(worker.probes)
-        self.compiled = Path(worker.compiled)
+    def __init__(self, config: Config, worker: Workers) -> None:
+        self.config = config
+        self.engine = [Path(folder).resolve() for folder in config.engine]
+        self.worker = worker
         self.launchers = [
             Launcher(
                 Level(**worker.level),
                 [str(folder) for folder in self.engine],
                 probes,
-                self.stack_file.parent,
-                time_limit,
+                Path(config.stack_file).parent,
+                config.time_limit,
             )
             for probes in dict.fromkeys([worker.probes, worker.hidden_probes])
         ]
@@ -81,7 +78,7 @@ class InWorker:
     def after_collection(self) -> None:
         """Compile the student's modules, and find out which of them cannot be imported.
 
-        Each module is imported once in a worker. If that fails, so do the checks that need it.
+        If a module cannot be imported, the checks that need it fail.
         """
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
@@ -97,19 +94,20 @@ class InWorker:
 
     def _files(self) -> dict[str, Path]:
         """Find the files that a worker may import: the student's modules and the probes."""
-        packages = {module.partition(".")[0] for module in self.modules}
+        packages = sorted({module.partition(".")[0] for module in self.modules})
         found: dict[str, Path] = {}
-        for folder in [*self.engine, self.probes]:
-            for package in sorted(packages):
-                for file in sorted((folder / package).rglob("*.py")):
-                    module = ".".join(file.relative_to(folder).with_suffix("").parts)
-                    found.setdefault(module, file)
+        for folder in [*self.engine, Path(self.worker.probes)]:
+            for file in (
+                file for name in packages for file in sorted((folder / name).rglob("*.py"))
+            ):
+                module = ".".join(file.relative_to(folder).with_suffix("").parts)
+                found.setdefault(module, file)
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
         """Return the bytecode of a module, perhaps from an earlier run, or None if it has none."""
         text = f"{file}\n".encode() + file.read_bytes()
-        kept = self.compiled / hashlib.sha256(text).hexdigest()
+        kept = Path(self.worker.compiled) / hashlib.sha256(text).hexdigest()
         if kept.exists():
             return kept.read_bytes()
         code = self._compile(module, file)
@@ -145,7 +143,7 @@ class InWorker:
         except (Exception, StudentLeft) as error:
             if not isinstance(fault := getattr(error, "fault", None), Fault):
                 raise
-            message = explain_import(fault, module, self.engine, self.complete)
+            message = explain_import(fault, module, self.engine, self.config.complete)
         self.broken[module] = message
         self.send(Broken(module, message))
         self.stop()  # the next worker starts with this module marked as broken
@@ -186,11 +184,10 @@ class InWorker:
     def _on_hang(self) -> NoReturn:
         """Save a stack trace of student code that has taken too long, and exit this process.
 
-        The runner then shows the student where the code was stuck, and starts another process for
-        the remaining checks.
+        The runner then starts another process for the remaining checks.
         """
         stack = self.launcher.stack() or "the worker wrote no stack"
-        self.stack_file.write_text(stack, encoding="utf-8")
+        Path(self.config.stack_file).write_text(stack, encoding="utf-8")
         os._exit(1)  # then the launcher ends, and its worker too
 
 
@@ -199,3 +196,54 @@ def _exit_with_parent() -> None:
     while os.read(0, 1024):
         pass
     os._exit(1)
+
+
+class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """An import hook that gives check files placeholders when they import a chapter."""
+
+    def __init__(self, current: Current) -> None:
+        self.current = current
+
+    def find_spec(
+        self,
+        name: str,
+        path: Sequence[str] | None,  # noqa: ARG002
+        target: ModuleType | None = None,  # noqa: ARG002
+    ) -> ModuleSpec | None:
+        if CHAPTER_MODULE.fullmatch(name):
+            return ModuleSpec(name, self, is_package=bool(PACKAGE.fullmatch(name)))
+        return None
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        if spec.submodule_search_locations is None:
+            return ChapterModule(self.current, spec.name)
+        return ModuleType(spec.name)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Do not execute the module, because student code may run only in workers."""
+
+
+class ChapterModule(ModuleType):
+    """The stand-in that a check file gets when it imports a student's module.
+
+    During a check, its attributes are read from the worker. Outside a check, they are placeholders.
+    Such a placeholder serves all checks of a file: in each, it is a handle on the class or function
+    in the worker of that check.
+    """
+
+    def __init__(self, current: Current, name: str) -> None:
+        super().__init__(name)
+        self._current = current
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if (now := self._current()) is not None:
+            return now.ask("name", self.__name__, name)
+
+        def session() -> Session:
+            if (found := self._current()) is None:
+                raise AttributeError(f"{self.__name__}.{name} is used while no check is running")
+            return found
+
+        return ObjectHandle(session, {"name": [self.__name__, name]})

@@ -2,9 +2,9 @@
 
 A process that runs checks is called a judge. A helper process imports pytest once, which takes a
 while, and then forks a judge for each request. It never runs a check, never sees a submission, and
-ends with the grader. The forkserver of ``multiprocessing`` would do the same, but a thread that
-starts a process there can take away the exit code for which another thread waits. The grader also
-needs each judge in a process group of its own, before it may have to kill that group.
+ends with the grader. The forkserver of ``multiprocessing`` does not fit: a thread that starts a
+process there can take away the exit code for which another thread waits, and it cannot put a judge
+into its own process group before the grader may have to kill that group.
 """
 
 from __future__ import annotations
@@ -29,10 +29,8 @@ _helpers: dict[int, _Helper] = {}  # the key is the process ID of the grader tha
 class ForkedJudge:
     """A process that runs checks, forked from a helper process that has already imported pytest.
 
-    It provides the methods and attributes of ``subprocess.Popen`` that the grader needs.
-
-    Raises:
-        OSError: The helper process has ended.
+    It provides the methods and attributes of ``subprocess.Popen`` that the grader needs, which
+    raise OSError if the helper process has ended. The ``environment`` is the same for all judges.
     """
 
     def __init__(
@@ -46,7 +44,7 @@ class ForkedJudge:
         # If this process dies, the pipe closes, and the judge ends too.
         self.stdin = os.fdopen(own_input, "w", encoding="utf-8")
         self.stdout = os.fdopen(own_output, encoding="utf-8")
-        order = {"config": str(config), "folder": str(folder), "environment": environment}
+        order = {"config": str(config), "folder": str(folder)}
         try:
             self.pid = self._helper.ask(order, [their_input, their_output, stderr.fileno()])
         finally:
@@ -75,15 +73,10 @@ class _Helper:
             )
 
     def ask(self, order: dict[str, Any], descriptors: list[int]) -> int:
-        """Return the process ID of a new judge or, for "wait", the exit code of a judge.
-
-        ``descriptors`` are the open files that a new judge uses as its standard streams.
-        """
-        data = json.dumps(order).encode() + b"\n"
+        """Return the process ID of a new judge with these streams or, for "wait", its exit code."""
         try:
             with self._lock:
-                sent = socket.send_fds(self._control, [data], descriptors)
-                self._control.sendall(data[sent:])
+                socket.send_fds(self._control, [json.dumps(order).encode()], descriptors)
                 return int(self._answers.readline())
         except (OSError, ValueError) as error:
             with _lock:
@@ -101,13 +94,10 @@ def main() -> None:
 
     control = socket.socket(fileno=int(sys.argv[1]))
     gc.freeze()  # so that collecting garbage in a judge does not copy the memory that it shares
-    with contextlib.suppress(ConnectionError):  # the grader was killed
+    # The grader has ended, perhaps in the middle of an order.
+    with contextlib.suppress(ConnectionError, json.JSONDecodeError):
         while True:
             text, descriptors, _, _ = socket.recv_fds(control, 1 << 16, 3)
-            while not text.endswith(b"\n"):
-                if not (more := control.recv(1 << 16)):
-                    return  # perhaps in the middle of an order, if the grader was killed
-                text += more
             order = json.loads(text)
             if "wait" in order:
                 _, status = os.waitpid(order["wait"], 0)
@@ -132,8 +122,6 @@ def _judge(order: dict[str, Any], descriptors: list[int], run: Callable[[], NoRe
             os.dup2(old, new)
             os.close(old)
         os.chdir(order["folder"])
-        os.environ.clear()
-        os.environ.update(order["environment"])
         sys.argv[1:] = [order["config"]]
         sys.path[0] = order["folder"]
         run()

@@ -14,54 +14,59 @@ the answer:
 from __future__ import annotations
 
 import contextlib
+import json
 import marshal
 import os
+import shutil
 import signal
 import socket
 import subprocess
+import sys
+import sysconfig
 import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import IO, Any, NamedTuple, NoReturn
 
 from autograder.checks.forked import how_it_ended
 from autograder.diagnosis.faults import GraderFault
 from autograder.isolation.handles import Session
 from autograder.isolation.sandbox import Level
-from autograder.isolation.starting import SYSTEM_LIBRARIES, python_folders, start_process
 from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
 from autograder.message import Message
 
 START_LIMIT = 20.0  # seconds for our own process to start on a busy machine
 END_LIMIT = 1.0  # seconds for it to end
+SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
 
 
 class LauncherError(GraderFault):
     """Raised when a worker process does not start and the student's code is not the cause."""
 
 
+class _Worker(NamedTuple):
+    """Our end of the connection to a worker, and two files to which it writes."""
+
+    socket: socket.socket
+    log: IO[bytes]
+    stack: IO[bytes]
+
+
 class Launcher:
     """A process that forks a worker for each check, but never runs any student code itself.
 
-    A worker looks for modules in the standard library, then in ``engine``, and then in ``probes``.
-    ``engine`` lists the folders that contain the student's chapters. The folder ``probes`` contains
-    the helper functions of checks that must run in a worker. ``folder`` is for temporary files, and
-    ``seconds`` is how long a worker may take to answer.
+    A worker looks for modules in the standard library, then in the folders ``engine`` of the
+    student's chapters, and then in ``probes``, the helper functions of checks that must run in a
+    worker. It may take ``seconds`` to answer. ``folder`` is for temporary files.
 
-    Without seccomp, each worker gets a launcher of its own. That is slower, but then it is the only
-    way to keep one worker from affecting the next.
+    Without seccomp, each worker gets a launcher of its own, because nothing else would keep one
+    worker from affecting the next.
     """
 
     def __init__(
-        self,
-        level: Level,
-        engine: Sequence[str],
-        probes: str,
-        folder: Path,
-        seconds: float,
+        self, level: Level, engine: Sequence[str], probes: str, folder: Path, seconds: float
     ) -> None:
         self.level = level
         self.engine = engine
@@ -71,61 +76,71 @@ class Launcher:
         self._own = folder
         self._compiled: dict[str, bytes] = {}
         self._log = self._new_file()  # output of the launcher itself
-        self._process: _Process | None = None
+        self._process: subprocess.Popen[bytes] | None = None
         self._worker: _Worker | None = None
         self._session: Session | None = None
 
-    def start(self) -> _Process:
+    def start(self) -> None:
         """Start the process if it is not running, without waiting until it is ready."""
-        if self._process is None:
-            config = {
-                "root": str(ROOT),
-                "engine": self.engine,
-                "folders": self.folders,
-                "level": vars(self.level),
-                "readable": [*SYSTEM_LIBRARIES, *python_folders(), *self.folders],
-                "seconds": int(self.seconds) + 2,
-            }
-            control, theirs = socket.socketpair()
-            with theirs:
-                self._process = _Process(
-                    start_process(config, self.level, theirs, self._log), control
-                )
-            if self._compiled:
-                self._send_code(self._process)
-        return self._process
+        if self._process is not None:
+            return
+        self._control, theirs = socket.socketpair()
+        self._control.settimeout(START_LIMIT)
+        config = {
+            "control": theirs.fileno(),
+            "root": str(ROOT),
+            "engine": self.engine,
+            "folders": self.folders,
+            "level": vars(self.level),
+            "readable": [*SYSTEM_LIBRARIES, *python_folders(), *self.folders],
+            "seconds": int(self.seconds) + 2,
+        }
+        with theirs:
+            self._process = subprocess.Popen(
+                _command(config, self.level),
+                cwd="/",
+                env={"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"},
+                stdin=subprocess.DEVNULL,
+                stdout=self._log,
+                stderr=self._log,
+                pass_fds=[theirs.fileno()],
+            )
+        self._send_code()
+
+    def _ask(self, request: str, *files: IO[bytes] | socket.socket) -> str:
+        """Send a request and some open files to the launcher, and return its answer."""
+        descriptors = [file.fileno() for file in files]
+        socket.send_fds(self._control, [request.encode()], descriptors)
+        if not (answer := self._control.recv(100)):
+            raise EOFError
+        return answer.decode()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Pass the bytecode of the student's modules to all workers that start from now on.
-
-        The workers can then import these modules without compiling them again.
-        """
+        """Pass the bytecode of the student's modules to all workers that start from now on."""
         self._compiled = dict(compiled)
-        if self._process is not None:
-            self._send_code(self._process)
+        self._send_code()
 
-    def _send_code(self, process: _Process) -> None:
-        with os.fdopen(self._new_file(), "w+b") as file:
-            marshal.dump(self._compiled, file)
-            file.seek(0)
-            process.ask("code", file.fileno())
+    def _send_code(self) -> None:
+        if self._compiled and self._process is not None:
+            with self._new_file() as file:
+                file.write(marshal.dumps(self._compiled))
+                file.seek(0)
+                self._ask("code", file)
 
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
         """Start a session with a worker process that has not run any student code yet.
 
-        ``broken`` maps each student module that cannot be imported to the reason.
-
-        Raises:
-            LauncherError: The worker did not start.
+        Raise LauncherError if it does not start. ``broken`` says why some modules are broken.
         """
         self.stop_worker()
         own, theirs = socket.socketpair()
         worker = self._worker = _Worker(own, self._new_file(), self._new_file())
         try:
             with theirs:
-                number = self.start().ask("start", theirs.fileno(), worker.log, worker.stack)
+                self.start()
+                number = self._ask("start", theirs, worker.log, worker.stack)
             wire = Wire(own.fileno())
             if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
                 raise EOFError
@@ -137,13 +152,11 @@ class Launcher:
         self._session = session
         return session
 
-    def _new_file(self) -> int:
-        """Create an unnamed temporary file, in memory if possible, and return its descriptor."""
+    def _new_file(self) -> IO[bytes]:
+        """Create an unnamed temporary file, in memory if possible."""
         if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
-            return os.memfd_create("output")
-        descriptor, path = tempfile.mkstemp(dir=self._own)
-        Path(path).unlink()
-        return descriptor
+            return open(os.memfd_create("output"), "w+b", buffering=0)  # noqa: PTH123
+        return tempfile.TemporaryFile(buffering=0, dir=self._own)
 
     def _why(self, error: Exception) -> str:
         """Return what a process printed before it failed, or else the error that we noticed."""
@@ -151,17 +164,14 @@ class Launcher:
         return next(filter(None, map(_text, logs)), repr(error))
 
     def stack(self) -> str:
-        """Return a stack trace of the student's code, to show where it is stuck.
-
-        Python's faulthandler writes the trace in the worker process.
-        """
+        """Return a stack trace of the student's code, which faulthandler writes in the worker."""
         if self._worker is None:
             return ""
         with contextlib.suppress(OSError, EOFError):  # the launcher is gone
-            self.start().ask("stack")
+            self._ask("stack")
         for _ in range(20):
             time.sleep(0.01)
-            if os.pread(self._worker.stack, 1, 0):
+            if _text(self._worker.stack):
                 break
         time.sleep(0.01)  # wait until the rest is written
         return _text(self._worker.stack)
@@ -169,12 +179,10 @@ class Launcher:
     def how_it_ended(self) -> str:
         """Explain to the student in one sentence why the worker ended.
 
-        Raises:
-            LauncherError: The worker was killed from outside, perhaps because the machine ran out
-                of memory. Code inside the sandbox cannot cause this.
+        If it was killed from outside, which code in the sandbox cannot do, raise LauncherError.
         """
         try:
-            answer = self.start().ask("wait")
+            answer = self._ask("wait")
         except (OSError, EOFError) as error:
             raise LauncherError(f"the launcher is gone: {self._why(error)}") from error
         if answer == "alive":
@@ -194,10 +202,11 @@ class Launcher:
             self._session.end()  # the next worker may get the same descriptors
         worker, self._worker = self._worker, None
         printed = _text(worker.log)
-        worker.close()
+        for end in worker:
+            end.close()
         if self._process is not None:
             with contextlib.suppress(OSError, EOFError):  # the launcher and its worker are gone
-                self._process.ask("stop")
+                self._ask("stop")
         if self.fresh:
             self._end()
         return printed
@@ -206,56 +215,49 @@ class Launcher:
         """End the process and its current worker."""
         self.stop_worker()
         self._end()
-        os.close(self._log)
+        self._log.close()
 
     def _end(self) -> None:
+        """Close the connection to the launcher, which then ends its worker and itself."""
         if self._process is not None:
-            self._process.close()
+            with contextlib.suppress(OSError):
+                self._control.shutdown(socket.SHUT_RDWR)
+            self._control.close()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(END_LIMIT)
+            self._process.kill()
+            self._process.wait()
             self._process = None
 
 
-class _Process:
-    """A launcher that is running, and the connection to it."""
-
-    def __init__(self, process: subprocess.Popen[bytes], control: socket.socket) -> None:
-        self._process = process
-        self._control = control
-        control.settimeout(START_LIMIT)
-
-    def ask(self, request: str, *descriptors: int) -> str:
-        """Send a request and some open files to the launcher, and return its answer."""
-        socket.send_fds(self._control, [request.encode()], descriptors)
-        answer = self._control.recv(100)
-        if not answer:
-            raise EOFError
-        return answer.decode()
-
-    def close(self) -> None:
-        """Close the connection. The launcher then ends its worker and itself."""
-        with contextlib.suppress(OSError):
-            self._control.shutdown(socket.SHUT_RDWR)
-        self._control.close()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(END_LIMIT)
-        self._process.kill()
-        self._process.wait()
-
-
-@dataclass(frozen=True)
-class _Worker:
-    """Our end of the connection to a worker, and two files to which it writes."""
-
-    socket: socket.socket
-    log: int  # a descriptor
-    stack: int  # a descriptor
-
-    def close(self) -> None:
-        self.socket.close()
-        os.close(self.log)
-        os.close(self.stack)
-
-
-def _text(descriptor: int) -> str:
+def _text(file: IO[bytes]) -> str:
     """Return the beginning of what a process has written to a file."""
-    written = os.pread(descriptor, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
+    written = os.pread(file.fileno(), 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
     return written.decode("utf-8", errors="replace").strip()
+
+
+def _command(config: dict[str, Any], level: Level) -> list[str]:
+    """Build the command line of a launcher, inside bubblewrap if ``level`` includes it.
+
+    Bubblewrap can isolate a process only when it starts. The launcher can then read only a few
+    paths, and has no network access.
+    """
+    code = f"import sys; sys.path.append({str(ROOT)!r}); "
+    code += "from autograder.isolation import worker; worker.main(sys.argv[1])"
+    python = os.path.realpath(sys.executable)
+    command = [python, "-I", "-S", "-B", "-c", code, json.dumps(config)]
+    if not level.bubblewrap:
+        return command
+    walls = [shutil.which("bwrap") or "bwrap", "--unshare-all", "--uid", "65534", "--gid", "65534"]
+    walls += ["--die-with-parent", "--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]
+    for path in [*config["readable"], python, str(ROOT / "autograder")]:
+        walls += ["--ro-bind-try", path, path]
+    return [*walls, "--remount-ro", "/", *command]
+
+
+def python_folders() -> list[str]:
+    """List the folders and shared libraries of Python, which code in the sandbox must read."""
+    paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
+    if library := sysconfig.get_config_var("LIBDIR"):
+        paths |= {str(path) for path in Path(library).glob("libpython*")}
+    return sorted(paths)

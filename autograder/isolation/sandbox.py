@@ -85,10 +85,7 @@ def landlock_version() -> int:
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that let a worker read only these files and folders, and write none.
-
-    The result is a file descriptor.
-    """
+    """Create Landlock rules, as a descriptor, that let a worker read these paths and write none."""
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
     # All file access rights. Version 4 adds TCP, and version 6 abstract sockets and signals.
@@ -147,16 +144,6 @@ def seccomp_filter() -> bytes:
     return b"".join(struct.pack("HBBI", *line) for line in program)
 
 
-class Filter:
-    """The seccomp filter in the format that the kernel expects, built once for all workers."""
-
-    def __init__(self) -> None:
-        code = seccomp_filter()
-        self._code = ctypes.create_string_buffer(code, len(code))
-        address = ctypes.addressof(self._code)
-        self.program = struct.pack("HxxxxxxP", len(code) // 8, address)
-
-
 def seccomp_works_here() -> bool:
     """Return True if this machine numbers its system calls as 64-bit Linux on x86-64 does."""
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
@@ -177,10 +164,7 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the launcher, before it forks workers that inherit the restrictions.
-
-    ``rules`` is the file descriptor of the Landlock rules, or None if Landlock is not used.
-    """
+    """Permanently restrict the launcher, before it forks workers that inherit the restrictions."""
     for name, value in _LIMITS.items():
         if hasattr(resource, name):
             _lower(getattr(resource, name), value, value)
@@ -195,11 +179,11 @@ def confine(level: Level, rules: int | None) -> None:
         _apply(rules)
 
 
-def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
+def enter(level: Level, rules: int | None, seconds: int) -> None:
     """Permanently prevent a worker from starting processes and from sending signals.
 
-    This happens before it loads any student code. ``confine`` still allows both, because the
-    launcher needs them. ``seconds`` is the limit on the worker's processor time.
+    ``confine`` still allows both, because the launcher needs them. ``seconds`` is the limit on the
+    worker's processor time.
     """
     _lower(resource.RLIMIT_CPU, seconds, seconds + 1)
     if sys.platform == "linux":
@@ -208,8 +192,11 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     if rules is not None:
         _apply(rules)  # gives the worker a Landlock domain of its own
         os.close(rules)
-    if allowed is not None:
-        _control(_SET_SECCOMP, 2, allowed.program)
+    if level.seccomp:
+        code = seccomp_filter()
+        buffer = ctypes.create_string_buffer(code, len(code))
+        address = ctypes.addressof(buffer)
+        _control(_SET_SECCOMP, 2, struct.pack("HxxxxxxP", len(code) // 8, address))
     elif sys.platform == "linux":
         # The privilege to read any file lets open_by_handle_at pass by Landlock. Only the filter
         # refuses this call.
@@ -231,9 +218,8 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 def drop_privileges() -> None:
     """If this process runs as root, switch to an unprivileged user before it loads student code.
 
-    The process keeps one of root's privileges: it may read any file, because Python may be
-    installed in a folder that only root can read, such as /root. Landlock then restricts reading to
-    the listed folders. A worker without our seccomp filter loses this privilege too.
+    The process may still read any file, because Python may be in a folder that only root can read,
+    such as /root. Landlock then restricts reading to the listed folders.
     """
     if os.geteuid() != 0:
         return

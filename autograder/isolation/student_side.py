@@ -17,7 +17,6 @@ import socket
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from autograder.checks.printed import CappedText
@@ -27,12 +26,14 @@ from autograder.diagnosis.undefined import MissingNameError, answer_for_missing,
 from autograder.isolation.wire import (
     KNOWN_ERRORS,
     LONGEST_LINE,
+    LONGEST_TEXT,
     UnsendableError,
     Wire,
     pack,
     unpack,
 )
-from autograder.message import Message
+from autograder.message import Message, with_texts
+from autograder.records import to_json
 
 _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
@@ -40,8 +41,8 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 class StudentSide:
     """Carries out the checks' requests in the process that runs the student's code.
 
-    The checks refer to the student's objects by number. The numbers are positions in a list, which
-    also keeps the objects alive, because Python could otherwise reuse the id of one for another.
+    The checks refer to the student's objects by their positions in a list, which also keeps the
+    objects alive, because Python could otherwise reuse the id of one for another.
     """
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
@@ -63,29 +64,16 @@ class StudentSide:
             operands = [unpack(operand, self.find) for operand in request["with"]]
             reply["value"] = pack(getattr(self, "do_" + request["do"])(*operands), self.refer)
         except MissingNameError as error:
-            missing = error.missing
-            reply["missing"] = [missing.module, missing.name, missing.nearest, missing.is_empty]
+            reply["missing"] = vars(error.missing)
         except UnsendableError as error:
             reply["unsendable"] = str(error)
         except BaseException as error:
-            reply["raised"] = self.describe(error)
+            # We compare classes and not names, since a student's class may be called ValueError.
+            known = (_KNOWN.get(base) for base in type(error).__mro__)
+            reply["raised"] = next(filter(None, known), "BaseException")
+            fault = with_texts(fault_of(error, self.engine), lambda text: text[:LONGEST_TEXT])
+            reply["fault"] = to_json(fault)
         self.wire.send(reply)
-
-    def describe(self, error: BaseException) -> dict[str, Any]:
-        """Describe an exception as plain data, from which the checks' process recreates it."""
-        # We compare classes and not names, since a student's class may be called ValueError.
-        known = (_KNOWN.get(base) for base in type(error).__mro__)
-        fault = fault_of(error, self.engine)
-        return {
-            "as": next(filter(None, known), "BaseException"),
-            "type": fault.type[:100],
-            "text": fault.text[:2000],
-            "frames": [[place.file, place.line, place.function[:100]] for place in fault.frames],
-            "syntax": fault.syntax,
-            "missing_module": fault.missing_module,
-            "unknown": fault.unknown and vars(fault.unknown),
-            "none": fault.none,
-        }
 
     def refer(self, value: Any) -> dict[str, Any]:
         """Return a reference to one of the student's objects, such as {"object": 3, ...}."""
@@ -127,10 +115,7 @@ class StudentSide:
     do_length, do_iterate = staticmethod(len), staticmethod(iter)
 
     def do_begin(self, broken: list[str]) -> None:
-        """Put placeholders, without an explanation, in the place of modules that are broken.
-
-        The explanation comes from the process that runs the checks.
-        """
+        """Put placeholders in the place of broken modules. The checks' process explains them."""
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
@@ -147,10 +132,15 @@ class StudentSide:
         return None if found is None else sorted(found)
 
     def do_import(self, module: str) -> None:
-        _imported(module)
+        """Import a student's module, and discard what it prints outside of a check."""
+        nowhere = CappedText(lambda _: None)
+        with contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
+            importlib.import_module(module)
 
     def do_name(self, module: str, name: str) -> Any:
-        imported = _imported(module)
+        if module not in sys.modules:
+            self.do_import(module)
+        imported = sys.modules[module]
         imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
         return getattr(imported, name)
 
@@ -185,29 +175,15 @@ class StudentSide:
         return through
 
 
-def _imported(name: str) -> ModuleType:
-    """Import a student's module, and discard what it prints outside of a check."""
-    if name in sys.modules:
-        return sys.modules[name]
-    nowhere = CappedText(lambda _: None)
-    with contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
-        return importlib.import_module(name)
-
-
 def _reach_out(_: str) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as outside:
         outside.connect(("192.0.2.1", 9))  # an address reserved for documentation
-
-
-def _start_a_process(_: str) -> None:
-    if os.fork() == 0:
-        os._exit(0)
 
 
 ATTEMPTS: dict[str, Callable[[str], Any]] = {
     "reading a file": lambda path: os.open(path, os.O_RDONLY),
     "writing a file": lambda path: os.open(path + ".new", os.O_WRONLY | os.O_CREAT),
     "reaching the network": _reach_out,
-    "starting a process": _start_a_process,
+    "starting a process": lambda _: os.fork() or os._exit(0),
     "sending a signal": lambda _: os.kill(os.getpid(), 0),
 }

@@ -19,6 +19,7 @@ LONGEST_LINE = 1_000_000  # bytes
 LONGEST_INT = 4096  # bits
 MOST_ITEMS = 20_000  # a message may contain at most this many items
 DEEPEST = 20
+LONGEST_TEXT = 2000  # characters of each text of a report on an exception
 LARGEST_DICT = 1_000  # entries; keys that were chosen to collide could make a larger dict slow
 
 # We send these exceptions by name. For any other, we send its nearest base class in this list.
@@ -44,9 +45,7 @@ class UnsendableError(Exception):
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
-
 _ENCODER = json.JSONEncoder(check_circular=False)  # pack never makes circular messages
-_DECODER = json.JSONDecoder()
 
 
 class Wire:
@@ -75,12 +74,9 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Wait for the next message from the process at the other end.
+        """Wait for the next message. Raise TimeoutError at the deadline, or EOFError at the end.
 
-        Raises:
-            TimeoutError: The deadline has passed.
-            EOFError: The other process is gone.
-            BrokenProtocolError: The line is too long, or it is not a JSON object.
+        A line that is too long or not a JSON object is a BrokenProtocolError.
         """
         if deadline is not None and time.monotonic() > deadline:
             raise TimeoutError  # even if there is more to read
@@ -100,10 +96,7 @@ class Wire:
             self._buffer += data
         line, _, self._buffer = self._buffer.partition(b"\n")
         try:
-            text = line.decode()
-            message, end = _DECODER.raw_decode(text)
-            if end != len(text):
-                raise ValueError("there is more after the object")
+            message = json.loads(line.decode())
         except (ValueError, RecursionError) as error:
             raise BrokenProtocolError("a line is not JSON") from error
         if not isinstance(message, dict):
@@ -118,9 +111,9 @@ class Wire:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to JSON data. Raise UnsendableError if it is too large or too deep.
+    """Convert a value to JSON data, in which ``refer`` replaces each object that is not plain.
 
-    ``refer`` returns the reference that is sent in place of an object that is not plain data.
+    A value that is too large or too deep is an UnsendableError.
     """
     return _pack(value, refer, [MOST_ITEMS], DEEPEST)
 
@@ -150,10 +143,9 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Rebuild a value from the JSON data that ``pack`` created.
+    """Rebuild a value from the JSON data of ``pack``, in which ``find`` looks up each reference.
 
-    ``find`` returns the object that a reference stands for. Data in another form than that of
-    ``pack`` is a BrokenProtocolError.
+    Data in another form is a BrokenProtocolError.
     """
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 

@@ -21,32 +21,62 @@ import socket
 import sys
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
+from importlib.machinery import ModuleSpec, SourceFileLoader
 from pathlib import Path
+from types import CodeType
 from typing import Any
 
 from autograder.at_home.restrictions import StudentsCode, restrict
 from autograder.checks.printed import CappedText
 from autograder.diagnosis.faults import GOING_FURTHER
 from autograder.isolation import sandbox
-from autograder.isolation.compiled import CompiledFinder
 from autograder.isolation.student_side import StudentSide
 from autograder.isolation.wire import Wire
 
 # Engines often import these modules, so the launcher imports them once for all workers.
-PRELOADED = "__future__ math random dataclasses typing collections.abc functools itertools enum "
-PRELOADED += "copy heapq"
+PRELOADED = "math random dataclasses typing collections.abc functools itertools enum copy heapq"
 
 # A worker has these descriptors, besides 1 and 2 for its output. The limit is 32.
 RULES, WIRE, STACK = 29, 30, 31
 
 
-def main(text: str) -> None:
-    """Run this process as a launcher. ``text`` is its configuration as JSON.
+class CompiledLoader(SourceFileLoader):
+    """Loads a module from bytecode that is already in memory instead of from a file."""
 
-    The launcher restricts itself before it forks the first worker, so that all workers inherit the
-    restrictions. It ends when the control socket closes.
+    code: CodeType
+
+    def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002
+        return self.code
+
+
+class CompiledFinder:
+    """An import hook that supplies the student's modules and our probes from bytecode in memory.
+
+    ``compiled`` maps the name of a module, such as ch02_vectors.vector, to its bytecode in the
+    format of ``marshal``. Loading bytecode does not run it, so even the trusted launcher can do
+    that safely.
+    """
+
+    def __init__(self, compiled: Mapping[str, bytes]) -> None:
+        self.specs: dict[str, ModuleSpec] = {}
+        for name, data in compiled.items():
+            spec, code = importlib.util.find_spec(name), marshal.loads(data)
+            if spec is not None and spec.origin == code.co_filename:
+                spec.loader = loader = CompiledLoader(name, code.co_filename)
+                loader.code = code
+                self.specs[name] = spec
+
+    def find_spec(self, name: str, *_: Any) -> ModuleSpec | None:
+        return self.specs.get(name)
+
+
+def main(text: str) -> None:
+    """Run this process as a launcher until the control socket closes.
+
+    ``text`` is its configuration as JSON. It restricts itself before it forks the first worker, so
+    that all workers inherit the restrictions.
     """
     config = json.loads(text)
     # The number of this descriptor depends on the files that the runner has open. We replace it by
@@ -60,12 +90,11 @@ def main(text: str) -> None:
         os.dup2(sandbox.landlock_rules(config["readable"]), rules)
     sandbox.confine(level, rules)
     faulthandler.register(signal.SIGUSR1, file=STACK, all_threads=False)
-    allowed = sandbox.Filter() if level.seccomp else None
     for name in [name for name in sys.modules if name.partition(".")[0] == "autograder"]:
         del sys.modules[name]  # student code must not find it
     gc.freeze()
     with contextlib.suppress(ConnectionError):  # the runner was killed
-        _answer(control, partial(_work, config, rules, allowed), config["seconds"])
+        _answer(control, partial(_work, config, level, rules), config["seconds"])
 
 
 def _prepare_python(config: dict[str, Any]) -> None:
@@ -120,10 +149,7 @@ def _answer(control: socket.socket, work: Callable[..., None], seconds: float) -
 
 
 def _kill(worker: int) -> None:
-    """Kill a worker process, along with any processes that the student's code has started.
-
-    Student code can start processes only if there is no sandbox.
-    """
+    """Kill a worker process, and what the student's code has started if there is no sandbox."""
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
             kill(worker, signal.SIGKILL)
@@ -133,8 +159,8 @@ def _kill(worker: int) -> None:
 def _exit_code(worker: int, seconds: float) -> str:
     """Wait for a worker that has closed its connection to the checks, and return its exit code.
 
-    If a signal ended the worker, return the negated signal number. If the worker does not end
-    within a second, kill it and return "alive".
+    It is the negated number of a signal that ended the worker. If the worker does not end within a
+    second, kill it and return "alive".
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)
@@ -150,8 +176,8 @@ def _exit_code(worker: int, seconds: float) -> str:
 
 def _work(
     config: dict[str, Any],
+    level: sandbox.Level,
     rules: int | None,
-    allowed: sandbox.Filter | None,
     wire_end: int,
     log: int,
     stack: int,
@@ -159,7 +185,6 @@ def _work(
     """Turn this forked process into a worker, which enters the sandbox and then serves the checks.
 
     What the student's code prints goes to the file ``log``, and a stack trace goes to ``stack``.
-    Each worker has its own two files, so the output of different workers is never mixed.
     """
     try:
         os.setsid()
@@ -167,9 +192,11 @@ def _work(
             os.dup2(old, new)
         os.closerange(3, rules or WIRE)
         os.closerange(STACK + 1, 256)
-        sys.stdout = sys.stderr = CappedText(_print)
+        sys.stdout = sys.stderr = CappedText(
+            lambda text: os.write(1, text.encode("utf-8", errors="backslashreplace"))
+        )
         wire = Wire(WIRE, patient=True)
-        sandbox.enter(rules, allowed, config["seconds"])
+        sandbox.enter(level, rules, config["seconds"])
     except BaseException:
         traceback.print_exc()
         os._exit(1)
@@ -178,7 +205,3 @@ def _work(
         StudentSide(wire, [Path(folder) for folder in config["engine"]]).serve()
     finally:
         os._exit(0)  # without the exit handlers of the student's code
-
-
-def _print(text: str) -> None:
-    os.write(1, text.encode("utf-8", errors="backslashreplace"))

@@ -100,7 +100,7 @@ def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.Monkey
 def test_a_launcher_that_cannot_start_says_so(
     tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("autograder.isolation.starting.ROOT", tmp_path)  # it has no autograder
+    monkeypatch.setattr("autograder.isolation.launcher.ROOT", tmp_path)  # it has no autograder
     launcher = Launcher(level, [], str(tmp_path), tmp_path, 1.0)
     with (
         contextlib.closing(launcher),

@@ -86,8 +86,10 @@ def _files(
     chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
     """Find the files of this repository that grading needs, with solutions of ``reference``."""
-    for name in ("pyproject.toml", "autograder/locks/requirements.lock", "LICENSE"):
+    for name in ("pyproject.toml", "LICENSE"):
         yield ROOT / name
+    for name in ("requirements", "teaching"):
+        yield ROOT / f"autograder/locks/{name}.lock"
     yield from (ROOT / "autograder").rglob("*.py")
     yield ROOT / "autograder" / "commands.toml"  # to name the next command
     yield from (ROOT / "autograder/reports/templates").iterdir()

@@ -7,7 +7,7 @@ apt-get update
 apt-get install -y bubblewrap || echo "bubblewrap is not available: the sandbox uses its other layers"
 for version in 3.15 3.14 3.13 3.12 3.11; do
     if apt-get install -y "python$version" "python$version-venv"; then
-        exec "python$version" autograder/make_venv.py
+        exec "python$version" autograder/make_venv.py teaching
     fi
 done
 echo "Cannot set up: this image has no Python 3.11 or newer. Choose Ubuntu 22.04 or newer."

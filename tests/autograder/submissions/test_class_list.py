@@ -135,30 +135,35 @@ def test_a_platforms_file_says_who_handed_in(
         ("notes.txt", "", {}, "has no submissions"),
         ("ann|ann.zip", "", {}, "ann must hand in only once, got 'ann' and 'ann.zip'"),
         ("ann|ann.ZIP", "", {}, "ann must hand in only once, got 'ann' and 'ann.ZIP'"),
-        ("ANN LEE", ANN + ANN2, {}, "lines 2 and 3: both match the submission 'ANN LEE'"),
-        ("al7", f"{ANN}al7,Bo,,\n", {}, "lines 2 and 3: both match the submission 'al7'"),
+        ("ANN LEE", ANN + ANN2, {}, "lines 2 and 3 match the submission 'ANN LEE'"),
+        ("al7", f"{ANN}al7,Bo,,\n", {}, "lines 2 and 3 match the submission 'al7'"),
         # The id is Ann's, and the name is Bo's: ids of another system.
-        ("bo_1042_7_w.zip", ANN + BO, {}, "lines 2 and 3: both match"),
+        ("bo_1042_7_w.zip", ANN + BO, {}, "lines 2 and 3 match"),
         ("cy_1042_7_w.zip", ANN + BO, {}, "its number 1042 is that of Ann Lee in line 2"),
         ("lab1_1042_7_w.zip", ANN, {}, "its number 1042 is that of Ann Lee in line 2"),
         ("1042|al7", ANN + BO, {}, "line 2: Ann Lee must hand in only once, got '1042' and 'al7'"),
         (ANN_9, f"{ANN}7,Ann Lee,,\n", {}, f"rename the submission to 'ID_9_{MOODLE}', where ID"),
-        (BO_13, NAMESAKES, {}, "Save Moodle's grading worksheet as worksheet.csv in"),
-        (ANN_13, NAMESAKES, {WORKSHEET: SHEET}, "lines 2 and 3: both match"),
+        (BO_13, NAMESAKES, {}, "Save this assignment's grading worksheet from Moodle as"),
+        (ANN_13, NAMESAKES, {WORKSHEET: SHEET}, "lines 2 and 3 match"),
         # Groups
         ("Bo|Ann", TEAM, {}, "lines 2 and 3: Ann and Bo must hand in only once"),
         ("ann_1_7_w.zip|bo_2_8_w.pdf.zip", TEAM, {"ann_1_7_w.zip": "other"}, "only once, got"),
         (f"{BO_13}|Ann_1_{MOODLE}_x.zip", "1,Ann,,,a\n2,Bo O'Neill,,,a\n", {}, "must hand in only"),
         ("team 1 (Ann, Bo)|Ann", TEAM, {}, "would both be called 'team 1 (Ann, Bo)'. Rename"),
-        ("3", "1,Ann,,,3\n3,Bo,,\n4,Cy,,,3\n", {}, "could be by the group '3' or by Bo in line 3"),
-        ("bo", "1,Ann,,,Bo\n3,Bo,,\n4,Cy,,,Bo\n", {}, "could be by the group 'Bo' or by Bo in"),
+        ("3", "1,Ann,,,3\n3,Bo,,\n4,Cy,,,3\n", {}, "lines 2 and 3 and 4 match the submission '3'"),
+        (
+            "bo",
+            "1,Ann,,,Bo\n3,Bo,,\n4,Cy,,,Bo\n",
+            {},
+            "lines 2 and 3 and 4 match the submission 'bo'",
+        ),
         (
             *("s_1", "1,Ann,,,a\n2,Bo,,,b\n3,Cy,,,b\n"),
             {GRADESCOPE: "s_1: {':submitters': [{':name': Ann}, {':name': Bo}]}"},
             "s_1: Gradescope says that Ann (group 'a') and Bo (group 'b') handed in together",
         ),
         # Files of platforms
-        ("s_1", ANN + BO, {GRADESCOPE: CONTRADICTED}, "lines 2 and 3: both match the submission"),
+        ("s_1", ANN + BO, {GRADESCOPE: CONTRADICTED}, "lines 2 and 3 match the submission"),
         ("s_1", "", {GITHUB: "student,points\nAnn,3\n"}, "line 1: the grades of GitHub Classroom"),
         *(
             ("s_1", "", {GRADESCOPE: text}, "is not the file of this name in an export from Grades")
@@ -174,7 +179,7 @@ def test_what_is_not_clear_is_an_error(
 
 
 def test_all_that_is_not_clear_is_reported_at_once(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="both match") as caught:
+    with pytest.raises(ValueError, match="lines 2 and 3 match") as caught:
         class_in(tmp_path, "bo_1042_7_w.zip|1042|al7|ANN@x.org", ANN + BO)
     assert len(str(caught.value).splitlines()) == 2
 

@@ -6,7 +6,6 @@ The submission may contain anything, so no link is followed, and no zip is extra
 from __future__ import annotations
 
 import io
-import itertools
 import os
 import stat
 from collections.abc import Callable, Mapping, Sequence
@@ -22,7 +21,7 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 # This limit is in bytes. A normal submission is well below 100,000. If somebody builds a zip of
 # 5 MB to keep zipfile busy, it takes about 2 s, and a larger one would take proportionally longer.
 LARGEST_ZIP = 5_000_000
-MOST_ZIPS = 5  # we open no more than this many zips in one folder
+MOST_ZIPS = 5  # of one folder
 Wanted = Mapping[str, Sequence[str]]  # the names of a chapter's files, by the name of its folder
 Read = Callable[[int], bytes]  # reads so many bytes at most, or raises NotTakenError
 
@@ -94,17 +93,20 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
         for place in level:
             chapters = wanted if depth < DEEPEST else {}
             own = {name: wanted[name] for name in place[-1:] if name in wanted}
-            asked = [*chapters, *itertools.chain(*own.values())]
+            # A chapter is found among any number of other files.
+            asked = {*chapters}.union(*own.values())
             try:
-                modes = _entries(submission.joinpath(*place), asked, max(0, left + 1))
+                entries = sorted(
+                    os.scandir(submission.joinpath(*place)),
+                    key=lambda entry: (entry.name not in asked, entry.name),
+                )[: max(0, left + 1) + len(asked)]
+                modes = {one.name: one.stat(follow_symlinks=False).st_mode for one in entries}
             except OSError as error:
                 if not place:
                     raise
                 notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
-                if not isinstance(error, FileNotFoundError):  # else it has just been deleted
-                    reason = f"a folder of the submission cannot be read: {cause(error)}"
-                    found += refuse_all(chapters, reason, place)
-                    found += refuse_all(own, reason, place[:-1])
+                reason = f"a folder of the submission cannot be read: {cause(error)}"
+                found += refuse_all(chapters, reason, place) + refuse_all(own, reason, place[:-1])
                 continue
             left -= len(modes)
             for name, mode in modes.items():
@@ -129,21 +131,6 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
             inside = refuse_all(wanted, str(error))
         found += [replace(one, place=(name, *one.place)) for one in inside]
     return found, notes
-
-
-def _entries(folder: Path, asked: Sequence[str], most: int) -> dict[str, int]:
-    """Return the modes of ``most`` entries of a folder, and of those that are asked for by name."""
-    with os.scandir(folder) as entries:
-        names = [entry.name for entry in itertools.islice(entries, most)]
-    if len(names) == most:  # a chapter is found among any number of other files
-        names += asked
-    modes = {}
-    for name in sorted({*names}):
-        try:
-            modes[name] = (folder / name).lstat().st_mode
-        except FileNotFoundError:
-            continue
-    return modes
 
 
 def _search_zip(path: Path, wanted: Wanted) -> list[Found]:

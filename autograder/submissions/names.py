@@ -5,16 +5,15 @@ All commands and tables use it, so that a name means the same student everywhere
 
 from __future__ import annotations
 
-import difflib
 import unicodedata
 from collections import defaultdict
 from collections.abc import Hashable, Iterable, Sequence
 from typing import Generic, TypeVar
 
 from autograder.submissions.csv_rows import as_cell
+from autograder.text.similar import nearest
 
 T = TypeVar("T", bound=Hashable)
-MOST_SUGGESTED = 3
 MOST_LISTED = 5
 
 
@@ -59,14 +58,9 @@ class Names(Generic[T]):
         if found:
             labels = " and ".join(self.labels[who] for who in found)
             return ValueError(f"{text!r} could be {labels}. Write the id or the email")
-        words = {*_plain(text).split()}
-        close = difflib.get_close_matches(_plain(text), self._plain, 2 * MOST_SUGGESTED, 0.7)
-        close += [each for each in self._plain if words and words <= {*each.split()}]
-        labels = " or ".join(
-            [*dict.fromkeys(self.labels[self._plain[each]] for each in close)][:MOST_SUGGESTED]
-        )
-        meant = f". Did you mean {labels}?" if labels else "."
-        return UnknownNameError(f"there is no student {text!r}{meant}")
+        close = nearest(_plain(text), self._plain)
+        meant = f" Did you mean {self.labels[self._plain[close]]}?" if close else ""
+        return UnknownNameError(f"there is no student {text!r}.{meant}")
 
 
 def some(names: Sequence[str]) -> str:

@@ -53,32 +53,24 @@ def read_roster(path: Path) -> list[Student]:
     """
     table = read_csv(path)
     places = _places(table)
-    other = "," if table.separator == ";" else ";"
     students: list[Student] = []
     lines: dict[tuple[str, str], int] = {}
     mistakes = Mistakes(path)
     for line, _, cells in table.rows("cell", mistakes):
-        if other in cells[0] and not any(cells[1:]):
-            wanted = f"cells must be separated by {table.separator!r}, as in the header"
-            mistakes.add(line, f"{wanted}, got {cells[0]!r}")
-            continue
         values = {name: clean_line(cells[place]).strip() for name, place in places.items()}
-        for name in ("id", "name"):
-            if not values[name]:
-                mistakes.add(line, f"the {name} is empty")
-        for name in UNIQUE:
-            value = values[name]
+        found = [f"the {name} is empty" for name in ("id", "name") if not values[name]]
+        for name, value in [(name, values[name]) for name in UNIQUE if values[name]]:
+            about = f"the {name} {value!r}"
             # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
-                words = f"the {name} must not begin like a spreadsheet formula, got {value!r}"
-                mistakes.add(line, words)
+                found.append(f"{about} must not begin like a spreadsheet formula")
             if ROUNDED.fullmatch(value):
-                words = f"a spreadsheet has rounded the {name}, got {value!r}. Format its column as"
-                mistakes.add(line, f"{words} text, and write it again")
-            before = lines.setdefault((name, key(value)), line) if value else line
+                found.append(f"{about} was rounded by a spreadsheet. Format its column as text")
+            before = lines.setdefault((name, key(value)), line)
             if before != line:
-                words = f"the {name} {value!r} is already in line {before}. Give each student one"
-                mistakes.add(line, f"{words} row")
+                found.append(f"{about} is already in line {before}. Give each student one row")
+        for words in found:
+            mistakes.add(line, words)
         students.append(Student(**values, line=line))
     mistakes.raise_any()
     if not students:

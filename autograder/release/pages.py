@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import dedent
 
 from autograder.manifest import Chapter, Exercise
 from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
 from autograder.similarity.code import read_functions
 from autograder.similarity.compare import Passage
-from autograder.similarity.pages import pieces_of
 from autograder.submissions.find import file_name
 from autograder.text.clean import clean
 
@@ -89,7 +89,4 @@ def _functions(file: str, texts: Texts) -> dict[str, str]:
     """Return the body of each function in a module, by names such as Particle.mass."""
     text = texts.get(file, "")
     passages = [Passage(file, one.name, one.tokens, text) for one in read_functions(text)[0]]
-    return {
-        one.name: "".join(piece.text for piece in pieces_of(one, {})).rstrip("\n")
-        for one in passages
-    }
+    return {one.name: clean(dedent("\n".join(one.lines))).rstrip() for one in passages}

@@ -37,11 +37,16 @@ class Passage:
     text: str
 
     @property
+    def lines(self) -> list[str]:
+        """The lines of the function, exactly as the student wrote them."""
+        return self.text.split("\n")[self.tokens[0].start[0] - 1 : self.tokens[-1].end[0]]
+
+    @property
     def code(self) -> str:
-        """The lines of the function that have code, exactly as the student wrote them."""
-        lines = self.text.split("\n")
+        """Those lines of the function that have code."""
+        first = self.tokens[0].start[0]
         rows = {row for t in self.tokens for row in range(t.start[0], t.end[0] + 1)}
-        return "\n".join(lines[row - 1] for row in sorted(rows))
+        return "\n".join(self.lines[row - first] for row in sorted(rows))
 
 
 @dataclass

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
-from autograder.similarity.code import names_in, read_functions
+from autograder.similarity.code import fingerprints, hashes, names_in, read_functions
 from autograder.similarity.compare import Part, Passage, Work
-from autograder.similarity.winnow import fingerprints, hashes
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
 
@@ -33,10 +32,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore.
-
-    Exercises of these chapters that are not assigned are ignored too.
-    """
+    """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore."""
     whole = {chapter.name: chapter for chapter in load_chapters(root)}
     known = frozenset(name for text in _our_files(root, [*whole]) for name in names_in(text))
     given: set[int] = set()
@@ -46,11 +42,12 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
     parts: dict[tuple[str, str], str] = {}
     small = []
     for chapter in chapters:
-        sizes = {}
-        for name, text in _texts(chapter, root / "solutions").items():
-            for function in read_functions(text, known)[0]:
-                sizes[name, function.name] = len(function.tokens)
-        for exercise in whole[chapter.name].exercises:
+        sizes = {
+            (name, function.name): len(function.tokens)
+            for name, text in _texts(chapter, root / "solutions").items()
+            for function in read_functions(text, known)[0]
+        }
+        for exercise in whole[chapter.name].exercises:  # those that are not assigned are ignored
             parts |= dict.fromkeys(_places(chapter, exercise), "")
         for exercise in chapter.exercises:
             places = _places(chapter, exercise)
@@ -78,10 +75,7 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Sort the code in a student's files by exercise, with notes on code that cannot be read.
-
-    Code that all students were given is left out, and so are exercises that are not compared.
-    """
+    """Sort the code in a student's files by exercise, with notes on code that cannot be read."""
     parts: dict[str, Part] = {}
     notes = []
     for file, text in files.items():

@@ -12,8 +12,8 @@ from pathlib import Path
 from autograder.manifest import Chapter
 from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
+from autograder.similarity.code import covered
 from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Shared
-from autograder.similarity.winnow import covered
 from autograder.text.clean import clean
 
 TEMPLATES = Path(__file__).parent / "templates"

@@ -83,12 +83,8 @@ def release(
 ) -> int:
     """Write the reference solution of some chapters, or of some exercises in them, for students.
 
-    If ``submissions`` and ``grades`` are given, each student also gets a page that compares the
-    student's code with the reference solution. The ``roster`` must be the one used for grading, so
-    that every submission is matched with the right grade.
-
-    Raises:
-        ValueError: ``out`` cannot be used, or something that is needed is missing.
+    With ``submissions`` and ``grades``, each student also gets a page that compares the student's
+    code with the reference solution. The ``roster`` must be the one used for grading.
     """
     released = chosen(chapters, exercises)
     if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:

@@ -54,13 +54,10 @@ class Function:
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
     """Split the body of each function in a student's file into tokens.
 
-    Signatures are left out because they are given to the students. Comments and docstrings are left
-    out because they do not change what the code does. All strings count as equal, and so do 2 and
+    Signatures, comments and docstrings are left out. All strings count as equal, and so do 2 and
     2.0. ``known`` contains the engine's names, which all students use. A method has a name such as
-    Particle.mass, and a setter Particle.mass.setter.
-
-    Returns:
-        The functions, and the line at which we had to stop reading (0 if the whole file was read).
+    Particle.mass, and a setter Particle.mass.setter. The number returned is the line at which we
+    had to stop reading, or 0.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -90,10 +87,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names that comparisons keep, since they are Python's or public in our own file.
-
-    All other names are replaced, so that renaming a variable does not hide a copy.
-    """
+    """Yield the names that comparisons keep, since they are Python's or public in our own file."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         is_private = token.string.startswith("_") and not token.string.endswith("__")

@@ -18,14 +18,10 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """The rules for comparing students' code: which functions to compare, and what to ignore.
-
-    ``parts`` maps each function, such as ("ch02_vectors/vector.py", "Vector3.dot"), to its
-    exercise, or to "" if it is not compared.
-    """
+    """The rules for comparing students' code: which functions to compare, and what to ignore."""
 
     chapters: list[Chapter]
-    parts: dict[tuple[str, str], str]
+    parts: dict[tuple[str, str], str]  # the exercise of each file and function, or "" to ignore it
     known: frozenset[str]  # the names of the engine and of Python, which are not replaced
     given: set[int]  # the hashes of code in our stubs, complete modules and solutions
     small: list[str]  # the ids of the exercises that are too short to compare

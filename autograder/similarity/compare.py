@@ -106,6 +106,7 @@ class Comparison:
         for (_, name), weight in self._own.items():
             weights.setdefault(name, []).append(weight)
         self._usual = {name: statistics.median(values) for name, values in weights.items()}
+        # Because of the square root, a long exercise cannot dominate the average.
         self._weights = {name: math.sqrt(size) for name, size in self._usual.items()}
         codes = [(work, work.code) for work in works]
         self.pairs = [
@@ -139,10 +140,7 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """List the code that two students share in each part, strongest evidence first.
-
-        Shared code is stronger evidence of copying if fewer other students have it.
-        """
+        """List the code that two students share in each part, strongest evidence first."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -152,11 +150,7 @@ class Comparison:
         return sorted(found, key=lambda s: (-self._weight(s.name, s.fingerprints), s.name))
 
     def _similarity(self, one: Work, other: Work) -> float:
-        """Return the weighted average over all parts. A part that only one student has counts 0.
-
-        The weight of a part is the square root of its typical size, so that a long exercise cannot
-        dominate the average.
-        """
+        """Return the weighted average over all parts. A part that only one student has counts 0."""
         both = one.parts.keys() & other.parts.keys()
         found = sum(self._weights[name] * self._similarity_in(name, one, other) for name in both)
         sizes = [sum(self._weights[name] for name in work.parts) for work in (one, other)]
@@ -188,8 +182,7 @@ def _excesses(pairs: list[Pair]) -> list[float]:
 def _spread(values: list[float]) -> tuple[float, float] | None:
     """Return the median and the spread of the pairs' excesses, or None if all are equal.
 
-    The spread is a standard deviation estimated from the upper half of the values, which has the
-    longer tail. A few outliers, such as students who have copied, hardly change it.
+    The spread is a standard deviation, estimated so that a few outliers hardly change it.
     """
     deciles = statistics.quantiles(values, n=10, method="inclusive")
     unit = (deciles[8] - deciles[4]) / UPPER_DECILE or statistics.pstdev(values)

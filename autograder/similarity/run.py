@@ -23,11 +23,7 @@ RECORD = "compared.txt"  # names the class, and shows that the folder is of this
 def similarity(
     folder: Path, out: Path, chapters: list[Chapter], roster: Path | None = None, root: Path = ROOT
 ) -> int:
-    """Compare the code of each pair of students in a class, and write pages about similar pairs.
-
-    Raises:
-        ValueError: There are no submissions, the roster contains a mistake, or ``out`` is not free.
-    """
+    """Compare the code of each pair of students in a class, and write pages about similar pairs."""
     _refuse_place(out, folder)
     people = read_class(folder, roster)
     submissions, notes = people.submissions, [*people.notes, *differences(people, [])]

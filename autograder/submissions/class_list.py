@@ -87,11 +87,7 @@ class ClassList:
         return found
 
     def report_of(self, name: str) -> str:
-        """Return the name of a student's report, or "" if the student has handed in nothing.
-
-        Raises:
-            ValueError: The name does not mean one student, as in ``members_of``.
-        """
+        """Return the name of a student's report, or "" if the student has handed in nothing."""
         if name in self.gone and not self._names.all_of(name):
             return ""
         member = self.members_of(name)[0]
@@ -105,14 +101,8 @@ class ClassList:
 def read_class(folder: Path, roster: Path | None = None) -> ClassList:
     """Find the submissions in the folder of a class, and the student whom each one belongs to.
 
-    A submission is a folder or a .zip file. Its name is the student's name, or a name given by
-    Canvas, Moodle, Gradescope or GitHub. If a student uploaded several files to a platform, only
-    the last one counts.
-
-    Raises:
-        ValueError: The folder or the roster cannot be used, nothing was handed in, or it is not
-            clear whom a submission belongs to. The message lists all such submissions.
-        OSError: A file cannot be read.
+    A submission is a folder or a .zip file, named by its student or by a platform. If it is not
+    clear whom submissions belong to, the ValueError lists all of them.
     """
     uploads = Uploads(folder)
     owners = Owners(read_roster(roster) if roster else None, roster, uploads)
@@ -158,12 +148,7 @@ def _order(entry: Entry) -> tuple[int, int]:
 
 
 def _chosen(entries: Sequence[Entry]) -> Submission:
-    """Choose what is graded of everything that a student or a group has handed in.
-
-    Raises:
-        ValueError: There are several submissions, and they are not uploads of one student, of which
-            the last one counts.
-    """
+    """Choose what is graded: of the uploads of one student to a platform, the last one."""
     usable = [entry for entry in entries if not entry.problem]
     last = max(usable or entries, key=_order)
     uploaders = {entry.export and entry.export.student for entry in usable}

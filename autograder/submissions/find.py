@@ -66,11 +66,8 @@ class Submission:
 def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Entry]:
     """List what was handed in, without the instructor's own files, hidden files and caches.
 
-    A name of Moodle's is recognized by itself. One of Canvas's counts as such if all folders and
-    zips look like one download, or if ``is_known`` says that the student is on the roster.
-
-    Raises:
-        ValueError: The path is not a folder, or has the work of one student.
+    A name counts as Canvas's if all folders and zips look like one download, or if ``is_known``
+    says that the student is on the roster.
     """
     if not folder.is_dir():
         raise ValueError(f"the submissions must be in an existing folder, got {str(folder)!r}")
@@ -93,8 +90,7 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
 def file_name(student: str) -> str:
     """Return a safe file name for the reports on a student, without a suffix.
 
-    A short and harmless name is not changed. Otherwise, unsafe characters are replaced, the name is
-    truncated, and a hash is appended, so that two students never share a file.
+    A name that is long or not harmless gets a hash, so that two students never share a file.
     """
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in student]
     safe = re.sub(r"^\.", "_", "".join(kept))
@@ -115,10 +111,7 @@ def contents(path: Path) -> frozenset[tuple[str, str]]:
 
 
 def printable(text: str) -> str:
-    """Escape the unprintable characters in a text, such as the name of a submitted file.
-
-    Backslashes are doubled, so that different texts never look the same.
-    """
+    """Escape unprintable characters and backslashes, so that no two texts look the same."""
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 

@@ -82,11 +82,7 @@ def worksheet_in(folder: Path) -> Worksheet | None:
 
 
 def read_worksheet(path: Path) -> Worksheet:
-    """Read a grading worksheet from Moodle, in any language.
-
-    Raises:
-        ValueError: The file is not a worksheet, or its columns are not certain.
-    """
+    """Read a grading worksheet from Moodle, in any language."""
     table = read_csv(path)
     reader = csv.reader(io.StringIO(table.text, newline=""), delimiter=table.separator, strict=True)
 
@@ -159,15 +155,11 @@ def _number(cell: str) -> float:
 
 
 def _fits(pattern: re.Pattern[str], cells: Sequence[str], *, empty: bool = True) -> bool:
-    """Check that every cell matches a pattern. With ``empty``, a cell may also be empty."""
     return all((empty and not cell) or pattern.fullmatch(cell) for cell in cells)
 
 
 def _read_times(cells: Sequence[str]) -> list[datetime | None]:
-    """Read times such as "Friday, 23 October 2026, 8:15 PM", in any of many languages.
-
-    The result is None for what is not a time, and for a day that could also be the month.
-    """
+    """Read times in many languages. The result is None if the day could also be the month."""
     options = {"STRICT_PARSING": True, "PARSERS": ["absolute-time"]}
     orders = ("DMY", "MDY")
     readers = [DateDataParser(settings={**options, "DATE_ORDER": order}) for order in orders]

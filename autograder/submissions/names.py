@@ -1,7 +1,4 @@
-"""Find the student whom a name means: a cell of a table, a key in a file, or a folder's name.
-
-All commands and tables use it, so that a name means the same student everywhere.
-"""
+"""Find the student whom a name means, in the same way for all commands, tables and files."""
 
 from __future__ import annotations
 
@@ -22,10 +19,7 @@ class UnknownNameError(ValueError):
 
 
 class Names(Generic[T]):
-    """All names of some students: full names, ids, e-mail addresses, logins and folders.
-
-    ``people`` has for each student an object, a label for error messages, and the names.
-    """
+    """All names of some students, with a label for error messages for each student."""
 
     def __init__(self, people: Iterable[tuple[T, str, Sequence[str]]]) -> None:
         self.labels: dict[T, str] = {}
@@ -43,10 +37,9 @@ class Names(Generic[T]):
     def all_of(self, text: str) -> list[T]:
         """Return everyone whom a name fits.
 
-        If it is exactly the name of someone, only exact names count. Otherwise, capital letters
-        make no difference, and if that finds nobody either, neither do spaces, punctuation, leading
-        zeros of a number and "Doe, Jane" for "Jane Doe". Accents always do: a name without them may
-        be another student's.
+        If an exact name fits, only exact names count, and then those with other capital letters.
+        Otherwise, spaces, punctuation, leading zeros of a number and "Doe, Jane" for "Jane Doe"
+        make no difference either. Accents do: a name without them may be another student's.
         """
         for level, forms in zip(self._levels, _levels(text), strict=True):
             if found := {who: None for form in sorted(forms) for who in level.get(form, ())}:
@@ -75,11 +68,8 @@ def key(text: str) -> str:
 
 
 def letters(name: str) -> str:
-    """Return only the letters and digits of a name, in lower case.
-
-    Platforms drop all other characters from the names of the files that students upload. Marks that
-    belong to a letter stay, because many scripts write vowels in this way.
-    """
+    """Return only the letters and digits of a name, in lower case, as platforms write it."""
+    # Marks that belong to a letter stay, because many scripts write vowels in this way.
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(c for c in text if c.isalnum() or unicodedata.category(c).startswith("M"))
 

@@ -33,11 +33,7 @@ class Owners:
         return any(self._on_canvas(export))
 
     def of(self, entry: Entry) -> Who:
-        """Return the students to whom a submission belongs, or its name if they are not known.
-
-        Raises:
-            ValueError: It could be that of several students, or its id and its name disagree.
-        """
+        """Return the students to whom a submission belongs, or its name if they are not known."""
         upload, export = self._uploads.of(entry.path), entry.export
         found = self._uploaders(entry, upload) if upload else []
         if not found:

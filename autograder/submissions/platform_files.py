@@ -49,10 +49,7 @@ class Uploads:
         return self._by_name.get(path.name) or self._by_name.get(without_suffix(path))
 
     def name_of(self, path: Path) -> str:
-        """Return the students' names on the platform, or "" if they are not known.
-
-        If students of other submissions have the same names, the name of the submission follows.
-        """
+        """Return the students' names on the platform, or "", with the submission if not unique."""
         upload = self._by_name.get(path.name) or self._by_name.get(without_suffix(path))
         if not upload or not upload.people:
             return ""

@@ -34,23 +34,14 @@ class Student:
 
     @property
     def canvas_names(self) -> set[str]:
-        """What Canvas may make of the name: doejane for Jane Doe.
-
-        It writes the family name first, which may have several words, as in vanderbergjan.
-        """
+        """What Canvas may make of the name: doejane for Jane Doe."""
+        # The family name comes first, and may have several words, as in vanderbergjan.
         words = self.name.replace(",", " ").split()
         return {letters("".join(words[i:] + words[:i])) for i in range(len(words))} - {""}
 
 
 def read_roster(path: Path) -> list[Student]:
-    """Read the students on a roster, in its order.
-
-    The columns may be in any order, group may be missing, and other columns are ignored.
-
-    Raises:
-        ValueError: The roster contains mistakes. The message lists all of them with their lines.
-        OSError: The file cannot be read.
-    """
+    """Read the students on a roster, in its order. Other columns are ignored."""
     table = read_csv(path)
     places = _places(table)
     students: list[Student] = []

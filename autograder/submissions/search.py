@@ -42,11 +42,7 @@ class Found:
 
 
 def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:
-    """Find all files of a submission, with notes for the instructor on any problems.
-
-    Raises:
-        NotTakenError: The submission as a whole is rejected.
-    """
+    """Find all files of a submission, with notes, or raise NotTakenError if it is rejected."""
     try:
         mode = submission.lstat().st_mode
         if stat.S_ISLNK(mode):
@@ -87,36 +83,34 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
     notes: list[str] = []
     zips: list[str] = []
     left = MOST_ENTRIES
-    level: list[tuple[str, ...]] = [()]
-    for depth in range(DEEPEST + 1):
-        deeper: list[tuple[str, ...]] = []
-        for place in level:
-            chapters = wanted if depth < DEEPEST else {}
-            own = {name: wanted[name] for name in place[-1:] if name in wanted}
-            # A chapter is found among any number of other files.
-            asked = {*chapters}.union(*own.values())
-            try:
-                entries = sorted(
-                    os.scandir(submission.joinpath(*place)),
-                    key=lambda entry: (entry.name not in asked, entry.name),
-                )[: max(0, left + 1) + len(asked)]
-                modes = {one.name: one.stat(follow_symlinks=False).st_mode for one in entries}
-            except OSError as error:
-                if not place:
-                    raise
-                notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
-                reason = f"a folder of the submission cannot be read: {cause(error)}"
-                found += refuse_all(chapters, reason, place) + refuse_all(own, reason, place[:-1])
+    places: list[tuple[str, ...]] = [()]
+    for place in places:  # which grows, so that each level is searched before the next
+        chapters = wanted if len(place) < DEEPEST else {}
+        own = {name: wanted[name] for name in place[-1:] if name in wanted}
+        asked = {*chapters}.union(*own.values())  # they are found among any number of others
+        try:
+            entries = sorted(
+                os.scandir(submission.joinpath(*place)),
+                key=lambda entry: (entry.name not in asked, entry.name),
+            )[: max(0, left + 1) + len(asked)]
+            modes = {one.name: one.stat(follow_symlinks=False).st_mode for one in entries}
+        except OSError as error:
+            if not place:
+                raise
+            notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
+            reason = f"a folder of the submission cannot be read: {cause(error)}"
+            found += refuse_all(chapters, reason, place) + refuse_all(own, reason, place[:-1])
+            continue
+        left -= len(modes)
+        for name, mode in modes.items():
+            read = partial(read_file, submission.joinpath(*place, name))
+            found += _sort_out(place, name, mode, read, wanted)
+            if is_skipped(name):
                 continue
-            left -= len(modes)
-            for name, mode in modes.items():
-                read = partial(read_file, submission.joinpath(*place, name))
-                found += _sort_out(place, name, mode, read, wanted)
-                if stat.S_ISDIR(mode) and not is_skipped(name):
-                    deeper.append((*place, name))
-                elif not place and stat.S_ISREG(mode) and name.lower().endswith(".zip"):
-                    zips += [] if is_skipped(name) else [name]
-        level = deeper
+            if stat.S_ISDIR(mode) and len(place) < DEEPEST:
+                places.append((*place, name))
+            elif not place and stat.S_ISREG(mode) and name.lower().endswith(".zip"):
+                zips.append(name)
     if left < 0:
         notes.append(f"the search stopped after {MOST_ENTRIES:,} files and folders")
         reason = f"it is not among the first {MOST_ENTRIES:,} files and folders handed in"

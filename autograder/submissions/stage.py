@@ -48,11 +48,7 @@ class Staged:
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
     """Write the student's files, and our copies of the modules that students do not edit, to a box.
 
-    A missing file is not replaced with a stub or our solution, because neither would be the
-    student's work.
-
-    Raises:
-        OSError: The folder cannot be written, or a file of the repository cannot be read.
+    A missing file is not replaced, because a stub or our solution is not the student's work.
     """
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     refused = ""

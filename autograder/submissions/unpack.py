@@ -1,7 +1,4 @@
-"""Unpack a zip that contains all submissions of a class, as downloaded from Canvas or Moodle.
-
-The files go into a new folder next to the zip. They come from students, so they are not trusted.
-"""
+"""Unpack a zip that contains all submissions of a class into a new folder next to the zip."""
 
 from __future__ import annotations
 
@@ -52,12 +49,7 @@ class Unpacked:
 def class_folder(path: Path) -> Path:
     """Return the folder with the submissions of a class, and unpack it first if it is in a zip.
 
-    The new folder has the same name as the zip. If the zip has changed since the last time, it is
-    unpacked again, but marks.csv in the folder is kept.
-
-    Raises:
-        ValueError: The zip cannot be unpacked, or the folder was not created by this function.
-        OSError: A file cannot be read or written.
+    If the zip has changed since the last time, it is unpacked again, but marks.csv is kept.
     """
     if not path.is_file():
         return path
@@ -75,10 +67,7 @@ def class_folder(path: Path) -> Path:
 
 
 def refuse_newer_zip(folder: Path) -> None:
-    """Raise ValueError if the zip from which a folder was unpacked has changed since then.
-
-    It may be a newer download, or one of another assignment, which platforms call the same.
-    """
+    """Raise ValueError if the zip from which a folder was unpacked has changed since then."""
     if not (folder / MARKER).is_file():
         return
     for path in (folder.with_name(folder.name + suffix) for suffix in (".zip", ".ZIP")):

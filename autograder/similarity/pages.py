@@ -29,16 +29,6 @@ class Piece:
     kind: str
 
 
-@dataclass(frozen=True)
-class Side:
-    """A student's function, with the line in the file at which its code begins."""
-
-    name: str
-    file: str
-    line: int
-    pieces: list[Piece]
-
-
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
@@ -101,17 +91,18 @@ def _write_pair(path: Path, comparison: Comparison, pair: Pair, shared: list[Sha
     for part in shared:
         rare = {f for f in part.fingerprints if comparison.holders[part.name, f] <= few}
         works = (pair.one, pair.other)
-        parts.append((part, [_sides(w.parts[part.name].passages, part, rare) for w in works]))
+        parts.append((part, [_marked(w.parts[part.name].passages, part, rare) for w in works]))
     values = {"pair": pair, "comparison": comparison, "line": comparison.line, "parts": parts}
     replace_file(path, render("pair.html", TEMPLATES, few=math.floor(few), **values))
 
 
-def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
+def _marked(
+    passages: list[Passage], part: Shared, rare: set[int]
+) -> list[tuple[Passage, list[Piece]]]:
     """Mark the shared code in a student's functions, and leave out those without any."""
-    sides = []
+    marked = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
         if kinds := kinds | dict.fromkeys(covered(passage.tokens, rare), "rare"):
-            name, line = passage.name or "outside of functions", passage.tokens[0].start[0]
-            sides.append(Side(name, passage.file, line, pieces_of(passage, kinds)))
-    return sides
+            marked.append((passage, pieces_of(passage, kinds)))
+    return marked

@@ -47,17 +47,15 @@ class Owners:
     def label(self, who: Who) -> str:
         """Return how an error message calls these students."""
         students = [one for one in who if isinstance(one, Student)]
-        if not students:
-            return ", ".join(map(str, who))
         lines = " and ".join(str(one.line) for one in students)
         names = " and ".join(one.name for one in students)
-        return f"{self.path}, line{'s' if len(students) > 1 else ''} {lines}: {names}"
+        where = f"{self.path}, line{'s' if len(students) > 1 else ''} {lines}: {names}"
+        return where if students else str(who[0])
 
     def absent(self, submissions: Collection[Who]) -> list[Who]:
         """Return the students on the roster who have handed in nothing, in their groups."""
-        there = {one for who in submissions for one in who}
-        left = [student for student in self.roster if student not in there]
-        return [*dict.fromkeys(self._with_groups([student]) for student in left)]
+        left = {*self.roster} - {one for who in submissions for one in who}
+        return [*dict.fromkeys(self._with_groups([one]) for one in self.roster if one in left)]
 
     def _uploaders(self, entry: Entry, upload: Upload) -> list[Student]:
         """Return the students whom a platform's file names, as far as the roster has them."""

@@ -18,8 +18,8 @@ from autograder.accepted_files import (
     NotTakenError,
     check_text,
     module_of,
+    refuse_renamed,
     rejection,
-    renamed,
 )
 from autograder.answers import FILE as ANSWERS
 from autograder.handouts.stubs import KEPT
@@ -126,8 +126,10 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
     there = {file.file for file in all_of_it if file.place == place}
-    for name in chapter.handed_in:
-        if name not in there and (error := renamed(chapter, name, there)):
+    for name in {*chapter.handed_in} - there:
+        try:
+            refuse_renamed(chapter, name, there)
+        except NotTakenError as error:
             chosen.append(Found(place, name, refuse(str(error))))
     return {file.file: file for file in chosen}, notes
 
@@ -171,5 +173,5 @@ def _names_of_others(found: Sequence[Found], taken: Iterable[Found]) -> list[str
 def _shown(place: tuple[str, ...]) -> str:
     if not place:
         return "at the top of what was handed in"
-    harmless = all(HARMLESS.fullmatch(name) for name in place)
-    return f"in '{'/'.join(place)}'" if harmless else "in another folder"
+    is_harmless = all(map(HARMLESS.fullmatch, place))
+    return f"in '{'/'.join(place)}'" if is_harmless else "in another folder"

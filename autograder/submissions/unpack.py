@@ -39,11 +39,11 @@ File = tuple[list[str], zipfile.ZipInfo | None]
 
 @dataclass(frozen=True)
 class Unpacked:
-    """A record of what was unpacked: a hash of the zip, the submissions, and notes on the rest."""
+    """A record of what was unpacked."""
 
-    zip: str
-    names: list[str]
-    notes: list[str]
+    zip: str  # a hash of it
+    names: list[str]  # of the submissions
+    notes: list[str]  # on what was left out
 
 
 def class_folder(path: Path) -> Path:
@@ -68,10 +68,9 @@ def class_folder(path: Path) -> Path:
 
 def refuse_newer_zip(folder: Path) -> None:
     """Raise ValueError if the zip from which a folder was unpacked has changed since then."""
-    if not (folder / MARKER).is_file():
-        return
+    is_unpacked = (folder / MARKER).is_file()
     for path in (folder.with_name(folder.name + suffix) for suffix in (".zip", ".ZIP")):
-        if path.is_file() and _read_marker(folder).zip != _digest(path):
+        if is_unpacked and path.is_file() and _read_marker(folder).zip != _digest(path):
             raise ValueError(
                 f"{path} has changed since it was unpacked. Name it to grade what is in it now "
                 f"(make: SUBMISSIONS={path}), or name {folder} to grade what was in it before"
@@ -120,9 +119,9 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[File], list[str]]:
     for entry in file.infolist():
         name = path_in_zip(entry)
         parts = name.split("/")
-        if is_unsafe(name) or not _is_text(name):
+        if not _is_path(name):
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
-            if parts[1:] and not is_unsafe(parts[0]) and _is_text(parts[0]):
+            if parts[1:] and _is_path(parts[0]):
                 files.append((parts[:1], None))
         elif not is_skipped(parts[0]):
             is_left_out = any(part.startswith(".") or part in SILENT for part in parts[1:])
@@ -130,9 +129,10 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[File], list[str]]:
     return files, notes
 
 
-def _is_text(name: str) -> bool:
-    """Return True if a name has no control characters. Some scripts need invisible joiners."""
-    return all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
+def _is_path(name: str) -> bool:
+    """Return True if a path is safe, and text. Some scripts need invisible joiners."""
+    characters = all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
+    return characters and not is_unsafe(name)
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[File]) -> list[str]:

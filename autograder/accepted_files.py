@@ -36,15 +36,14 @@ def rejected_modules(chapters: Iterable[Chapter], engine: Sequence[Path]) -> dic
         for name in chapter.handed_in:
             # Python imports a module from the first folder that has it.
             folder = next((folder for folder in folders if name in names[folder]), None)
-            error = None if folder else renamed(chapter, name, set().union(*names.values()))
             try:
-                if folder and folder.is_symlink():
+                if folder is None:
+                    refuse_renamed(chapter, name, set().union(*names.values()))
+                elif folder.is_symlink():
                     raise NotTakenError(LINKED_FOLDER)
-                if folder:
+                else:
                     check_text(read_file(folder / name, LARGEST_FILE))
-            except NotTakenError as rejected:
-                error = rejected
-            if error:
+            except NotTakenError as error:
                 reasons[module_of(chapter.name, name)] = rejection(chapter.name, name, error)
     return reasons
 
@@ -70,14 +69,13 @@ def check_text(content: bytes) -> bytes:
     return content
 
 
-def renamed(chapter: Chapter, file: str, there: Iterable[str]) -> NotTakenError | None:
-    """Return an error if one of the files in a chapter's folder seems to be ``file``, renamed."""
+def refuse_renamed(chapter: Chapter, file: str, there: Iterable[str]) -> None:
+    """Raise NotTakenError if a file in a chapter's folder seems to be ``file``, renamed."""
     strange = {*there} - {*chapter.handed_in, *chapter.complete}
     ending = f".{file.rpartition('.')[2]}"
     alike = [n for n in sorted(strange) if n.endswith(ending) and HARMLESS.fullmatch(n)]
     for name in difflib.get_close_matches(file, alike, 1, SIMILAR):
-        return NotTakenError(f"its name is '{name}', so rename it to {file}")
-    return None
+        raise NotTakenError(f"its name is '{name}', so rename it to {file}")
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
@@ -114,11 +112,9 @@ def _open(path: str, flags: int) -> int:
 
 
 def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
-    if stat.S_ISLNK(status.st_mode):
-        raise NotTakenError(f"{what} is a symbolic link")
-    if stat.S_ISDIR(status.st_mode):
-        raise NotTakenError(f"{what} is a folder")
-    if not stat.S_ISREG(status.st_mode):
-        raise NotTakenError(f"{what} is not a regular file")
+    kind = stat.S_IFMT(status.st_mode)
+    if kind != stat.S_IFREG:
+        kinds = {stat.S_IFLNK: "a symbolic link", stat.S_IFDIR: "a folder"}
+        raise NotTakenError(f"{what} is {kinds.get(kind, 'not a regular file')}")
     if status.st_size > largest:
         raise NotTakenError(f"{what} is larger than {largest:,} bytes")

@@ -81,7 +81,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 def run_release(arguments: argparse.Namespace) -> int:
     """Write the released solutions, and pages that compare them with the students' code."""
-    from autograder.release.commands import run_release
+    from autograder.release.run import run_release
 
     return run_release(arguments)
 

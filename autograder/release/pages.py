@@ -1,20 +1,17 @@
-"""Write the page that shows a student's functions next to those of the reference solution.
-
-Only exercises that the student has passed are compared.
-"""
+"""Write the page that shows a student's functions next to those of the reference solution."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import dedent
 
 from autograder.manifest import Chapter, Exercise
 from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
 from autograder.similarity.code import read_functions
 from autograder.similarity.compare import Passage
-from autograder.similarity.pages import pieces_of
 from autograder.submissions.find import file_name
 from autograder.text.clean import clean
 
@@ -39,46 +36,40 @@ class Compared:
     pairs: list[Pair]
 
 
-def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compared:
-    """Pair a student's functions for one exercise with those in the reference solution."""
-    pairs = []
-    for edit in exercise.edit:
-        module, name = edit.split(".", 1)
-        sides = [_functions(f"{module}.py", texts).get(name) for texts in (own, reference)]
-        pairs.append(Pair(name, *sides))
-    return Compared(f"{exercise.id} {exercise.title}", pairs)
-
-
-def compare_others(
-    chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
+def compare(
+    chapter: Chapter, solved: Sequence[Exercise], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Pair the functions that belong to no exercise, such as a student's helpers.
+    """Pair a student's functions for solved exercises of a chapter with those of the reference.
 
-    Functions that are the same in both versions are left out, because students may have received
-    them from us. Code outside functions is left out too.
+    Other functions in the same files follow, such as a student's helpers, unless both versions are
+    the same, because students may have received them from us.
     """
-    edited = {name for exercise in chapter.exercises for name in exercise.edit}
-    found = []
-    for file in files:
-        mine, theirs = _functions(file, own), _functions(file, reference)
-        module = file.removesuffix(".py")
-        pairs = [
-            Pair(clean(name), mine.get(name), theirs.get(name))
-            for name in dict.fromkeys([*mine, *theirs])
-            if name and f"{module}.{name}" not in edited and mine.get(name) != theirs.get(name)
+    files = dict.fromkeys(f"{edit.split('.')[0]}.py" for e in solved for edit in e.edit)
+    mine, theirs = ({f: _functions(f, texts) for f in files} for texts in (own, reference))
+    compared = []
+    for exercise in solved:
+        places = [
+            (f"{module}.py", name)
+            for module, _, name in (edit.partition(".") for edit in exercise.edit)
         ]
-        if pairs:
-            found.append(Compared(f"Other functions in {file}", pairs))
-    return found
+        pairs = [Pair(name, mine[file].get(name), theirs[file].get(name)) for file, name in places]
+        compared.append(Compared(f"{exercise.id} {exercise.title}", pairs))
+    edited = {name for exercise in chapter.exercises for name in exercise.edit}
+    for file in files:
+        others = [
+            Pair(clean(name), mine[file].get(name), theirs[file].get(name))
+            for name in dict.fromkeys([*mine[file], *theirs[file]])
+            if name and f"{file.removesuffix('.py')}.{name}" not in edited
+        ]
+        if others := [pair for pair in others if pair.own != pair.reference]:
+            compared.append(Compared(f"Other functions in {file}", others))
+    return compared
 
 
 def write_page(
     out: Path, student: str, compared: Sequence[Compared], not_compared: Sequence[str]
 ) -> Path:
-    """Write students/<student>.html, and return its path.
-
-    It also lists the released exercises that the student has not solved.
-    """
+    """Write students/<student>.html, and return its path."""
     path = out / "students" / f"{file_name(student)}.html"
     values = {"student": clean(student), "compared": compared, "not_compared": not_compared}
     replace_file(path, render("release.html", TEMPLATES, **values))
@@ -89,7 +80,4 @@ def _functions(file: str, texts: Texts) -> dict[str, str]:
     """Return the body of each function in a module, by names such as Particle.mass."""
     text = texts.get(file, "")
     passages = [Passage(file, one.name, one.tokens, text) for one in read_functions(text)[0]]
-    return {
-        one.name: "".join(piece.text for piece in pieces_of(one, {})).rstrip("\n")
-        for one in passages
-    }
+    return {one.name: clean(dedent("\n".join(one.lines))).rstrip() for one in passages}

@@ -16,11 +16,7 @@ from autograder.manifest import ROOT, Chapter
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return the chapters with only these exercises, or with all of them if there are none.
-
-    Raises:
-        ValueError: An exercise does not exist in any of the chapters.
-    """
+    """Return the chapters with only these exercises, or with all of them if there are none."""
     known = {e.id.lower() for chapter in chapters for e in chapter.exercises}
     wanted = {name.lower() for name in exercises} or known
     if unknown := [name for name in exercises if name.lower() not in known]:
@@ -33,10 +29,7 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the text of a reference module in which only the released exercises are solved.
-
-    The functions of all other exercises are stubs, which do not give away the solution.
-    """
+    """Return the text of a reference module in which all exercises but the released are stubs."""
     kept = {exercise.id for exercise in chapter.exercises}
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
@@ -47,17 +40,12 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write a chapter's released modules, data files and model answers into ``out``/reference.
-
-    Return the text of each module.
-    """
+    """Write a chapter's released files into ``out``/reference, and return its modules' texts."""
     folder, solution = out / "reference" / whole.name, root / "solutions" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
-    texts = dict(modules)
-    if answers := _model_answers(chapter, solution / FILE):
-        texts[FILE] = answers
-    for name, text in texts.items():
+    answers = _model_answers(chapter, solution / FILE)
+    for name, text in {**modules, **({FILE: answers} if answers else {})}.items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     for name in chapter.data_files:
         shutil.copyfile(solution / name, folder / name)

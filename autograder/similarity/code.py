@@ -1,19 +1,27 @@
-"""Split the functions in students' files into tokens, so that their code can be compared.
+"""Split the functions in students' files into tokens, and compute fingerprints of them.
 
-The students' code is never compiled or run.
+The students' code is never compiled or run. Fingerprints are computed by winnowing (Schleimer,
+Wilkerson and Aiken, 2003): every sequence of GRAM consecutive tokens is hashed, and from every
+WINDOW neighboring hashes, the smallest is kept. Two functions with GRAM + WINDOW - 1 consecutive
+tokens in common therefore share a fingerprint. Moving statements changes only a few fingerprints,
+because a sequence is no longer than a short statement.
 """
 
 from __future__ import annotations
 
 import builtins
+import hashlib
 import io
 import keyword
 import math
 import tokenize
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 
+GRAM = 8
+WINDOW = 4
 LONGEST = 100_000  # characters; the longest module of a chapter has about ten thousand
 WIDEST = 2_000  # characters; in Python 3.12 the time grows with the square of a line's length
 LOCAL = "~"  # marks a name that the student has chosen
@@ -46,13 +54,10 @@ class Function:
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
     """Split the body of each function in a student's file into tokens.
 
-    Signatures are left out because they are given to the students. Comments and docstrings are left
-    out because they do not change what the code does. All strings count as equal, and so do 2 and
+    Signatures, comments and docstrings are left out. All strings count as equal, and so do 2 and
     2.0. ``known`` contains the engine's names, which all students use. A method has a name such as
-    Particle.mass, and a setter Particle.mass.setter.
-
-    Returns:
-        The functions, and the line at which we had to stop reading (0 if the whole file was read).
+    Particle.mass, and a setter Particle.mass.setter. The number returned is the line at which we
+    had to stop reading, or 0.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -82,15 +87,42 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names that comparisons keep, since they are Python's or public in our own file.
-
-    All other names are replaced, so that renaming a variable does not hide a copy.
-    """
+    """Yield the names that comparisons keep, since they are Python's or public in our own file."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         is_private = token.string.startswith("_") and not token.string.endswith("__")
         if token.type == tokenize.NAME and not is_private:
             yield token.string
+
+
+@cache
+def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
+    """Hash every sequence of GRAM consecutive tokens, in the order of the code."""
+    return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
+
+
+def fingerprints(words: tuple[str, ...]) -> set[int]:
+    """Compute the fingerprints of a function by winnowing its hashes."""
+    found = hashes(words)
+    windows = range(max(1, len(found) - WINDOW + 1)) if found else ()
+    return {min(found[i : i + WINDOW]) for i in windows}
+
+
+def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
+    """Return the indices of the tokens in any sequence whose hash is in ``shared``."""
+    found = hashes(tuple(token.word for token in tokens))
+    starts = [i for i, value in enumerate(found) if value in shared]
+    return {i for start in starts for i in range(start, start + GRAM)}
+
+
+def _hash(run: tuple[str, ...]) -> int:
+    names: dict[str, int] = {}  # a student's own names count in the order of their appearance
+    words = [
+        f"{LOCAL}{names.setdefault(word, len(names))}" if word.startswith(LOCAL) else word
+        for word in run
+    ]
+    digest = hashlib.blake2b("\n".join(words).encode("utf-8", "surrogatepass"), digest_size=8)
+    return int.from_bytes(digest.digest(), "big")  # the same in every run, unlike hash()
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
-from autograder.similarity.code import names_in, read_functions
+from autograder.similarity.code import fingerprints, hashes, names_in, read_functions
 from autograder.similarity.compare import Part, Passage, Work
-from autograder.similarity.winnow import fingerprints, hashes
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
 
@@ -19,24 +18,17 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """The rules for comparing students' code: which functions to compare, and what to ignore.
-
-    ``parts`` maps each function, such as ("ch02_vectors/vector.py", "Vector3.dot"), to its
-    exercise, or to "" if it is not compared.
-    """
+    """The rules for comparing students' code: which functions to compare, and what to ignore."""
 
     chapters: list[Chapter]
-    parts: dict[tuple[str, str], str]
+    parts: dict[tuple[str, str], str]  # the exercise of each file and function, or "" to ignore it
     known: frozenset[str]  # the names of the engine and of Python, which are not replaced
     given: set[int]  # the hashes of code in our stubs, complete modules and solutions
     small: list[str]  # the ids of the exercises that are too short to compare
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore.
-
-    Exercises of these chapters that are not assigned are ignored too.
-    """
+    """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore."""
     whole = {chapter.name: chapter for chapter in load_chapters(root)}
     known = frozenset(name for text in _our_files(root, [*whole]) for name in names_in(text))
     given: set[int] = set()
@@ -46,11 +38,12 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
     parts: dict[tuple[str, str], str] = {}
     small = []
     for chapter in chapters:
-        sizes = {}
-        for name, text in _texts(chapter, root / "solutions").items():
-            for function in read_functions(text, known)[0]:
-                sizes[name, function.name] = len(function.tokens)
-        for exercise in whole[chapter.name].exercises:
+        sizes = {
+            (name, function.name): len(function.tokens)
+            for name, text in _texts(chapter, root / "solutions").items()
+            for function in read_functions(text, known)[0]
+        }
+        for exercise in whole[chapter.name].exercises:  # those that are not assigned are ignored
             parts |= dict.fromkeys(_places(chapter, exercise), "")
         for exercise in chapter.exercises:
             places = _places(chapter, exercise)
@@ -78,10 +71,7 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Sort the code in a student's files by exercise, with notes on code that cannot be read.
-
-    Code that all students were given is left out, and so are exercises that are not compared.
-    """
+    """Sort the code in a student's files by exercise, with notes on code that cannot be read."""
     parts: dict[str, Part] = {}
     notes = []
     for file, text in files.items():

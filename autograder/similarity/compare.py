@@ -1,14 +1,11 @@
 """Compare the code of each pair of students in a class, and rate how unusual each result is.
 
-We compare fingerprints of the code, which are hashes of short sequences of tokens. A fingerprint
-that few students share weighs more, because it is less likely to be a coincidence. The similarity
-of two students is a weighted average over the exercises. Its weights keep a long exercise from
-dominating the result.
+A fingerprint of the code that few students share weighs more, because it is less likely to be a
+coincidence. The similarity of two students is a weighted average over the exercises.
 
-Some students write code that resembles everybody else's, so we expect a high similarity. The
-expected similarity of a pair is the average of both students' median similarities to the rest of
-the class. The excess of the pair is its similarity minus this expected value. The surprise of the
-pair is the difference between its excess and the median of all pairs, divided by the spread.
+Some students write code that resembles everybody else's. So the expected similarity of a pair is
+the average of both students' median similarities to the rest of the class, and its excess is what
+it has above that. Its surprise is the excess minus the median of all pairs, divided by the spread.
 """
 
 from __future__ import annotations
@@ -37,11 +34,16 @@ class Passage:
     text: str
 
     @property
+    def lines(self) -> list[str]:
+        """The lines of the function, exactly as the student wrote them."""
+        return self.text.split("\n")[self.tokens[0].start[0] - 1 : self.tokens[-1].end[0]]
+
+    @property
     def code(self) -> str:
-        """The lines of the function that have code, exactly as the student wrote them."""
-        lines = self.text.split("\n")
+        """Those lines of the function that have code."""
+        first, lines = self.tokens[0].start[0], self.lines
         rows = {row for t in self.tokens for row in range(t.start[0], t.end[0] + 1)}
-        return "\n".join(lines[row - 1] for row in sorted(rows))
+        return "\n".join(lines[row - first] for row in sorted(rows))
 
 
 @dataclass
@@ -104,6 +106,8 @@ class Comparison:
         for (_, name), weight in self._own.items():
             weights.setdefault(name, []).append(weight)
         self._usual = {name: statistics.median(values) for name, values in weights.items()}
+        # Because of the square root, a long exercise cannot dominate the average.
+        self._weights = {name: math.sqrt(size) for name, size in self._usual.items()}
         codes = [(work, work.code) for work in works]
         self.pairs = [
             Pair(one, other, self._similarity(one, other), bool(code) and code == other_code)
@@ -118,15 +122,12 @@ class Comparison:
                 replace(pair, surprise=(excess - middle) / unit)
                 for pair, excess in zip(self.pairs, excesses, strict=True)
             ]
-        self.pairs.sort(key=_rank)
+        self.pairs.sort(key=lambda p: (not p.identical, -(p.surprise or 0.0), -p.similarity))
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return True if two students' code is so similar that an instructor should read both.
-
-        Identical code may have a low surprise if both students did only a part of the exercises.
-        """
-        is_high = self.line is not None and pair.surprise is not None and pair.surprise >= self.line
-        return pair.identical or is_high
+        """Return True if two students' code is so similar that an instructor should read both."""
+        # Identical code may have a low surprise if both students did only a part of the exercises.
+        return pair.identical or bool(self.line and pair.surprise and pair.surprise >= self.line)
 
     @property
     def identical(self) -> list[Pair]:
@@ -139,10 +140,7 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """List the code that two students share in each part, strongest evidence first.
-
-        Shared code is stronger evidence of copying if fewer other students have it.
-        """
+        """List the code that two students share in each part, strongest evidence first."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -152,16 +150,10 @@ class Comparison:
         return sorted(found, key=lambda s: (-self._weight(s.name, s.fingerprints), s.name))
 
     def _similarity(self, one: Work, other: Work) -> float:
-        """Return the weighted average over all parts. A part that only one student has counts 0.
-
-        The weight of a part is the square root of its typical size, so that a long exercise cannot
-        dominate the average.
-        """
-        found = sum(
-            math.sqrt(self._usual[name]) * self._similarity_in(name, one, other)
-            for name in one.parts.keys() & other.parts.keys()
-        )
-        sizes = [sum(math.sqrt(self._usual[name]) for name in work.parts) for work in (one, other)]
+        """Return the weighted average over all parts. A part that only one student has counts 0."""
+        both = one.parts.keys() & other.parts.keys()
+        found = sum(self._weights[name] * self._similarity_in(name, one, other) for name in both)
+        sizes = [sum(self._weights[name] for name in work.parts) for work in (one, other)]
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def _similarity_in(self, name: str, one: Work, other: Work) -> float:
@@ -177,29 +169,20 @@ class Comparison:
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
-def _rank(pair: Pair) -> tuple[bool, float]:
-    measured = pair.similarity if pair.surprise is None else pair.surprise
-    return not pair.identical, -measured
-
-
 def _excesses(pairs: list[Pair]) -> list[float]:
     """Return the similarity of each pair minus what is usual for its two students."""
     of: dict[str, list[float]] = {}
     for pair in pairs:
         for work in (pair.one, pair.other):
             of.setdefault(work.student, []).append(pair.similarity)
-    usual = {student: statistics.median(values) for student, values in of.items()}
-    return [
-        pair.similarity - (usual[pair.one.student] + usual[pair.other.student]) / 2.0
-        for pair in pairs
-    ]
+    half = {student: statistics.median(values) / 2.0 for student, values in of.items()}
+    return [p.similarity - half[p.one.student] - half[p.other.student] for p in pairs]
 
 
 def _spread(values: list[float]) -> tuple[float, float] | None:
     """Return the median and the spread of the pairs' excesses, or None if all are equal.
 
-    The spread is a standard deviation estimated from the upper half of the values, which has the
-    longer tail. The estimate is robust against a few outliers, such as students who have copied.
+    The spread is a standard deviation, estimated so that a few outliers hardly change it.
     """
     deciles = statistics.quantiles(values, n=10, method="inclusive")
     unit = (deciles[8] - deciles[4]) / UPPER_DECILE or statistics.pstdev(values)

@@ -1,13 +1,10 @@
-"""Write the web pages about similar code in a class: an index, and a page per pair of students.
-
-A pair's page shows the code of both students side by side. Names and code are inserted as plain
-text, and the pages load nothing from the internet.
-"""
+"""Write the web pages about similar code in a class: an index, and a page per pair of students."""
 
 from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -15,14 +12,12 @@ from pathlib import Path
 from autograder.manifest import Chapter
 from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
+from autograder.similarity.code import covered
 from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Shared
-from autograder.similarity.winnow import covered
 from autograder.text.clean import clean
 
 TEMPLATES = Path(__file__).parent / "templates"
 FEWEST_ROWS = 30  # the index lists this many pairs, or more if more of them stand out
-MOST_LINES = 200  # a page shows at most this many lines of one function
-WIDEST = 500  # a page shows at most this many characters of one line
 RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 
@@ -34,23 +29,10 @@ class Piece:
     kind: str
 
 
-@dataclass(frozen=True)
-class Side:
-    """A student's function, with the line in the file at which its code begins."""
-
-    name: str
-    file: str
-    line: int
-    pieces: list[Piece]
-
-
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write an index of the most similar pairs, and a page about each of them.
-
-    Return the path of the index.
-    """
+    """Write an index of the most similar pairs, and a page about each. Return the index's path."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
@@ -64,53 +46,42 @@ def write_pages(
         _write_pair(out / name, comparison, pair, shared)
     surprises = Counter(math.floor(p.surprise) for p in comparison.pairs if p.surprise is not None)
     bins = range(min(surprises), max(surprises) + 1) if surprises else ()
-    page = render(
-        "similarity.html",
-        TEMPLATES,
-        rows=rows,
-        students=comparison.students,
-        pairs=len(comparison.pairs),
-        fewest=FEWEST,
-        identical=len(comparison.identical),
-        outstanding=comparison.outstanding,
-        line=comparison.line,
-        chapters=chapters,
-        small=small,
-        notes=[clean(note) for note in notes],
-        bins=[(surprise, surprises[surprise]) for surprise in bins],
-    )
-    replace_file(out / "index.html", page)
+    values = {
+        "rows": rows,
+        "comparison": comparison,
+        "line": comparison.line,
+        "fewest": FEWEST,
+        "chapters": chapters,
+        "small": small,
+        "notes": notes,
+        "bins": [(surprise, surprises[surprise]) for surprise in bins],
+    }
+    replace_file(out / "index.html", render("similarity.html", TEMPLATES, **values))
     return out / "index.html"
 
 
-def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
+def pieces_of(passage: Passage, kinds: Mapping[int, str]) -> list[Piece]:
     """Split a function into pieces to highlight. ``kinds`` has the kinds of tokens, by index."""
-    first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
-    lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
+    lines = passage.lines
+    first = passage.tokens[0].start[0]
     marks = [[""] * len(line) for line in lines]
-    previous: tuple[int, int, str] = (0, 0, "")
-    for number, token in enumerate(passage.tokens):
-        kind = kinds.get(number, "")
-        for row in range(token.start[0], token.end[0] + 1):
-            if not kind or row - first >= len(lines):
-                continue
-            begin = token.start[1] if row == token.start[0] else 0
-            end = token.end[1] if row == token.end[0] else len(lines[row - first])
-            if previous[0] == row and previous[2] == kind:
-                begin = previous[1]  # text between two marked tokens is marked too
-            line = marks[row - first]
-            line[begin:end] = [kind] * len(line[begin:end])
-            previous = (row, end, kind)
+    before = (0, 0, "")  # row, end and kind of the last mark
+    for number, kind in sorted(kinds.items()):
+        (top, left), (bottom, right) = passage.tokens[number].start, passage.tokens[number].end
+        for row in range(top - first, bottom - first + 1):
+            begin = left if row == top - first else 0
+            end = right if row == bottom - first else len(lines[row])
+            # Text between two marked tokens is marked too.
+            begin = before[1] if before[::2] == (row, kind) else begin
+            marks[row][begin:end] = [kind] * len(marks[row][begin:end])
+            before = (row, end, kind)
     pieces = []
     indent = min((len(line) - len(line.lstrip()) for line in lines if line.strip()), default=0)
     for text, line in zip(lines, marks, strict=True):
-        kept = [*enumerate(line)][indent:WIDEST]
-        for kind, group in groupby(kept, key=lambda item: item[1]):
-            columns = [column for column, _ in group]
+        for kind, group in groupby(range(indent, len(text)), key=line.__getitem__):
+            columns = [*group]
             pieces.append(Piece(clean(text[columns[0] : columns[-1] + 1]), kind))
-        pieces.append(Piece(" ...\n" if len(text) > WIDEST else "\n", ""))
-    if last - first >= MOST_LINES:
-        pieces.append(Piece(f"... and {last - first + 1 - MOST_LINES} more lines\n", ""))
+        pieces.append(Piece("\n", ""))
     return pieces
 
 
@@ -120,27 +91,18 @@ def _write_pair(path: Path, comparison: Comparison, pair: Pair, shared: list[Sha
     for part in shared:
         rare = {f for f in part.fingerprints if comparison.holders[part.name, f] <= few}
         works = (pair.one, pair.other)
-        parts.append((part, [_sides(w.parts[part.name].passages, part, rare) for w in works]))
-    page = render(
-        "pair.html",
-        TEMPLATES,
-        pair=pair,
-        line=comparison.line,
-        parts=parts,
-        students=comparison.students,
-        few=math.floor(few),
-    )
-    replace_file(path, page)
+        parts.append((part, [_marked(w.parts[part.name].passages, part, rare) for w in works]))
+    values = {"pair": pair, "comparison": comparison, "line": comparison.line, "parts": parts}
+    replace_file(path, render("pair.html", TEMPLATES, few=math.floor(few), **values))
 
 
-def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
+def _marked(
+    passages: list[Passage], part: Shared, rare: set[int]
+) -> list[tuple[Passage, list[Piece]]]:
     """Mark the shared code in a student's functions, and leave out those without any."""
-    sides = []
+    marked = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
-        kinds |= dict.fromkeys(covered(passage.tokens, rare), "rare")
-        if kinds:
-            line = passage.tokens[0].start[0]
-            name = clean(passage.name) or "outside of functions"
-            sides.append(Side(name, passage.file, line, pieces_of(passage, kinds)))
-    return sides
+        if kinds := kinds | dict.fromkeys(covered(passage.tokens, rare), "rare"):
+            marked.append((passage, pieces_of(passage, kinds)))
+    return marked

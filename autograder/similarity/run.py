@@ -18,19 +18,12 @@ from autograder.submissions.class_list import read_class
 from autograder.text.wrapping import plain_console
 
 RECORD = "compared.txt"  # names the class, and shows that the folder is of this command
-MOST_NAMED = 20  # identical pairs that are named on the screen; the page lists all of them
 
 
 def similarity(
     folder: Path, out: Path, chapters: list[Chapter], roster: Path | None = None, root: Path = ROOT
 ) -> int:
-    """Compare the code of each pair of students in a class, and write pages about similar pairs.
-
-    Raises:
-        ValueError: There are no submissions to compare, the roster contains a mistake, or ``out``
-            has other files or is inside ``folder``.
-        OSError: A file of the repository cannot be read, or a page cannot be written.
-    """
+    """Compare the code of each pair of students in a class, and write pages about similar pairs."""
     _refuse_place(out, folder)
     people = read_class(folder, roster)
     submissions, notes = people.submissions, [*people.notes, *differences(people, [])]
@@ -50,11 +43,10 @@ def similarity(
     comparison = Comparison(works)
     replace_file(out / RECORD, f"{folder.resolve()}\n")
     index = write_pages(out, comparison, chapters, ground.small, notes)
-    *identical, summary = _outstanding(comparison)
-    for line in [*notes, *identical]:
+    identical = [f"identical: {p.one.student} and {p.other.student}" for p in comparison.identical]
+    read = f"Read the code of each pair yourself: {index}"
+    for line in [*notes, *identical, _summary(comparison), read]:
         console.print(line, markup=False, soft_wrap=True)
-    console.print(summary)
-    console.print(f"Read the code of each pair yourself: {index}", markup=False, soft_wrap=True)
     return 0
 
 
@@ -62,30 +54,24 @@ def _refuse_place(out: Path, folder: Path) -> None:
     """Raise ValueError if ``out`` has other files, or the pages about another class."""
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
-    record = out / RECORD
-    other = ""
+    record, other = out / RECORD, ""
     if record.is_file():
         before = Path(record.read_text(encoding="utf-8").rstrip("\n"))
-        if before not in (folder.resolve(), SAMPLE):
-            other = f"it has the pages about the class in {before}"
+        other = "" if before in (folder.resolve(), SAMPLE) else f"the pages about {before}"
     elif not is_new(out, record):
-        other = "it has other files"
+        other = "other files"
     if other:
         raise ValueError(
             f"--out must be a new folder or one with pages about this class, got {str(out)!r}, but "
-            f"{other}. Name another one (make: OUT=)"
+            f"it has {other}. Name another one (make: OUT=)"
         )
 
 
-def _outstanding(comparison: Comparison) -> list[str]:
-    """Name the pairs whose code is identical, and say how many pairs stand out."""
-    same = comparison.identical
-    lines = [f"identical: {p.one.student} and {p.other.student}" for p in same[:MOST_NAMED]]
-    if more := same[MOST_NAMED:]:
-        lines.append(f"identical: {len(more)} more pairs, which the page lists")
+def _summary(comparison: Comparison) -> str:
+    same = bool(comparison.identical)
     if comparison.line is None:
         words = "No other pair" if same else "No pair"
-        return [*lines, f"{words} can stand out without {FEWEST} students whose code differs."]
+        return f"{words} can stand out without {FEWEST} students whose code differs."
     of_all = f"{comparison.outstanding} of {len(comparison.pairs)} pairs stand out"
     of_these = ", counting those that are identical" if same else ""
-    return [*lines, f"{of_all}{of_these}. Similarity alone proves nothing."]
+    return f"{of_all}{of_these}. Similarity alone proves nothing."

@@ -1,4 +1,1 @@
-"""Find the submissions of a class, and copy the files to be graded.
-
-Students may hand in anything, so no submission is trusted.
-"""
+"""Find the submissions of a class, and copy the files to be graded. No submission is trusted."""

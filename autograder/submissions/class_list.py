@@ -36,13 +36,12 @@ class Member:
         if student := self.student:
             names += [*student.names, student.group]
         if submission := self.submission:
-            path, export, upload = submission.path, submission.export, submission.upload
-            names += [path.name, without_suffix(path)]
-            if export:
+            names += [submission.path.name, without_suffix(submission.path)]
+            if export := submission.export:
                 names += [export.student, export.name]
                 names += [export.number] if export.platform == "canvas" else []
-            if upload and len(upload.people) == 1:
-                names += upload.people[0]
+            if submission.upload and len(submission.upload.people) == 1:
+                names += submission.upload.people[0]
         return names
 
 
@@ -88,11 +87,7 @@ class ClassList:
         return found
 
     def report_of(self, name: str) -> str:
-        """Return the name of a student's report, or "" if the student has handed in nothing.
-
-        Raises:
-            ValueError: The name does not mean one student, as in ``members_of``.
-        """
+        """Return the name of a student's report, or "" if the student has handed in nothing."""
         if name in self.gone and not self._names.all_of(name):
             return ""
         member = self.members_of(name)[0]
@@ -106,14 +101,8 @@ class ClassList:
 def read_class(folder: Path, roster: Path | None = None) -> ClassList:
     """Find the submissions in the folder of a class, and the student whom each one belongs to.
 
-    A submission is a folder or a .zip file. Its name is the student's name, or a name given by
-    Canvas, Moodle, Gradescope or GitHub. If a student uploaded several files to a platform, only
-    the last one counts.
-
-    Raises:
-        ValueError: The folder or the roster cannot be used, nothing was handed in, or it is not
-            clear whom a submission belongs to. The message lists all such submissions.
-        OSError: A file cannot be read.
+    A submission is a folder or a .zip file, named by its student or by a platform. If it is not
+    clear whom submissions belong to, the ValueError lists all of them.
     """
     uploads = Uploads(folder)
     owners = Owners(read_roster(roster) if roster else None, roster, uploads)
@@ -127,12 +116,15 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         except ValueError as error:
             problems.append(str(error))
             continue
-        if entry.is_by_student or any(isinstance(one, Student) for one in who):
+        if entry.is_by_student or isinstance(who[0], Student):
             found.setdefault(who, []).append(entry)
         else:
             notes.append(f"{printable(entry.path.name)} was left out: {entry.problem}")
     submissions: dict[Who, Submission] = {}
+    seen: dict[Student | str, Who] = {}
     for who, uploaded in found.items():
+        if any(seen.setdefault(one, who) != who for one in who):
+            problems.append(f"{owners.label(who)} handed in twice, with different students")
         try:
             chosen = _chosen(uploaded)
         except ValueError as error:
@@ -141,13 +133,6 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         names = [f"id {one.id}" if isinstance(one, Student) else f"submission {one}" for one in who]
         owner, upload = ", ".join(names), uploads.of(chosen.path)
         submissions[who] = replace(chosen, owner=owner, upload=upload)
-    seen: dict[Student | str, Who] = {}
-    problems += [
-        f"{owners.label((one,))} is among the students of two submissions"
-        for who in found
-        for one in who
-        if seen.setdefault(one, who) != who
-    ]
     if problems:
         raise ValueError("\n".join(problems))
     if not submissions:
@@ -158,55 +143,49 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
     return ClassList(_members(owners, submissions), owners.has_roster, notes)
 
 
+def _order(entry: Entry) -> tuple[int, int]:
+    return entry.export.order if entry.export else (0, 0)
+
+
 def _chosen(entries: Sequence[Entry]) -> Submission:
-    """Choose what is graded of everything that a student or a group has handed in.
-
-    Raises:
-        ValueError: There are several submissions, and they are not uploads of one student, of which
-            the last one counts.
-    """
-
-    def order(entry: Entry) -> tuple[int, int]:
-        return entry.export.order if entry.export else (0, 0)
-
+    """Choose what is graded: of the uploads of one student to a platform, the last one."""
     usable = [entry for entry in entries if not entry.problem]
+    last = max(usable or entries, key=_order)
     uploaders = {entry.export and entry.export.student for entry in usable}
-    rivals = usable  # nobody says which of these is the last one
-    if len(uploaders) == 1 and None not in uploaders:
-        rivals = [entry for entry in usable if order(entry) == max(map(order, usable))]
+    is_ordered = len(uploaders) == 1 and None not in uploaders
+    rivals = [one for one in usable if not is_ordered or _order(one) == _order(last)]
     # Moodle has the same files for each student of a team.
     if rivals[1:] and (None in uploaders or len({contents(one.path) for one in rivals}) > 1):
         names = " and ".join(repr(entry.path.name) for entry in rivals)
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
-    last = rivals[0] if rivals else max(entries, key=order)
-    shown = {entry: printable(entry.path.name) for entry in entries}
-    notes = []
-    for entry in entries if usable else []:
+    notes, nothing = [], []
+    for entry in entries:
+        name, why = printable(entry.path.name), entry.problem
+        nothing.append(f"'{name}' cannot be graded: {why}")
         if entry is not last:
-            why = entry.problem or "it was uploaded earlier. Put all files into one zip"
-            why = "it has the same files" if entry in rivals else why
-            notes.append(f"'{shown[last]}' was graded, and '{shown[entry]}' was not: {why}")
-    nothing = [f"'{shown[entry]}' cannot be graded: {entry.problem}" for entry in entries]
-    why_nothing = "" if usable else "; ".join(nothing)
-    return Submission("", last.path, export=last.export, notes=tuple(notes), nothing=why_nothing)
+            again = "it was uploaded earlier. Put all files into one zip"
+            why = why or ("it has the same files" if entry in rivals else again)
+            notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
+    if usable:
+        return Submission("", last.path, export=last.export, notes=tuple(notes))
+    return Submission("", last.path, export=last.export, nothing="; ".join(nothing))
 
 
 def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Member]:
     """Make the list of all students, with the names under which they and their reports appear."""
     alike = Counter(letters(student.name) for student in owners.roster)
-
-    def shown(who: Student | str) -> str:
-        if isinstance(who, str):
-            return who
-        return printable(f"{who.name} ({who.id})" if alike[letters(who.name)] > 1 else who.name)
-
     members: list[Member] = []
     reports: dict[str, Who] = {}
     for who in {**dict.fromkeys(owners.absent(submissions)), **submissions}:
-        submission = submissions.get(who)
-        names = [shown(one) for one in who]
+        students = [one if isinstance(one, Student) else None for one in who]
+        names = [
+            str(one)
+            if not isinstance(one, Student)
+            else printable(f"{one.name} ({one.id})" if alike[letters(one.name)] > 1 else one.name)
+            for one in who
+        ]
         report = ", ".join(names)
-        groups = {one.group for one in who if isinstance(one, Student)} - {""}
+        groups = {one.group for one in students if one} - {""}
         if len(who) > 1 and len(groups) == 1:
             report = printable(f"{groups.pop()} ({report})")
         if (other := reports.setdefault(report, who)) != who:
@@ -214,7 +193,6 @@ def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Memb
                 f"the reports on {owners.label(other)} and on {owners.label(who)} would both be "
                 f"called {report!r}. Rename the submission to its student's id"
             )
-        for one, name in zip(who, names, strict=True):
-            student = one if isinstance(one, Student) else None
-            members.append(Member(name, report, student, submission))
+        for name, student in zip(names, students, strict=True):
+            members.append(Member(name, report, student, submissions.get(who)))
     return sorted(members, key=lambda member: member.shown)

@@ -34,8 +34,8 @@ class Mistakes:
 
     def raise_any(self) -> None:
         """Raise a ValueError that lists the mistakes by line, if there are any."""
-        if self.found:
-            lines = [f"{self.path}, line {line}: {words}" for line, words in sorted(self.found)]
+        lines = [f"{self.path}, line {line}: {words}" for line, words in sorted(self.found)]
+        if lines:
             raise ValueError("\n".join(lines))
 
 
@@ -52,9 +52,8 @@ class Table:
     def rows(self, longest: str, mistakes: Mistakes) -> Iterator[tuple[int, int, list[str]]]:
         """Yield the rows below the header, each with its first and last line number.
 
-        Blank rows are skipped, and missing cells at the end of a row are empty. A row with too many
-        cells is a mistake, and so is a quote that is never closed. ``longest`` is what the message
-        calls the cell that probably contains a separator, such as "comment".
+        Blank rows are skipped, and missing cells at the end of a row are empty. ``longest`` is what
+        the message calls the cell that probably contains a separator, such as "comment".
         """
         # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
@@ -77,12 +76,7 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a CSV file, with commas or, as in some countries, semicolons between the cells.
-
-    Raises:
-        ValueError: The file is not UTF-8. The message gives the line number.
-        OSError: The file cannot be read.
-    """
+    """Read a CSV file, with commas or, as in some countries, semicolons between the cells."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # some spreadsheets begin with a BOM
     except UnicodeDecodeError as error:

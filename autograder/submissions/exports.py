@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -41,10 +40,7 @@ class Exported:
 
 
 def read_export(name: str) -> Exported | None:
-    """Parse the name of a submission without .zip, or return None if it is not a platform's.
-
-    Other names may have the format of Canvas by chance.
-    """
+    """Parse a name, or return None. Other names may have the format of Canvas by chance."""
     found = MOODLE.fullmatch(name) or CANVAS.fullmatch(name)
     if found is None:
         return None
@@ -63,18 +59,13 @@ def without_suffix(path: Path) -> str:
     return path.name if path.is_dir() else path.stem
 
 
-def look_like_canvas(exports: Iterable[Exported | None]) -> bool:
+def look_like_canvas(exports: Sequence[Exported | None]) -> bool:
     """Return True if these names are those of a whole download from Canvas.
 
-    Then each number belongs to one name, and the names are those of several students. Names such as
-    hw_1_1_cat and hw_1_2_dan are not, which seem to be two uploads of one student.
+    Names such as hw_1_1_cat and hw_1_2_dan are not, which seem to be two uploads of one student.
     """
-    names: defaultdict[str, set[str]] = defaultdict(set)
-    seen = [*exports]
-    for export in seen:
-        if export is None or export.platform != "canvas":
-            return False
-        names[export.number].add(export.name)
-    together = set().union(*names.values())
-    are_people = len(together) > 1 or together == {"anon"} or len(seen) == 1
-    return are_people and all(len(of_one) == 1 for of_one in names.values())
+    found = [one for one in exports if one and one.platform == "canvas"]
+    names, numbers = {one.name for one in found}, {one.number for one in found}
+    are_people = len(names) > 1 or names == {"anon"} or len(found) == 1
+    each_has_one_name = len({one.student for one in found}) == len(numbers)
+    return len(found) == len(exports) and are_people and each_has_one_name

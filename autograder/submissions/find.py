@@ -16,10 +16,8 @@ from autograder.text.clean import visible
 RECORD = "run.json"  # in a folder of reports; records the class, the seed and so on
 LONGEST_NAME = 100  # bytes without the suffix; file systems allow 255 in all
 SILENT = (
-    *("__pycache__", "__MACOSX", "README.md", "course.toml"),
-    *("marks.csv", "roster.csv"),
-    *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
-    "worksheet.csv",  # from Moodle
+    *("__pycache__", "__MACOSX", "README.md", "course.toml", "marks.csv", "roster.csv"),
+    *("times.csv", "submission_metadata.yml", "grades.csv", "worksheet.csv"),  # from platforms
 )
 WIDE_SPACE = re.compile(r"[^\S\x00-\x7f]")
 CHAPTER = re.compile(r"ch\d\d_\w+")
@@ -68,41 +66,31 @@ class Submission:
 def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Entry]:
     """List what was handed in, without the instructor's own files, hidden files and caches.
 
-    A name of Moodle's is recognized by itself. One of Canvas's counts as such if all folders and
-    zips look like one download, or if ``is_known`` says that the student is on the roster.
-
-    Raises:
-        ValueError: The path is not a folder, or has the work of one student.
-        OSError: The folder cannot be read.
+    A name counts as Canvas's if all folders and zips look like one download, or if ``is_known``
+    says that the student is on the roster.
     """
-    if not folder.exists():
-        raise ValueError(f"the submissions must be in a folder or a zip, but {folder} is not there")
     if not folder.is_dir():
-        raise ValueError(f"the submissions must be in a folder, got {str(folder)!r}")
-    paths = [path for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
-    for path in paths:
-        if CHAPTER.fullmatch(path.name) and path.is_dir():
+        raise ValueError(f"the submissions must be in an existing folder, got {str(folder)!r}")
+    entries = [_entry(path) for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
+    for one in entries:
+        if CHAPTER.fullmatch(one.path.name) and one.path.is_dir():
             raise ValueError(
-                f"{str(folder)!r} has a folder {path.name} and so is the work of one student. Name "
-                "the folder above it, which has a folder or a zip for each student"
+                f"{str(folder)!r} has a folder {one.path.name} and so is the work of one student. "
+                "Name the folder above it, which has a folder or a zip for each student"
             )
-    entries = [_entry(path) for path in paths]
     usable = [one for one in entries if not one.problem]
     has_folders = any(one.path.is_dir() for one in usable)  # which Canvas does not have
-    is_download = look_like_canvas(one.export for one in usable) and not has_folders
-    return [
-        one
-        if not one.export or one.export.platform == "moodle" or is_download or is_known(one.export)
-        else replace(one, export=None)
-        for one in entries
-    ]
+    is_download = look_like_canvas([one.export for one in usable]) and not has_folders
+    for i, one in enumerate(entries):
+        if one.export and one.export.platform == "canvas" and not is_download:
+            entries[i] = one if is_known(one.export) else replace(one, export=None)
+    return entries
 
 
 def file_name(student: str) -> str:
     """Return a safe file name for the reports on a student, without a suffix.
 
-    A short and harmless name is not changed. Otherwise, unsafe characters are replaced, the name is
-    truncated, and a hash is appended, so that two students never share a file.
+    A name that is long or not harmless gets a hash, so that two students never share a file.
     """
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in student]
     safe = re.sub(r"^\.", "_", "".join(kept))
@@ -118,26 +106,18 @@ def file_name(student: str) -> str:
 def contents(path: Path) -> frozenset[tuple[str, str]]:
     """Return the path and a hash of each file of a submission, which is a folder or a file."""
     files = {path} if path.is_file() else {file for file in path.rglob("*") if file.is_file()}
-    return frozenset(
-        (file.relative_to(path).as_posix(), hashlib.sha256(file.read_bytes()).hexdigest())
-        for file in files
-        if not file.is_symlink()
-    )
+    names = {file: file.relative_to(path).as_posix() for file in files if not file.is_symlink()}
+    return frozenset((names[f], hashlib.sha256(f.read_bytes()).hexdigest()) for f in names)
 
 
 def printable(text: str) -> str:
-    """Escape the unprintable characters in a text, such as the name of a submitted file.
-
-    Backslashes are doubled, so that different texts never look the same.
-    """
+    """Escape unprintable characters and backslashes, so that no two texts look the same."""
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
 def is_skipped(name: str) -> bool:
-    """Return True if a name in the folder of a class is hidden, or that of an instructor's file.
-
-    In Moodle, the name of a student can begin with a dot too.
-    """
+    """Return True if a name in the folder of a class is hidden, or that of an instructor's file."""
+    # In Moodle, the name of a student can begin with a dot too.
     return name in SILENT or (name.startswith(".") and not MOODLE.fullmatch(name))
 
 

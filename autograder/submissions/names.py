@@ -1,20 +1,16 @@
-"""Find the student whom a name means: a cell of a table, a key in a file, or a folder's name.
-
-All commands and tables use it, so that a name means the same student everywhere.
-"""
+"""Find the student whom a name means, in the same way for all commands, tables and files."""
 
 from __future__ import annotations
 
-import difflib
 import unicodedata
 from collections import defaultdict
 from collections.abc import Hashable, Iterable, Sequence
 from typing import Generic, TypeVar
 
 from autograder.submissions.csv_rows import as_cell
+from autograder.text.similar import nearest
 
 T = TypeVar("T", bound=Hashable)
-MOST_SUGGESTED = 3
 MOST_LISTED = 5
 
 
@@ -23,10 +19,7 @@ class UnknownNameError(ValueError):
 
 
 class Names(Generic[T]):
-    """All names of some students: full names, ids, e-mail addresses, logins and folders.
-
-    ``people`` has for each student an object, a label for error messages, and the names.
-    """
+    """All names of some students, with a label for error messages for each student."""
 
     def __init__(self, people: Iterable[tuple[T, str, Sequence[str]]]) -> None:
         self.labels: dict[T, str] = {}
@@ -44,10 +37,9 @@ class Names(Generic[T]):
     def all_of(self, text: str) -> list[T]:
         """Return everyone whom a name fits.
 
-        If it is exactly the name of someone, only exact names count. Otherwise, capital letters
-        make no difference, and if that finds nobody either, neither do spaces, punctuation, leading
-        zeros of a number and "Doe, Jane" for "Jane Doe". Accents always do: a name without them may
-        be another student's.
+        If an exact name fits, only exact names count, and then those with other capital letters.
+        Otherwise, spaces, punctuation, leading zeros of a number and "Doe, Jane" for "Jane Doe"
+        make no difference either. Accents do: a name without them may be another student's.
         """
         for level, forms in zip(self._levels, _levels(text), strict=True):
             if found := {who: None for form in sorted(forms) for who in level.get(form, ())}:
@@ -59,14 +51,9 @@ class Names(Generic[T]):
         if found:
             labels = " and ".join(self.labels[who] for who in found)
             return ValueError(f"{text!r} could be {labels}. Write the id or the email")
-        words = {*_plain(text).split()}
-        close = difflib.get_close_matches(_plain(text), self._plain, 2 * MOST_SUGGESTED, 0.7)
-        close += [each for each in self._plain if words and words <= {*each.split()}]
-        labels = " or ".join(
-            [*dict.fromkeys(self.labels[self._plain[each]] for each in close)][:MOST_SUGGESTED]
-        )
-        meant = f". Did you mean {labels}?" if labels else "."
-        return UnknownNameError(f"there is no student {text!r}{meant}")
+        close = nearest(_plain(text), self._plain)
+        meant = f" Did you mean {self.labels[self._plain[close]]}?" if close else ""
+        return UnknownNameError(f"there is no student {text!r}.{meant}")
 
 
 def some(names: Sequence[str]) -> str:
@@ -81,11 +68,8 @@ def key(text: str) -> str:
 
 
 def letters(name: str) -> str:
-    """Return only the letters and digits of a name, in lower case.
-
-    Platforms drop all other characters from the names of the files that students upload. Marks that
-    belong to a letter stay, because many scripts write vowels in this way.
-    """
+    """Return only the letters and digits of a name, in lower case, as platforms write it."""
+    # Marks that belong to a letter stay, because many scripts write vowels in this way.
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(c for c in text if c.isalnum() or unicodedata.category(c).startswith("M"))
 

@@ -21,82 +21,67 @@ class Owners:
         self.has_roster = roster is not None
         self.roster = roster or []
         self.path = path
-        self._uploads = uploads
         self.notes: list[str] = []
+        self._uploads = uploads
         self._names = Names(
-            (one, f"{one.name} in line {one.line}", (*one.names, *_on_submissions(one)))
+            (one, f"{one.name} in line {one.line}", _names_on_submissions(one))
             for one in self.roster
         )
-        self._groups: dict[str, list[Student]] = {}
-        for student in self.roster:
-            if student.group:
-                self._groups.setdefault(key(student.group), []).append(student)
 
     def knows(self, export: Exported) -> bool:
-        """Return True if the roster has a student with the number or the name of an upload."""
-        return bool(self._by_id(export) or self._by_canvas_name(export))
+        """Return True if the roster has a student with the number or the name from Canvas."""
+        return any(self._on_canvas(export))
 
     def of(self, entry: Entry) -> Who:
-        """Return the students to whom a submission belongs, or its name if they are not known.
-
-        Raises:
-            ValueError: It could be that of several students, or its id and its name disagree.
-        """
+        """Return the students to whom a submission belongs, or its name if they are not known."""
         upload, export = self._uploads.of(entry.path), entry.export
-        if upload and (known := self._uploaders(entry, upload)):
-            return self._with_groups(known)
-        if group := self._groups.get(key(entry.name)):
-            return self._named_group(entry, group)
-        found = self._of_export(entry, export) if export else self._names.all_of(entry.name)
-        if student := self._only(entry, found):
-            return self._with_groups([student])
+        found = self._uploaders(entry, upload) if upload else []
+        if not found:
+            found = self._of_export(entry, export) if export else self._names.all_of(entry.name)
+            self._refuse_rivals(entry, found)
+        if found:
+            return self._with_groups(found)
         name = printable(self._uploads.name_of(entry.path))
         return (name or (export.student if export else entry.name),)
 
     def label(self, who: Who) -> str:
         """Return how an error message calls these students."""
         students = [one for one in who if isinstance(one, Student)]
-        if not students:
-            return ", ".join(map(str, who))
         lines = " and ".join(str(one.line) for one in students)
         names = " and ".join(one.name for one in students)
-        return f"{self.path}, line{'s' if len(students) > 1 else ''} {lines}: {names}"
+        where = f"{self.path}, line{'s' if len(students) > 1 else ''} {lines}: {names}"
+        return where if students else str(who[0])
 
     def absent(self, submissions: Collection[Who]) -> list[Who]:
         """Return the students on the roster who have handed in nothing, in their groups."""
-        there = {one for who in submissions for one in who}
-        left = [student for student in self.roster if student not in there]
-        return [*dict.fromkeys(self._with_groups([student]) for student in left)]
+        left = {*self.roster} - {one for who in submissions for one in who}
+        return [*dict.fromkeys(self._with_groups([one]) for one in self.roster if one in left)]
 
     def _uploaders(self, entry: Entry, upload: Upload) -> list[Student]:
         """Return the students whom a platform's file names, as far as the roster has them."""
         also = (entry.export.name,) if entry.export else ()  # which must not disagree
-        people = [self._person(entry, (*names, *also)) for names in upload.people]
-        known = [student for student in people if student]
-        if known and None in people:
-            stranger = printable(upload.people[people.index(None)][-1])
-            self.notes.append(
-                f"{printable(entry.path.name)}: {upload.source} also names {stranger}, who is not "
-                "on the roster"
-            )
+        known: list[Student] = []
+        strangers = []
+        for names in upload.people:
+            found: list[Student] = []
+            for name in (*names, *also):
+                fits = self._names.all_of(name)
+                found = [student for student in fits if student in found] or [*found, *fits]
+            self._refuse_rivals(entry, found)
+            known += found
+            if not found:
+                strangers.append(printable(names[-1]))
+        about = f"{printable(entry.path.name)}: {upload.source}"
+        if known and strangers:
+            self.notes.append(f"{about} also names {strangers[0]}, who is not on the roster")
         if len({key(student.group) for student in known if student.group}) > 1:
             groups = " and ".join(f"{one.name} (group {one.group!r})" for one in known)
             raise ValueError(
-                f"{printable(entry.path.name)}: {upload.source} says that {groups} handed in "
-                f"together. Correct the groups in {self.path}"
+                f"{about} says that {groups} handed in together. Correct the groups in {self.path}"
             )
         return known
 
-    def _person(self, entry: Entry, names: tuple[str, ...]) -> Student | None:
-        """Find the student whom all these names mean, as far as anybody has them."""
-        found: list[Student] = []
-        for name in names:
-            if fits := self._names.all_of(name):
-                both = [student for student in fits if not found or student in found]
-                found = both or [*found, *fits]
-        return self._only(entry, found)
-
-    def _with_groups(self, students: list[Student]) -> Who:
+    def _with_groups(self, students: Sequence[Student]) -> Who:
         """Add everyone who is in a group with one of these students, in the order of the roster."""
         groups = {key(student.group) for student in students if student.group}
         return tuple(
@@ -105,25 +90,15 @@ class Owners:
             if student in students or (student.group and key(student.group) in groups)
         )
 
-    def _named_group(self, entry: Entry, group: list[Student]) -> Who:
-        """Return the group, unless the submission could also be that of another student."""
-        for other in self.roster:
-            if other not in group and key(entry.name) in map(key, other.names):
-                raise ValueError(
-                    f"{printable(entry.path.name)} could be by the group {group[0].group!r} or by "
-                    f"{other.name} in line {other.line} of {self.path}. Rename the group there, "
-                    f"such as to 'team {group[0].group}'"
-                )
-        return tuple(group)
-
     def _of_export(self, entry: Entry, export: Exported) -> list[Student]:
         """Find the students whom a platform's name for an upload could mean."""
         if export.platform == "moodle":  # its number means a participant in one assignment
             return self._names.all_of(export.name)
-        by_id, by_name = self._by_id(export), self._by_canvas_name(export)
+        by_id, by_name = self._on_canvas(export)
         if by_id and not by_name:
             name, student = printable(entry.path.name), by_id[0]
-            if not _resemble(student, export):
+            parts = map(letters, student.name.replace(",", " ").split())
+            if not any(len(part) > 1 and part in letters(export.name) for part in parts):
                 raise ValueError(
                     f"{name}: its number {export.number} is that of {student.name} in line "
                     f"{student.line} of {self.path}, but its name is not. Rename it to its "
@@ -132,46 +107,33 @@ class Owners:
             self.notes.append(
                 f"{name} is by {student.name}, because of its number. Its name is another one"
             )
-        both = [student for student in by_id if student in by_name]
-        return both or [*by_id, *by_name]
+        return [student for student in by_id if student in by_name] or [*by_id, *by_name]
 
-    def _by_id(self, export: Exported) -> list[Student]:
-        if export.platform == "moodle":
-            return []
-        return [student for student in self.roster if key(student.id) == key(export.number)]
+    def _on_canvas(self, export: Exported) -> tuple[list[Student], list[Student]]:
+        """Return the students with the number in a name from Canvas, and those with the name."""
+        number, name = key(export.number), letters(export.name)
+        by_name = [student for student in self.roster if name in student.canvas_names]
+        return [student for student in self.roster if key(student.id) == number], by_name
 
-    def _by_canvas_name(self, export: Exported) -> list[Student]:
-        name = letters(export.name)
-        return [student for student in self.roster if name in student.canvas_names]
-
-    def _only(self, entry: Entry, students: Sequence[Student]) -> Student | None:
-        """Return the only one of these students, if any. Several are an error."""
-        if len(students) < 2:
-            return students[0] if students else None
-        how = "Rename it to its student's id"
+    def _refuse_rivals(self, entry: Entry, students: Sequence[Student]) -> None:
+        """Raise ValueError if a submission could be that of students who hand in separately."""
+        if len({self._with_groups([student]) for student in students}) < 2:
+            return
+        how = "Rename it to its student's id or email"
         if entry.export and entry.export.platform == "moodle":
             new = entry.path.name.replace(entry.export.name, "ID", 1)
             how = (
-                f"Check that {OF_MOODLE} is the worksheet of this assignment"
-                if self._uploads.of(entry.path)
-                else f"Save Moodle's grading worksheet as {OF_MOODLE} in "
-                f"{str(entry.path.parent)!r}, or rename the submission to {new!r}, where ID is "
-                "its student's id"
+                f"Save this assignment's grading worksheet from Moodle as {OF_MOODLE} in "
+                f"{str(entry.path.parent)!r}, or rename the submission to {new!r}, where ID is its "
+                "student's id"
             )
-        lines = " and ".join(str(line) for line in sorted(one.line for one in students))
+        lines = " and ".join(str(line) for line in sorted({one.line for one in students}))
         raise ValueError(
-            f"{self.path}, lines {lines}: both match the submission {entry.path.name!r}. {how}"
+            f"{self.path}, lines {lines} match the submission {entry.path.name!r}. {how}"
         )
 
 
-def _on_submissions(student: Student) -> list[str]:
-    """Return what else a submission may be called: the name in reports, and Moodle's for a team."""
-    in_team = [f"{student.group}-{student.name}"] if student.group else []
-    return [f"{student.name} ({student.id})", *in_team]
-
-
-def _resemble(student: Student, export: Exported) -> bool:
-    """Return True if a part of the student's name is in the name that Canvas has."""
-    parts = [letters(part) for part in student.name.replace(",", " ").split()]
-    name = letters(export.name)
-    return any(len(part) > 1 and part in name for part in parts)
+def _names_on_submissions(student: Student) -> list[str]:
+    """Return what a submission may be called: also as in reports, and as in Moodle for a team."""
+    in_team = [student.group, f"{student.group}-{student.name}"] if student.group else []
+    return [*student.names, f"{student.name} ({student.id})", *in_team]

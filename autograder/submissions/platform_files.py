@@ -1,12 +1,8 @@
-"""Read who handed in and when from a platform's files that accompany the submissions.
-
-They are submission_metadata.yml of Gradescope, grades.csv of GitHub Classroom, and worksheet.csv of
-Moodle.
-"""
+"""Read who handed in and when from a platform's files that accompany the submissions."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -38,11 +34,7 @@ class Upload:
 
 
 class Uploads:
-    """What the platforms' files in the folder of a class say about its submissions.
-
-    Raises:
-        ValueError: A file is not valid YAML or CSV.
-    """
+    """What the platforms' files in the folder of a class say about its submissions."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -57,37 +49,30 @@ class Uploads:
         return self._by_name.get(path.name) or self._by_name.get(without_suffix(path))
 
     def name_of(self, path: Path) -> str:
-        """Return the students' names on the platform, or "" if they are not known.
-
-        If students of other submissions have the same names, the name of the submission follows.
-        """
+        """Return the students' names on the platform, or "", with the submission if not unique."""
         upload = self._by_name.get(path.name) or self._by_name.get(without_suffix(path))
         if not upload or not upload.people:
             return ""
-        name = letters(upload.together)
-        alike = [other for other in self._by_name.values() if letters(other.together) == name]
-        return f"{upload.together} ({path.stem})" if len(alike) > 1 else upload.together
+        together = [letters(other.together) for other in self._by_name.values()]
+        is_shared = together.count(letters(upload.together)) > 1
+        return f"{upload.together} ({path.stem})" if is_shared else upload.together
 
-    def notes(self, paths: Iterable[Path]) -> list[str]:
+    def notes(self, paths: Sequence[Path]) -> list[str]:
         """Say which rows of the files are about no submission at one of these paths."""
-        seen = [*paths]
-        there = {name for path in seen for name in (path.name, without_suffix(path))}
-        unknown = [name for name in self._by_name if name not in there]
-        exports = [read_export(path.name) for path in seen]
+        there = {name for path in paths for name in (path.name, without_suffix(path))}
+        exports = [read_export(path.name) for path in paths]
         numbers = {one.number for one in exports if one and one.platform == "moodle"}
+        unknown = [name for name in self._by_name if name not in there]
         absent = [
             f"{upload.together or 'participant'} ({number})"
             for number, upload in self._by_number.items()
-            if upload.at and number not in numbers
+            if numbers and upload.at and number not in numbers
         ]
-        lines = []
-        if unknown:
-            words = f"submissions of the platform's files are not in {self._folder}"
-            lines.append(f"{len(unknown)} {words}: {some(unknown)}")
-        if absent and numbers:
-            words = f"participants in {OF_MOODLE} have handed in, but not in {self._folder}"
-            lines.append(f"{len(absent)} {words}: {some(absent)}")
-        return lines
+        said = (
+            (unknown, "submissions of the platform's files are not"),
+            (absent, f"participants in {OF_MOODLE} have handed in, but not"),
+        )
+        return [f"{len(n)} {words} in {self._folder}: {some(n)}" for n, words in said if n]
 
 
 def _of_moodle(path: Path) -> dict[str, Upload]:
@@ -118,16 +103,14 @@ def _of_gradescope(path: Path) -> dict[str, Upload]:
     found = {}
     for name, about in data.items():
         said = about.get(":submitters")
-        people = [_names_of(one) for one in said] if isinstance(said, list) else []
+        known = [one for one in said if isinstance(one, dict)] if isinstance(said, list) else []
+        people = [
+            tuple(str(one[part]) for part in (":sid", ":email", ":name") if one.get(part))
+            for one in known
+        ]
         at = _time(about.get(":created_at"))
         found[str(name)] = Upload("Gradescope", tuple(filter(None, people)), at)
     return found
-
-
-def _names_of(submitter: Any) -> tuple[str, ...]:
-    """Return the id, the e-mail address and the name of a submitter, as far as they are known."""
-    known = submitter if isinstance(submitter, dict) else {}
-    return tuple(str(known[name]) for name in (":sid", ":email", ":name") if known.get(name))
 
 
 def _of_github(path: Path) -> dict[str, Upload]:
@@ -147,9 +130,8 @@ def _of_github(path: Path) -> dict[str, Upload]:
         if name := row[REPOSITORY]:
             before = found.get(name, Upload(""))
             at = max(filter(None, (before.at, _time(row.get(SUBMITTED)))), default=None)
-            who = row.get(IDENTIFIER)
-            people = dict.fromkeys([*before.people, *([(who,)] if who else [])])
-            found[name] = Upload("GitHub Classroom", tuple(people), at)
+            people = [*before.people, *([(who,)] if (who := row.get(IDENTIFIER)) else [])]
+            found[name] = Upload("GitHub Classroom", tuple(dict.fromkeys(people)), at)
     mistakes.raise_any()
     return found
 

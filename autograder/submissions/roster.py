@@ -34,51 +34,34 @@ class Student:
 
     @property
     def canvas_names(self) -> set[str]:
-        """What Canvas may make of the name: doejane for Jane Doe.
-
-        It writes the family name first, which may have several words, as in vanderbergjan.
-        """
+        """What Canvas may make of the name: doejane for Jane Doe."""
+        # The family name comes first, and may have several words, as in vanderbergjan.
         words = self.name.replace(",", " ").split()
         return {letters("".join(words[i:] + words[:i])) for i in range(len(words))} - {""}
 
 
 def read_roster(path: Path) -> list[Student]:
-    """Read the students on a roster, in its order.
-
-    The columns may be in any order, group may be missing, and other columns are ignored.
-
-    Raises:
-        ValueError: The roster contains mistakes. The message lists all of them with their lines.
-        OSError: The file cannot be read.
-    """
+    """Read the students on a roster, in its order. Other columns are ignored."""
     table = read_csv(path)
     places = _places(table)
-    other = "," if table.separator == ";" else ";"
     students: list[Student] = []
     lines: dict[tuple[str, str], int] = {}
     mistakes = Mistakes(path)
     for line, _, cells in table.rows("cell", mistakes):
-        if other in cells[0] and not any(cells[1:]):
-            wanted = f"cells must be separated by {table.separator!r}, as in the header"
-            mistakes.add(line, f"{wanted}, got {cells[0]!r}")
-            continue
         values = {name: clean_line(cells[place]).strip() for name, place in places.items()}
-        for name in ("id", "name"):
-            if not values[name]:
-                mistakes.add(line, f"the {name} is empty")
-        for name in UNIQUE:
-            value = values[name]
+        found = [f"the {name} is empty" for name in ("id", "name") if not values[name]]
+        for name, value in [(name, values[name]) for name in UNIQUE if values[name]]:
+            about = f"the {name} {value!r}"
             # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
-                words = f"the {name} must not begin like a spreadsheet formula, got {value!r}"
-                mistakes.add(line, words)
+                found.append(f"{about} must not begin like a spreadsheet formula")
             if ROUNDED.fullmatch(value):
-                words = f"a spreadsheet has rounded the {name}, got {value!r}. Format its column as"
-                mistakes.add(line, f"{words} text, and write it again")
-            before = lines.setdefault((name, key(value)), line) if value else line
+                found.append(f"{about} was rounded by a spreadsheet. Format its column as text")
+            before = lines.setdefault((name, key(value)), line)
             if before != line:
-                words = f"the {name} {value!r} is already in line {before}. Give each student one"
-                mistakes.add(line, f"{words} row")
+                found.append(f"{about} is already in line {before}. Give each student one row")
+        for words in found:
+            mistakes.add(line, words)
         students.append(Student(**values, line=line))
     mistakes.raise_any()
     if not students:

@@ -6,7 +6,6 @@ The submission may contain anything, so no link is followed, and no zip is extra
 from __future__ import annotations
 
 import io
-import itertools
 import os
 import stat
 from collections.abc import Callable, Mapping, Sequence
@@ -22,7 +21,7 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 # This limit is in bytes. A normal submission is well below 100,000. If somebody builds a zip of
 # 5 MB to keep zipfile busy, it takes about 2 s, and a larger one would take proportionally longer.
 LARGEST_ZIP = 5_000_000
-MOST_ZIPS = 5  # we open no more than this many zips in one folder
+MOST_ZIPS = 5  # of one folder
 Wanted = Mapping[str, Sequence[str]]  # the names of a chapter's files, by the name of its folder
 Read = Callable[[int], bytes]  # reads so many bytes at most, or raises NotTakenError
 
@@ -43,11 +42,7 @@ class Found:
 
 
 def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:
-    """Find all files of a submission, with notes for the instructor on any problems.
-
-    Raises:
-        NotTakenError: The submission as a whole is rejected.
-    """
+    """Find all files of a submission, with notes, or raise NotTakenError if it is rejected."""
     try:
         mode = submission.lstat().st_mode
         if stat.S_ISLNK(mode):
@@ -88,33 +83,34 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
     notes: list[str] = []
     zips: list[str] = []
     left = MOST_ENTRIES
-    level: list[tuple[str, ...]] = [()]
-    for depth in range(DEEPEST + 1):
-        deeper: list[tuple[str, ...]] = []
-        for place in level:
-            chapters = wanted if depth < DEEPEST else {}
-            own = {name: wanted[name] for name in place[-1:] if name in wanted}
-            asked = [*chapters, *itertools.chain(*own.values())]
-            try:
-                modes = _entries(submission.joinpath(*place), asked, max(0, left + 1))
-            except OSError as error:
-                if not place:
-                    raise
-                notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
-                if not isinstance(error, FileNotFoundError):  # else it has just been deleted
-                    reason = f"a folder of the submission cannot be read: {cause(error)}"
-                    found += refuse_all(chapters, reason, place)
-                    found += refuse_all(own, reason, place[:-1])
+    places: list[tuple[str, ...]] = [()]
+    for place in places:  # which grows, so that each level is searched before the next
+        chapters = wanted if len(place) < DEEPEST else {}
+        own = {name: wanted[name] for name in place[-1:] if name in wanted}
+        asked = {*chapters}.union(*own.values())  # they are found among any number of others
+        try:
+            entries = sorted(
+                os.scandir(submission.joinpath(*place)),
+                key=lambda entry: (entry.name not in asked, entry.name),
+            )[: max(0, left + 1) + len(asked)]
+            modes = {one.name: one.stat(follow_symlinks=False).st_mode for one in entries}
+        except OSError as error:
+            if not place:
+                raise
+            notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
+            reason = f"a folder of the submission cannot be read: {cause(error)}"
+            found += refuse_all(chapters, reason, place) + refuse_all(own, reason, place[:-1])
+            continue
+        left -= len(modes)
+        for name, mode in modes.items():
+            read = partial(read_file, submission.joinpath(*place, name))
+            found += _sort_out(place, name, mode, read, wanted)
+            if is_skipped(name):
                 continue
-            left -= len(modes)
-            for name, mode in modes.items():
-                read = partial(read_file, submission.joinpath(*place, name))
-                found += _sort_out(place, name, mode, read, wanted)
-                if stat.S_ISDIR(mode) and not is_skipped(name):
-                    deeper.append((*place, name))
-                elif not place and stat.S_ISREG(mode) and name.lower().endswith(".zip"):
-                    zips += [] if is_skipped(name) else [name]
-        level = deeper
+            if stat.S_ISDIR(mode) and len(place) < DEEPEST:
+                places.append((*place, name))
+            elif not place and stat.S_ISREG(mode) and name.lower().endswith(".zip"):
+                zips.append(name)
     if left < 0:
         notes.append(f"the search stopped after {MOST_ENTRIES:,} files and folders")
         reason = f"it is not among the first {MOST_ENTRIES:,} files and folders handed in"
@@ -129,21 +125,6 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
             inside = refuse_all(wanted, str(error))
         found += [replace(one, place=(name, *one.place)) for one in inside]
     return found, notes
-
-
-def _entries(folder: Path, asked: Sequence[str], most: int) -> dict[str, int]:
-    """Return the modes of ``most`` entries of a folder, and of those that are asked for by name."""
-    with os.scandir(folder) as entries:
-        names = [entry.name for entry in itertools.islice(entries, most)]
-    if len(names) == most:  # a chapter is found among any number of other files
-        names += asked
-    modes = {}
-    for name in sorted({*names}):
-        try:
-            modes[name] = (folder / name).lstat().st_mode
-        except FileNotFoundError:
-            continue
-    return modes
 
 
 def _search_zip(path: Path, wanted: Wanted) -> list[Found]:

@@ -1,27 +1,35 @@
 """Copy the files to be graded from a student's submission into a new folder.
 
-The grader imports only these copies, and never any other file of the submission.
+The grader imports only these copies, and never any other file of the submission. A file in the
+wrong folder is named and never taken, because the grader would have to guess where it belongs.
 """
 
 from __future__ import annotations
 
 import hashlib
+import shutil
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.accepted_files import (
+    HARMLESS,
     LARGEST_FILE,
     NotTakenError,
     check_text,
     module_of,
+    refuse_renamed,
     rejection,
-    renamed,
 )
+from autograder.answers import FILE as ANSWERS
 from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.find import printable
-from autograder.submissions.misplaced import misplaced, names_of_others
-from autograder.submissions.search import Found, refuse, refuse_all, search
+from autograder.submissions.search import Found, is_skipped, refuse, refuse_all, search
+
+SCENES = "scenes"  # a folder of every handout, which has a links.py of its own
+MOST_PLACES = 3  # how many folders a message lists, if files of one name are in several
+MOST_NAMES = 10  # how many of the other files are listed
 
 
 @dataclass(frozen=True)
@@ -40,11 +48,7 @@ class Staged:
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
     """Write the student's files, and our copies of the modules that students do not edit, to a box.
 
-    A missing file is not replaced with a stub or our solution, because neither would be the
-    student's work.
-
-    Raises:
-        OSError: The folder cannot be written, or a file of the repository cannot be read.
+    A missing file is not replaced, because a stub or our solution is not the student's work.
     """
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     refused = ""
@@ -61,11 +65,10 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     digest = hashlib.sha256()
     for chapter in chapters:
         target = box / chapter.name
-        _make_folder(target)
+        target.mkdir(parents=True)
         for name in chapter.complete:
-            if not (target / name).parent.exists():
-                _make_folder((target / name).parent)
-            _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(root / "chapters" / chapter.name / name, target / name)
         files, more_notes = _choose(chapter, found)
         notes += more_notes
         readable = readable or not all(file.doubtful for file in files.values())
@@ -73,12 +76,12 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
             file, content, reason = files.get(name), b"", ""
             module = module_of(chapter.name, name)
             if file is None or _is_stub(file):
-                reason = misplaced(chapter, name, found, everywhere)
+                reason = _misplaced(chapter, name, found, everywhere)
                 elsewhere += [module] if reason else []
             if file and not reason:
                 try:
                     content = check_text(file.read(LARGEST_FILE))
-                    _write(target / name, content)
+                    (target / name).write_bytes(content)
                     taken[f"{chapter.name}/{name}"] = file
                 except NotTakenError as error:
                     reason = rejection(chapter.name, name, error)
@@ -87,13 +90,16 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
             if file or reason:
                 digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode())
                 digest.update(content)
+        for path in (target, *target.rglob("*")):
+            # Another user will run the code, so the umask must not matter.
+            path.chmod(0o755 if path.is_dir() else 0o644)
     if rejected and not (readable or elsewhere):
         refused = refused or "; ".join(notes) or next(iter(rejected.values()))
     return Staged(
         rejected,
         elsewhere,
         [*taken],
-        names_of_others(found, taken.values()),
+        _names_of_others(found, taken.values()),
         [printable(note) for note in notes],
         digest.hexdigest(),
         printable(refused),
@@ -120,8 +126,10 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
     there = {file.file for file in all_of_it if file.place == place}
-    for name in chapter.handed_in:
-        if name not in there and (error := renamed(chapter, name, there)):
+    for name in {*chapter.handed_in} - there:
+        try:
+            refuse_renamed(chapter, name, there)
+        except NotTakenError as error:
             chosen.append(Found(place, name, refuse(str(error))))
     return {file.file: file for file in chosen}, notes
 
@@ -130,11 +138,40 @@ def _is_stub(file: Found) -> bool:
     return KEPT in file.place[:-1]
 
 
-def _make_folder(path: Path) -> None:
-    path.mkdir(parents=True)
-    path.chmod(0o755)  # another user will run the code, so the umask must not matter
+def _misplaced(
+    chapter: Chapter, file: str, found: Iterable[Found], chapters: Iterable[Chapter]
+) -> str:
+    """Say where else a missing file was found, and what to do, or return "" if it was not found.
+
+    A file in the folder of one of the ``chapters`` that has a file of this name is not misplaced.
+    """
+    homes = [c.name for c in chapters if file in (*c.complete, *c.handed_in, ANSWERS)]
+    others = {one.place for one in found if one.other and one.file == file}
+    places = [p for p in others if SCENES not in p and not (p and p[-1] in homes)]
+    if not places:
+        return ""
+    places.sort(key=lambda place: (len(place), place))
+    where = [_shown(place) for place in places[:MOST_PLACES]]
+    if places[MOST_PLACES:]:
+        where.append("elsewhere")
+    which = f"the one for chapter {chapter.number}" if places[1:] else "it"
+    return (
+        f"{file} was found {' and '.join(where)}, and not in a folder {chapter.name}. "
+        f"Put {which} into a folder {chapter.name} and hand in again"
+    )
 
 
-def _write(path: Path, content: bytes) -> None:
-    path.write_bytes(content)
-    path.chmod(0o644)
+def _names_of_others(found: Sequence[Found], taken: Iterable[Found]) -> list[str]:
+    """List some files and folders at the top of a submission from which nothing was taken."""
+    files = {one.file for one in found if one.other and not one.place}
+    folders = {one.place[0] for one in found if one.other and one.place} - files
+    left = sorted((files | folders) - {one.place[0] for one in taken})
+    names = [name + "/" * (name in folders) for name in left if not is_skipped(name)]
+    return [printable(name) for name in names[:MOST_NAMES]]
+
+
+def _shown(place: tuple[str, ...]) -> str:
+    if not place:
+        return "at the top of what was handed in"
+    is_harmless = all(map(HARMLESS.fullmatch, place))
+    return f"in '{'/'.join(place)}'" if is_harmless else "in another folder"

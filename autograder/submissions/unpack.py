@@ -1,7 +1,4 @@
-"""Unpack a zip that contains all submissions of a class, as downloaded from Canvas or Moodle.
-
-The files go into a new folder next to the zip. They come from students, so they are not trusted.
-"""
+"""Unpack a zip that contains all submissions of a class into a new folder next to the zip."""
 
 from __future__ import annotations
 
@@ -42,50 +39,38 @@ File = tuple[list[str], zipfile.ZipInfo | None]
 
 @dataclass(frozen=True)
 class Unpacked:
-    """A record of what was unpacked: a hash of the zip, the submissions, and notes on the rest."""
+    """A record of what was unpacked."""
 
-    zip: str
-    names: list[str]
-    notes: list[str]
+    zip: str  # a hash of it
+    names: list[str]  # of the submissions
+    notes: list[str]  # on what was left out
 
 
 def class_folder(path: Path) -> Path:
     """Return the folder with the submissions of a class, and unpack it first if it is in a zip.
 
-    The new folder has the same name as the zip. If the zip has changed since the last time, it is
-    unpacked again, but marks.csv in the folder is kept.
-
-    Raises:
-        ValueError: The zip cannot be unpacked, or the folder was not created by this function.
-        OSError: A file cannot be read or written.
+    If the zip has changed since the last time, it is unpacked again, but marks.csv is kept.
     """
     if not path.is_file():
         return path
     if path.suffix.lower() != ".zip":
         raise ValueError(f"the submissions must be a folder or a .zip file, got {str(path)!r}")
-    folder = path.with_suffix("")
-    digest, unpacked, console = _digest(path), _read_marker(folder), plain_console()
-    if unpacked.zip != digest:
-        with locked(path.with_name(f".{path.name}.lock")):  # another command may be unpacking it
-            unpacked = _read_marker(folder)
-            if unpacked.zip != digest:
-                unpacked = _unpack(path, folder, unpacked, digest, console)
-    for note in unpacked.notes:
-        console.print(note, markup=False, soft_wrap=True)
-    line = f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries"
-    console.print(line, markup=False, soft_wrap=True)
+    folder, console = path.with_suffix(""), plain_console()
+    with locked(path.with_name(f".{path.name}.lock")):  # another command may be unpacking it
+        unpacked, digest = _read_marker(folder), _digest(path)
+        if unpacked.zip != digest:
+            unpacked = _unpack(path, folder, unpacked, digest, console)
+    count = f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries"
+    for line in [*unpacked.notes, count]:
+        console.print(line, markup=False, soft_wrap=True)
     return folder
 
 
 def refuse_newer_zip(folder: Path) -> None:
-    """Raise ValueError if the zip from which a folder was unpacked has changed since then.
-
-    It may be a newer download, or one of another assignment, which platforms call the same.
-    """
-    if not (folder / MARKER).is_file():
-        return
+    """Raise ValueError if the zip from which a folder was unpacked has changed since then."""
+    is_unpacked = (folder / MARKER).is_file()
     for path in (folder.with_name(folder.name + suffix) for suffix in (".zip", ".ZIP")):
-        if path.is_file() and _read_marker(folder).zip != _digest(path):
+        if is_unpacked and path.is_file() and _read_marker(folder).zip != _digest(path):
             raise ValueError(
                 f"{path} has changed since it was unpacked. Name it to grade what is in it now "
                 f"(make: SUBMISSIONS={path}), or name {folder} to grade what was in it before"
@@ -102,13 +87,11 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         files, notes = _plan(path, file)
         names = sorted({parts[0] for parts, _ in files})
         folder.mkdir(exist_ok=True)
-        there = [*folder.iterdir()]
-        for one in there:
-            if one.name in names and one.name not in before.names:
-                raise ValueError(f"{one} did not come from {path.name}: move it elsewhere")
-        own = [
-            one.name for one in there if not (one.name in before.names or one.name.startswith("."))
-        ]
+        there = {one.name: one for one in folder.iterdir()}
+        own = [name for name in there if name not in before.names]
+        if taken := {*own} & {*names}:
+            raise ValueError(f"{folder / min(taken)} did not come from {path.name}: move it")
+        own = [name for name in own if not name.startswith(".")]
         if own and before.names and not {*before.names} & {*names}:
             raise ValueError(
                 f"{path} has no submission that is in {folder}, so it may be of another "
@@ -117,9 +100,8 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
             )
         # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
-        for one in there:
-            if one.name in before.names:
-                shutil.rmtree(one) if one.is_dir() and not one.is_symlink() else one.unlink()
+        for one in [there[name] for name in before.names if name in there]:
+            shutil.rmtree(one) if one.is_dir() and not one.is_symlink() else one.unlink()
         _write_marker(folder, Unpacked("", names, []))
         silent = not console.is_terminal
         shown = track(files, "unpacking", console=console, transient=True, disable=silent)
@@ -137,9 +119,9 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[File], list[str]]:
     for entry in file.infolist():
         name = path_in_zip(entry)
         parts = name.split("/")
-        if is_unsafe(name) or not _is_text(name):
+        if not _is_path(name):
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
-            if parts[1:] and not is_unsafe(parts[0]) and _is_text(parts[0]):
+            if parts[1:] and _is_path(parts[0]):
                 files.append((parts[:1], None))
         elif not is_skipped(parts[0]):
             is_left_out = any(part.startswith(".") or part in SILENT for part in parts[1:])
@@ -147,37 +129,33 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[File], list[str]]:
     return files, notes
 
 
-def _is_text(name: str) -> bool:
-    """Return True if a name has no control characters. Some scripts need invisible joiners."""
-    return all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
+def _is_path(name: str) -> bool:
+    """Return True if a path is safe, and text. Some scripts need invisible joiners."""
+    characters = all(c.isprintable() or unicodedata.category(c) in ("Zs", "Cf") for c in name)
+    return characters and not is_unsafe(name)
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[File]) -> list[str]:
     """Extract zips and the types of files that students hand in, and return notes on the rest.
 
-    Other files at the top of a submission, such as a PDF, become empty files, so that it is known
-    that they were handed in.
+    Other files, such as a PDF, become empty, so that it is known that they were handed in.
     """
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for parts, entry in files:
         student, target = parts[0], folder.joinpath(*parts)
         try:
-            if parts[1:] or entry is None:
-                (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
             if entry is None:
+                (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
                 continue
-            if not target.name.lower().endswith(COUNTS):
-                if len(parts) <= 2:
-                    target.touch(exist_ok=False)
-                continue
-            content = read_entry(file, entry, LARGEST_FILE)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            counts = target.name.lower().endswith(COUNTS)
+            content = read_entry(file, entry, LARGEST_FILE) if counts else b""
             sizes[student] += len(content)
             if sizes[student] > MOST_OF_ONE:
                 raise NotTakenError(f"its student uploaded more than {MOST_OF_ONE:,} bytes")
             if sizes.total() > MOST_IN_ALL:
                 raise ValueError(f"{file.filename} contains more than {MOST_IN_ALL:,} bytes")
-            target.parent.mkdir(parents=True, exist_ok=True)
             with target.open("xb") as out:  # does not follow a link or overwrite another file
                 out.write(content)
         except NotTakenError as error:
@@ -197,10 +175,8 @@ def _read_marker(folder: Path) -> Unpacked:
     try:
         return msgspec.json.decode((folder / MARKER).read_bytes(), type=Unpacked)
     except (OSError, msgspec.DecodeError) as error:
-        raise ValueError(
-            f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
-            "folder instead, or move it elsewhere"
-        ) from error
+        problem = f"{folder} already exists, but was not unpacked from {folder.name}.zip"
+        raise ValueError(f"{problem}: grade that folder instead, or move it elsewhere") from error
 
 
 def _write_marker(folder: Path, unpacked: Unpacked) -> None:

@@ -46,11 +46,7 @@ def is_unsafe(name: str) -> bool:
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Read a file of a zip into memory.
-
-    Raises:
-        NotTakenError: It is not a regular file, has more than ``largest`` bytes, or is unreadable.
-    """
+    """Read a file of a zip into memory, or raise NotTakenError."""
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):
         raise NotTakenError("it is a symbolic link")

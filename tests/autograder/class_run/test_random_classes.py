@@ -35,7 +35,7 @@ def read(made: RandomClass) -> ClassList | None:
     """Return the class, or None if it cannot be read and this is said."""
     words = ""
     if made.is_unclear:
-        words = "both match the submission|must hand in only once"
+        words = "match the submission|must hand in only once"
     elif not any(person.path for person in made.people) and not made.strangers:
         words = "has no submissions"
     if not words:

@@ -115,8 +115,8 @@ def test_a_time_that_is_not_certain_is_unknown_and_listed(tmp_path: Path, time: 
         (lambda _: "", "below its header"),
         (lambda text: text + "Participant 99,Eve\n", "below its header"),
         (lambda text: text + '"', "unexpected end of data"),
-        (lambda text: text.replace("Participant 13", "Bo"), "must have identifiers, .* got 'Part"),
-        (lambda text: text.replace("Participant 13", "Participant 12"), "appears twice"),
+        (lambda text: text.replace("Participant 13", "Bo"), "different identifiers, .* got 'Part"),
+        (lambda text: text.replace("Participant 13", "Participant 12"), "different identifiers"),
         (lambda text: text.replace("100.00", "A\nB"), "not certain which column"),  # a scale
         (lambda text: text.replace("100.00", "0.00"), "not certain which column"),
     ],

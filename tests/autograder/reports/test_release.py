@@ -133,8 +133,8 @@ def test_a_folder_that_would_lose_or_leak_something_is_refused(root: Path, tmp_p
     chapters = load_chapters(root)
     for out, complaint in (
         (tmp_path / "full", "--out must be a new folder or an earlier release"),
-        (root / "lab/scenes", "so that no handout contains the reference"),
-        (tmp_path / "class/out", "--out must not be in the folder of the class"),
+        (root / "lab/scenes", "so that no handout contains it"),
+        (tmp_path / "class/out", "--out must be outside of the folder of the class"),
     ):
         with pytest.raises(ValueError, match=complaint):
             release(chapters, [], tmp_path / "class", tmp_path / "grades", out, root)

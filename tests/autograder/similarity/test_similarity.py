@@ -8,10 +8,9 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT, load_chapters
-from autograder.similarity.code import LONGEST, read_functions
+from autograder.similarity.code import LONGEST, fingerprints, read_functions
 from autograder.similarity.collect import Ground, collect, ground_of, work_of
 from autograder.similarity.compare import FEWEST, Comparison, Part, Passage, Work
-from autograder.similarity.winnow import fingerprints
 from autograder.submissions.class_list import read_class
 from staging import LINK, VECTOR
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from lab.scenes.ch07_constraints.ropes import Ropes
+from lab.scenes.ch07_constraints.balls_and_ropes import Ropes
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle

@@ -45,7 +45,7 @@ def prose(file: Path) -> str:
 @pytest.mark.parametrize(
     "patterns",
     [
-        ("*.md", "*/README.md", "chapters/*/*.md", "chapters/*/chapter.toml"),
+        ("*.md", "docs/*.md", "*/README.md", "chapters/*/*.md", "chapters/*/chapter.toml"),
         ("solutions/*/*.py", "chapters/*/*.py"),
     ],
     ids=["pages", "docstrings"],

@@ -92,7 +92,7 @@ def test_what_is_wrong_in_a_result_is_said_in_one_line(tmp_path: Path) -> None:
         assert "Grade the class again into" in str(caught.value)
         assert "\n" not in str(caught.value)
     (tmp_path / "class/ada").mkdir(parents=True)
-    (note,) = people_of(tmp_path / "class", tmp_path, None, anonymous=False).notes
+    (note,) = people_of(tmp_path / "class", tmp_path, None).notes
     assert note.endswith("so these submissions are graded again: 1.")
 
 

@@ -70,20 +70,19 @@ def killed_again_and_again(
     Without KILLS in the environment, the command is killed ``least`` times.
     """
     victim.run_whole()
-    expected = same(victim.folder)
+    expected, starts = same(victim.folder), 0
     assert expected
     shutil.rmtree(victim.folder)
-    starts = 0
     while victim.kills < max(KILLS, least):
         starts += 1
         is_new = not victim.folder.exists()
         is_killed = victim.kill_once()
         check(is_new)
-        if is_killed and victim.rng.random() < RESUMED:
+        if is_killed and victim.rng.random() >= RESUMED:
+            continue
+        if is_killed:
             victim.run_whole()
             check(False)
-        elif is_killed:
-            continue
         assert same(victim.folder) == expected
         shutil.rmtree(victim.folder)
     is_new = not victim.folder.exists()

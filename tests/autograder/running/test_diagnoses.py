@@ -93,17 +93,8 @@ def test_the_latest_chapter_that_defines_a_name_counts() -> None:
 @pytest.mark.parametrize(
     ("code", "none"),
     [
-        ("v.x", "v"),
-        ("v.other.x", "v.other"),
-        ("v[0]", "v"),
-        ("v() + 1.0", "v()"),
-        ("2.0 * v", "v"),
-        ("v < 1.0", "v"),
-        ("1.0 < v", "v"),
-        ("-v", "v"),
-        ("v(1)", "v"),
-        ("1.0 + 'v'", ""),
-        ("[0][v]", ""),
+        *((code, "v") for code in ("v.x", "v[0]", "2.0 * v", "v < 1.0", "1.0 < v", "-v", "v(1)")),
+        *(("v.other.x", "v.other"), ("v() + 1.0", "v()"), ("1.0 + 'v'", ""), ("[0][v]", "")),
     ],
 )
 def test_the_expression_that_was_none(code: str, none: str, tmp_path: Path) -> None:

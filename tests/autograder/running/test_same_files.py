@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,8 +16,8 @@ from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Kind, Message
 from autograder.submissions.stage import stage
-from copies import copy_tree
-from small import RIGHT, make_root
+from copies import copy_tree, edit
+from small import RIGHT, hand_in
 from typed import typed
 from walls import behind_walls
 
@@ -50,15 +51,11 @@ def run(root: Path) -> list[Verdict]:
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_check_rejects_what_the_grader_rejects(change: str, tmp_path: Path) -> None:
-    root = make_root(tmp_path)
-    file = tmp_path / "ann/ch90_small/small.py"
-    file.parent.mkdir(parents=True)
-    file.write_text(RIGHT, encoding="utf-8")
-    chapters = load_chapters(root)
+def test_check_rejects_what_the_grader_rejects(change: str, root: Path) -> None:
+    hand_in(root, "ann", RIGHT)
     assert {verdict.status for verdict in run(root)} == {"passed"}
-    changed(change, file)
-    staged = stage(tmp_path / "ann", chapters, tmp_path / "box", root)
+    changed(change, root / "ann/ch90_small/small.py")
+    staged = stage(root / "ann", load_chapters(root), root / "box", root)
     why = staged.rejected["ch90_small.small"]
     assert why.startswith("ch90_small/small.py was rejected: ")
     for verdict in run(root):
@@ -98,32 +95,25 @@ def test_rejected_answers_are_reported_at_home_in_the_same_words(tmp_path: Path)
 
 
 @pytest.mark.parametrize("change", ["latin-1", "renamed"])
-def test_rejected_data_have_the_same_verdict_and_reason_at_home(
-    change: str, tmp_path: Path
-) -> None:
-    root = make_root(tmp_path)
-    manifest = root / "chapters/ch90_small/chapter.toml"
-    text = manifest.read_text(encoding="utf-8")
-    text = text.replace('edit = ["small.double"]', 'edit = ["small.double"]\nfiles = ["data.csv"]')
-    manifest.write_text(text, encoding="utf-8")
+def test_rejected_data_have_the_same_verdict_and_reason_at_home(change: str, root: Path) -> None:
+    manifest, own = root / "chapters/ch90_small/chapter.toml", 'edit = ["small.double"]'
+    edit(manifest, own, f'{own}\nfiles = ["data.csv"]')
+    code = RIGHT + "\nfrom pathlib import Path\nFILE = Path(__file__).with_name('data.csv')\n"
+    code = code.replace("return x + x", "return 2 * x * float(FILE.read_text())")
+    shutil.rmtree(root / "solutions")
     for name in ("ann", "solutions"):
-        (root / name / "ch90_small").mkdir(parents=True, exist_ok=True)
+        hand_in(root, name, code)
         (root / name / "ch90_small/data.csv").write_text("1\n", encoding="utf-8")
-        code = RIGHT + "\nfrom pathlib import Path\nFILE = Path(__file__).with_name('data.csv')\n"
-        code = code.replace("return x + x", "return 2 * x * float(FILE.read_text())")
-        (root / name / "ch90_small/small.py").write_text(code, encoding="utf-8")
     assert {verdict.status for verdict in run(root)} == {"passed"}
     changed(change, root / "ann/ch90_small/data.csv")
     (chapter,) = load_chapters(root)
     staged = stage(root / "ann", [chapter], root / "box", root)
     why = staged.rejected["ch90_small.data.csv"]
-    behind = replace(
-        behind_walls(), missing={"ch90_small.data.csv": Message(why, kind=Kind.BROKEN)}
-    )
+    missing = {"ch90_small.data.csv": Message(why, kind=Kind.BROKEN)}
+    behind = replace(behind_walls(), missing=missing)
     graded = run_checks(chapter, [root / "box"], seed="1", root=root, sandbox=behind)
     home = run(root)
-    assert [(v.status, str(v.message)) for v in home] == [
-        (v.status, str(v.message)) for v in graded
-    ]
+    told, in_grading = ([(v.status, str(v.message)) for v in of] for of in (home, graded))
+    assert told == in_grading
     assert home[0].status == "failed"
     assert home[0].message.likely == why

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import importlib.metadata
 import re
-import shutil
 import sys
 import textwrap
 import tomllib
@@ -19,7 +18,8 @@ import pytest
 from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, load_chapter
-from small import RIGHT, make_root
+from copies import copy_tree, edit
+from small import RIGHT, hand_in, make_root
 from typed import typed
 from walls import behind_walls
 
@@ -78,9 +78,7 @@ def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verd
     chapter = load_chapter(root / "chapters/ch90_small")
     home, graded = root / "home", root / "graded"
     for engine in (home, graded):
-        shutil.rmtree(engine, ignore_errors=True)
-        (engine / "ch90_small").mkdir(parents=True)
-        (engine / "ch90_small/small.py").write_text(code, encoding="utf-8")
+        hand_in(root, engine.name, code)
         (engine / "ch90_small/drops.csv").write_text("1,2", encoding="utf-8")
     (home / "ch90_small/helper.py").write_text("x = 1\n", encoding="utf-8")
     (home / "ch90_small/data").mkdir()
@@ -100,10 +98,7 @@ def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small chapter with a check for each attempt, which fails with what came of it."""
     root = make_root(tmp_path_factory.mktemp("same"))
     manifest = root / "chapters/ch90_small/chapter.toml"
-    text = manifest.read_text(encoding="utf-8")
-    manifest.write_text(
-        text.replace("edit =", 'files = ["drops.csv"]\nedit =', 1), encoding="utf-8"
-    )
+    edit(manifest, 'edit = ["small.double"]', 'files = ["drops.csv"]\nedit = ["small.double"]')
     checks = ["import pytest", "from ch90_small.small import imports, try_"]
     for name, attempt in ATTEMPTS.items():
         exercise = "90.1" if attempt.get("again") else "B90.1"
@@ -162,12 +157,8 @@ def test_a_module_that_asks_for_it_is_told_the_same(line: str, words: str, tmp_p
 
 
 def test_a_plot_and_a_scene_refuse_what_a_check_refuses(tmp_path: Path) -> None:
-    vector = tmp_path / "ch02_vectors/vector.py"
-    vector.parent.mkdir()
-    source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    vector.write_text(
-        source.replace("import math\n", "import math\nimport numpy\n"), encoding="utf-8"
-    )
+    copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
+    edit(tmp_path / "ch02_vectors/vector.py", "import math\n", "import math\nimport numpy\n")
     for arguments in (["plots", "draw", "--chapter", "2"], ["lab", "record", "ball-game"]):
         done = typed(*arguments, "--engine", tmp_path)
         assert "No module named 'numpy' (" in done.stdout

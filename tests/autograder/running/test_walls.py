@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-import sys
+import struct
 import tempfile
 from pathlib import Path
 from typing import NoReturn
@@ -116,7 +116,7 @@ def test_the_filter_refuses_what_it_does_not_name() -> None:
         program = seccomp_filter()
         place, loaded = 0, 0
         while True:
-            code, yes, no, value = _instruction(program, place)
+            code, yes, no, value = struct.unpack_from("=HBBI", program, 8 * place)
             place += 1
             match code:
                 case 0x20:
@@ -139,13 +139,3 @@ def test_the_filter_refuses_what_it_does_not_name() -> None:
     for number in refused:
         assert verdict(x86_64, number) == refuse
     assert verdict(0x40000003, read) == kill, "another architecture"
-
-
-def _instruction(program: bytes, place: int) -> tuple[int, int, int, int]:
-    line = program[8 * place : 8 * place + 8]
-    return (
-        int.from_bytes(line[:2], sys.byteorder),
-        line[2],
-        line[3],
-        int.from_bytes(line[4:], sys.byteorder),
-    )

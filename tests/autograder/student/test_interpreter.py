@@ -10,7 +10,7 @@ import pytest
 from autograder.manifest import ROOT
 from autograder.student.show import picture
 from copies import copy_tree, edit
-from terminal import Terminal
+from terminal import Terminal, opened
 from typed import typed
 
 
@@ -22,10 +22,13 @@ def engine(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def terminal(engine: Path) -> Iterator[Terminal]:
-    terminal = Terminal(ROOT, "python", "--engine", str(engine), "--chapter", "2-3")
-    yield terminal
-    terminal.close()
+def words(engine: Path) -> tuple[str, ...]:
+    return "python", "--engine", str(engine), "--chapter", "2-3"
+
+
+@pytest.fixture
+def terminal(words: tuple[str, ...]) -> Iterator[Terminal]:
+    yield from opened(ROOT, *words)
 
 
 def test_the_engine_is_there_and_new_code_after_a_save(terminal: Terminal, engine: Path) -> None:
@@ -42,10 +45,11 @@ def test_the_engine_is_there_and_new_code_after_a_save(terminal: Terminal, engin
     assert terminal.status() == 0
 
 
-def test_what_cannot_be_imported_is_named_and_the_rest_is_there(engine: Path) -> None:
+def test_what_cannot_be_imported_is_named_and_the_rest_is_there(
+    engine: Path, words: tuple[str, ...]
+) -> None:
     broken = engine / "ch03_laws_of_motion/damping.py"
     broken.write_text("def damp(:\n", encoding="utf-8")
-    words = "python", "--engine", str(engine), "--chapter", "2-3"
     done = typed("autograder", *words, text="Particle().mass\nraise SystemExit\n")
     assert "ch03_laws_of_motion/damping.py cannot be imported: SyntaxError" in done.stdout
     assert "line 1: def damp(:" in done.stdout
@@ -53,7 +57,7 @@ def test_what_cannot_be_imported_is_named_and_the_rest_is_there(engine: Path) ->
     assert done.returncode == 0
 
 
-def test_a_path_is_drawn_from_the_last_steps(engine: Path) -> None:
+def test_a_path_is_drawn_from_the_last_steps(words: tuple[str, ...]) -> None:
     lines = [
         "p = Particle(velocity=Vector3(3.0, 4.0), acceleration=Vector3(0.0, -10.0))",
         "for _ in range(16): p.integrate(0.05)",
@@ -61,7 +65,6 @@ def test_a_path_is_drawn_from_the_last_steps(engine: Path) -> None:
         "show(p, Vector3(0.0, 1.0))",
         "show(3)",
     ]
-    words = "python", "--engine", str(engine), "--chapter", "2-3"
     done = typed("autograder", *words, text="\n".join(lines) + "\n")
     drawn = done.stdout.partition(">>> ")[2]
     assert drawn.count("·") >= 16

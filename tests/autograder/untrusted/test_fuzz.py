@@ -43,21 +43,10 @@ plain = st.recursive(
     ),
     max_leaves=6,
 )
-ERRORS = [
-    "ValueError",
-    "AssertionError",
-    "KeyError",
-    "StopIteration",
-    "SystemExit",
-    "KeyboardInterrupt",
-    "MemoryError",
-    "RecursionError",
-    "NotImplementedError",
-    "BaseException",
-    "GeneratorExit",
-    "OSError",
-    "UnicodeError",
-]
+ERRORS = """
+ValueError AssertionError KeyError StopIteration SystemExit KeyboardInterrupt MemoryError
+RecursionError NotImplementedError BaseException GeneratorExit OSError UnicodeError
+"""
 OTHER = [
     "return self",
     "return object()",
@@ -77,7 +66,7 @@ OTHER = [
 ]
 bodies = (
     plain.map(lambda value: f"nan, inf = float('nan'), float('inf')\nreturn {value!a}")
-    | st.tuples(st.sampled_from(ERRORS), st.text(max_size=50)).map(
+    | st.tuples(st.sampled_from(ERRORS.split()), st.text(max_size=50)).map(
         lambda drawn: f"raise {drawn[0]}({drawn[1]!a})"
     )
     | st.sampled_from(OTHER)
@@ -127,31 +116,29 @@ def test_any_damage_to_a_file(chapter: Chapter, data: st.DataObject) -> None:
 
 def lines_gone(data: st.DataObject, source: str) -> bytes:
     lines = source.splitlines(keepends=True)
-    start = data.draw(st.integers(0, len(lines) - 1), label="first line that is gone")
-    count = data.draw(st.integers(1, 20), label="lines gone")
-    return "".join(lines[:start] + lines[start + count :]).encode()
+    start = data.draw(st.integers(0, len(lines) - 1))
+    return "".join(lines[:start] + lines[start + data.draw(st.integers(1, 20)) :]).encode()
 
 
 def renamed(data: st.DataObject, source: str) -> bytes:
     names = sorted(set(re.findall(r"\b[a-zA-Z_]\w*\b", source)))
-    old, new = (data.draw(st.sampled_from(names), label=label) for label in ("name", "becomes"))
+    old, new = (data.draw(st.sampled_from(names)) for _ in range(2))
     return re.sub(rf"\b{old}\b", new, source).encode()
 
 
 def other_parameters(data: st.DataObject, source: str) -> bytes:
     tree = ast.parse(source)
     found = functions(tree)
-    parameters = found[data.draw(st.sampled_from(sorted(found)), label="function")].args
-    if data.draw(st.booleans(), label="one more"):
+    parameters = found[data.draw(st.sampled_from(sorted(found)))].args
+    if data.draw(st.booleans()):
         parameters.args.append(ast.arg("one_more"))
-        parameters.defaults.clear()
     elif parameters.args:
-        parameters.args.pop(data.draw(st.integers(0, len(parameters.args) - 1), label="gone"))
-        parameters.defaults.clear()
+        parameters.args.pop(data.draw(st.integers(0, len(parameters.args) - 1)))
+    parameters.defaults.clear()
     return ast.unparse(tree).encode()
 
 
 def odd_bytes(data: st.DataObject, source: str) -> bytes:
     code = source.encode()
-    at = data.draw(st.integers(0, len(code)), label="place")
-    return code[:at] + data.draw(st.binary(min_size=1, max_size=8), label="bytes") + code[at:]
+    at = data.draw(st.integers(0, len(code)))
+    return code[:at] + data.draw(st.binary(min_size=1, max_size=8)) + code[at:]

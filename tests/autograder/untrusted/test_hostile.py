@@ -28,6 +28,9 @@ from typing import Any
 
 import pytest
 
+from autograder.checks.runner import run_checks
+from autograder.manifest import load_chapters
+
 TESTS = Path(__file__).parents[2]
 sys.path.append(str(Path(__file__).parent / "hostile"))
 
@@ -135,7 +138,6 @@ def run() -> Iterator[Run]:
                 os.kill(pid, signal.SIGKILL)
             with contextlib.suppress(OSError):
                 os.waitpid(pid, os.WNOHANG)
-        services.close()
         if not kept:
             for folder in world.submissions.glob("*/ch90_sums"):
                 if not folder.is_symlink() and folder.is_dir():
@@ -198,13 +200,15 @@ def test_a_submission_gets_what_its_honest_code_is_worth(run: Run, submission: S
 def test_the_run_ends_by_itself_and_misses_nobody(run: Run) -> None:
     assert run.code == 0, run.screen[-4000:]
     assert len(run.results) == len(SUBMISSIONS) + len(ALIKE)
+    assert not [one for one in run.results if LINKED in one["student"]], "a link is no submission"
     times = sorted(path.stat().st_mtime for path in (run.world.out / "results").iterdir())
     gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
     assert max(gaps) < LONGEST_GAP
 
 
-def test_nothing_outlives_the_run(run: Run) -> None:
+def test_nothing_outlives_the_run_and_nobody_was_talked_to(run: Run) -> None:
     assert run.survivors == []
+    assert run.heard == []
 
 
 def test_nothing_is_written_outside_the_box(run: Run) -> None:
@@ -219,24 +223,17 @@ def test_nothing_is_written_outside_the_box(run: Run) -> None:
     assert not [*run.world.out.rglob("*hostile*note*")]
 
 
-def test_no_secret_is_told(run: Run) -> None:
+def test_no_secret_is_told_and_the_screen_is_safe(run: Run) -> None:
     assert leaks(run.world.out) == []
     for place, token in TOKENS.items():
         assert token not in run.screen, place
-
-
-def test_nobody_was_talked_to(run: Run) -> None:
-    assert run.heard == []
+    assert not [char for char in run.screen if not char.isprintable() and char not in "\n\r\t"]
 
 
 def test_names_that_are_cleaned_alike_keep_their_own_results(run: Run) -> None:
     alike = [result for result in run.results if result["student"].startswith("alike")]
     assert len({result["student"] for result in alike}) == len(ALIKE)
     assert sorted(result["score"] for result in alike) == [0, 7, 7]
-
-
-def test_a_linked_folder_is_no_submission(run: Run) -> None:
-    assert not [result for result in run.results if LINKED in result["student"]]
 
 
 def test_the_gradebook_has_a_row_for_each_and_no_formula(run: Run) -> None:
@@ -269,14 +266,7 @@ def test_files_for_gradescope_are_sound(run: Run) -> None:
         assert isinstance(json.loads(path.read_text(encoding="utf-8")), dict)
 
 
-def test_the_screen_is_safe(run: Run) -> None:
-    assert not [char for char in run.screen if not char.isprintable() and char not in "\n\r\t"]
-
-
 def test_the_solution_passes_beside_its_checks(run: Run) -> None:
-    from autograder.checks.runner import run_checks
-    from autograder.manifest import load_chapters
-
     (chapter,) = load_chapters(run.world.root)
     engine = [run.world.root / "solutions", run.world.root / "chapters"]
     verdicts = run_checks(chapter, engine, seed="1", root=run.world.root)

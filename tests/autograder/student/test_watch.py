@@ -18,7 +18,7 @@ import pytest
 from autograder.manifest import ROOT
 from autograder.message import laid_out
 from autograder.student.watching import keys
-from autograder.text.wrapping import cut, few_lines, wrapped, wrapped_rows
+from autograder.text.wrapping import few_lines
 from small import MANIFEST, RIGHT, make_students_root
 from terminal import (
     HEIGHT,
@@ -285,17 +285,6 @@ def shows(terminal: Terminal) -> None:
     assert words <= {"many", "words", "ValueError:", "'"}
 
 
-def test_a_line_breaks_between_words_below_its_label() -> None:
-    rows = [("likely", "some words " * 9), ("", "plain " + "words " * 9)]
-    lines = wrapped_rows(rows, 40)
-    assert max(map(len, lines)) <= 40
-    labels = [line[:10].strip() for line in lines]
-    assert labels == ["likely", "", "", "", "plain word", "words word"]
-    assert {word for line in lines for word in line.split()} == {"likely", "some", "words", "plain"}
-    long = "v = " + "x" * 50
-    assert "".join(line.strip() for line in wrapped(long, 40)) == long
-
-
 def test_what_code_prints_cannot_look_like_a_label() -> None:
     text = laid_out([("printed", "1\nlikely    a lie"), ("", "a title\ngot       a lie")])
     assert text.splitlines() == [
@@ -306,20 +295,10 @@ def test_what_code_prints_cannot_look_like_a_label() -> None:
     ]
 
 
-def test_a_long_diagnosis_is_cut_in_the_middle() -> None:
-    lines = [f"line {number}" for number in range(30)]
-    short = cut(lines, 9, "note")
-    assert short == [*lines[:4], "note", *lines[-4:]]
-    assert cut(lines, 30, "note") == lines
-    assert len(cut(lines, -5, "note")) == 3  # a very low terminal
-
-
 @pytest.mark.parametrize(
     ("text", "kept", "more"),
     [
-        ("a\nb", "a\nb", ""),
         ("1\n2\n3\n4", "1\n2\n3", "... and 1 more line"),
-        ("\n".join("123456"), "1\n2\n3", "... and 3 more lines"),
         ("1\n2\n3\n4\n... and 10 more lines", "1\n2\n3", "... and 11 more lines"),
         ("x" * 30, "x" * 20, "... and more"),
         ("1\n" * 3000, "1\n1\n1", "... and at least 1997 more lines"),

@@ -248,12 +248,11 @@ def read_results(out: Path) -> list[dict[str, Any]]:
 
 def result_of(submission: Submission, results: list[dict[str, Any]]) -> dict[str, Any] | None:
     """Return a submission's result, found by the student's name, or by what is left of it."""
-    for result in results:
-        if result["student"] == submission.student:
-            return result
-    if submission.student == submission.label:
-        return None
-    return next((result for result in results if submission.label in result["student"]), None)
+    names = {result["student"]: result for result in results}
+    near = [names[name] for name in names if submission.label in name]
+    if submission.student != submission.label and submission.student not in names:
+        return near[0] if near else None
+    return names.get(submission.student)
 
 
 def leaks(out: Path) -> list[tuple[str, str]]:

@@ -28,7 +28,6 @@ from autograder.submissions.roster import read_roster
 from graded import CHAPTERS, SHOUT, class_of, report_of
 from small import RIGHT, hand_in, make_root
 from small_class import grade, scores
-from typed import typed
 
 FULL = "Free some space on that disk, and run the same command again"
 
@@ -92,13 +91,6 @@ def test_a_command_that_may_not_write_says_what_to_do(
     said = done.stdout + done.stderr
     assert f"{begins}[Errno 27] File too large" in said
     assert said.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
-
-
-def test_a_study_that_cannot_write_is_a_sentence() -> None:
-    done = typed("plots", "figures", "--out", "LICENSE/a")
-    assert done.returncode == 2
-    assert done.stderr.startswith("figures: [Errno 20] Not a directory: 'LICENSE/a")
-    assert len(done.stderr.splitlines()) == 1
 
 
 @pytest.mark.parametrize("exists", [False, True])

@@ -26,4 +26,6 @@ def to_json(value: Any) -> Any:
         return [to_json(item) for item in value]
     if isinstance(value, dict):
         return {key: to_json(item) for key, item in value.items()}
+    if type(value) is float and value.is_integer():
+        return int(value)  # 3 and 3.0 are equal, and a result that was read again has 3.0
     return value

@@ -14,8 +14,6 @@ from pathlib import Path
 
 import pytest
 
-from small import make_students_root
-
 fcntl = pytest.importorskip("fcntl", reason="there are no pseudo-terminals here")
 pty = pytest.importorskip("pty")
 termios = pytest.importorskip("termios")
@@ -91,13 +89,8 @@ class Terminal:
         os.close(self.its)
 
 
-def make_handout(tmp_path: Path) -> Path:
-    """Create a handout of the small chapter, for a fixture."""
-    return make_students_root(tmp_path)
-
-
-def opened(root: Path) -> Iterator[Terminal]:
-    """Run watch in a terminal, for a fixture."""
-    terminal = Terminal(root, "watch")
+def opened(root: Path, *words: str) -> Iterator[Terminal]:
+    """Run a command in a terminal, by default watch, for a fixture."""
+    terminal = Terminal(root, *(words or ("watch",)))
     yield terminal
     terminal.close()

@@ -1,23 +1,33 @@
-"""Machines on which files cannot be written, or on which their names are not in UTF-8."""
+"""Machines that cannot write files or have odd names, and tables that no spreadsheet writes."""
 
 from __future__ import annotations
 
+import csv
 import errno
 import os
 import resource
-import socket
 import subprocess
 import sys
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 from autograder.commands import sentence
+from autograder.course.late import late_of
+from autograder.course.model import Deadline
+from autograder.course.reading import read_course
+from autograder.course.times import times_of
 from autograder.files import is_new, replace_bytes, temporary_of
 from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters
-from typed import typed
-from web.__main__ import put_in_place
+from autograder.reports.feedback import write_index
+from autograder.reports.gradebook import write_gradebook
+from autograder.submissions.class_list import ClassList, Member, read_class
+from autograder.submissions.roster import read_roster
+from graded import CHAPTERS, SHOUT, class_of, report_of
+from small import RIGHT, hand_in, make_root
+from small_class import grade, scores
 
 FULL = "Free some space on that disk, and run the same command again"
 
@@ -83,13 +93,6 @@ def test_a_command_that_may_not_write_says_what_to_do(
     assert said.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
 
 
-def test_a_study_that_cannot_write_is_a_sentence() -> None:
-    done = typed("plots", "figures", "--out", "LICENSE/a")
-    assert done.returncode == 2
-    assert done.stderr.startswith("figures: [Errno 20] Not a directory: 'LICENSE/a")
-    assert len(done.stderr.splitlines()) == 1
-
-
 @pytest.mark.parametrize("exists", [False, True])
 def test_a_hand_out_is_whole_or_not_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, exists: bool
@@ -103,18 +106,6 @@ def test_a_hand_out_is_whole_or_not_there(
         with pytest.raises(OSError, match="No space"):
             handout.make_handout(load_chapters()[:1], [], out)
     assert [*tmp_path.rglob("*")] == ([out] if exists else [])
-
-
-def test_a_site_replaces_an_earlier_one_also_after_a_kill(tmp_path: Path) -> None:
-    out = tmp_path / "site"
-    for number, earlier in enumerate((None, "site", ".site.new", ".site.old")):
-        if earlier:
-            (tmp_path / earlier).mkdir(exist_ok=True)
-            (tmp_path / earlier / "old").touch()
-        (tmp_path / "built").mkdir()
-        (tmp_path / "built" / str(number)).touch()
-        put_in_place(tmp_path / "built", out)
-        assert [*tmp_path.rglob("*")] == [out, out / str(number)]
 
 
 def test_names_are_in_utf_8_whatever_the_locale_and_without_a_home(tmp_path: Path) -> None:
@@ -140,17 +131,112 @@ def test_names_are_in_utf_8_whatever_the_locale_and_without_a_home(tmp_path: Pat
     assert "All checks of B2.1 pass." in done.stdout
 
 
-@pytest.mark.parametrize("sent", [b"", b'{"wait": ', b'{"wait": 1}\n'])
-def test_the_process_that_starts_judges_ends_with_its_grader(sent: bytes) -> None:
-    ours, theirs = socket.socketpair()
-    with ours, theirs:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "autograder.isolation.judges", str(theirs.fileno())],
-            cwd=ROOT,
-            pass_fds=[theirs.fileno()],
-            stderr=subprocess.PIPE,
-        )
-        ours.sendall(sent)
-    _, said = process.communicate(timeout=20.0)
-    if not sent.endswith(b"\n"):
-        assert (process.returncode, said) == (0, b"")
+# Names that mean something on a terminal, and odd tables
+
+LAB = '[[assignment]]\nname = "lab1"\nchapters = [2]\n'
+DIGITS = 5000 * "9"
+
+
+def test_no_name_in_a_roster_stops_the_class(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A student chooses the name that Canvas exports, and rich reads [/] as the end of a style."""
+    root = make_root(tmp_path / "root")
+    hand_in(tmp_path / "class", "7", RIGHT)
+    name = "Ann [/] [blink]B[/blink] :bomb:"
+    roster = tmp_path / "roster.csv"
+    roster.write_text(f"id,name,email,login\n7,{name},,\n", encoding="utf-8")
+    out = tmp_path / "out [b]"
+    assert grade(tmp_path / "class", out, root, roster=roster) == 0
+    assert scores(out) == {name: 6.0}
+    screen = capsys.readouterr().out
+    assert f"1/1 {name}" in screen
+    assert "out [b]" in screen
+
+
+def test_every_console_prints_texts_as_they_are() -> None:
+    made = [
+        path.name
+        for folder in ("autograder", "lab", "plots", "scenes", "studies", "web")
+        for path in (ROOT / folder).rglob("*.py")
+        if "node_modules" not in path.parts and "Console(" in path.read_text(encoding="utf-8")
+    ]
+    assert made == ["wrapping.py"], "use plain_console() instead"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (f"a = {3000 * '['}{3000 * ']'}", "is not valid TOML"),
+        (f"{LAB}out_of = {DIGITS}", "is not valid TOML"),
+        (f"{LAB}out_of = {400 * '9'}", "out_of: expected int <= 1000000, got 999"),
+        (f"{LAB}due = 0001-01-01T00:00:00+14:00", "lab1, due must be from 1970 to 2999, got"),
+        (f'time_zone = "Asia/Tokyo"\n{LAB}due = 9999-12-31T23:59:59', "lab1, due must be from"),
+        (LAB.replace("lab1", "\\u001b[31m"), r"digits, - and _, got '\x1b[31m'"),
+    ],
+    ids=["nested", "long number", "large number", "year 1", "year 9999", "escape"],
+)
+def test_an_odd_course_file_is_refused_in_a_sentence(tmp_path: Path, text: str, words: str) -> None:
+    path = tmp_path / "course.toml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match=r"course\.toml") as caught:
+        read_course(path)
+    assert words in str(caught.value)
+
+
+SUBMITTED = "student,submitted\nann,"
+GITHUB = "student_repository_name,submission_timestamp\nann,"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "is_refused"),
+    [
+        ("times.csv", f"{SUBMITTED}0001-01-01 00:00+14:00", True),
+        ("times.csv", f"{SUBMITTED}9999-12-31 23:59-14:00", True),
+        ("times.csv", f"{SUBMITTED}{200_000 * '1'}", True),
+        ("times.csv", f'"{200_000 * "x"}', True),
+        ("grades.csv", f"{GITHUB}{200_000 * '1'}", True),
+        ("grades.csv", f"{GITHUB}9999-12-31T23:59:59-14:00", False),
+        ("submission_metadata.yml", 1200 * "[", True),
+        ("submission_metadata.yml", "a: 2026-13-45", True),
+        ("submission_metadata.yml", f"a: {DIGITS}", True),
+        ("submission_metadata.yml", "a: !!python/object/apply:os.system ['true']", True),
+        ("submission_metadata.yml", "ann:\n  :created_at: 0001-01-01 00:00:00 +14:00", False),
+    ],
+)
+def test_odd_times_are_refused_in_a_sentence_or_unknown(
+    tmp_path: Path, name: str, text: str, is_refused: bool
+) -> None:
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    (tmp_path / "ann").mkdir()
+    if is_refused:
+        with pytest.raises(ValueError, match=name):
+            times_of(tmp_path, read_class(tmp_path), UTC)
+        return
+    known, _ = times_of(tmp_path, read_class(tmp_path), UTC)
+    late = late_of(Deadline(datetime(2026, 1, 1, tzinfo=UTC)), [], known.get("ann"), 1.0)
+    assert late.days is None
+
+
+@pytest.mark.parametrize("cells", ["1,Ann,a@b;=1+1,", "1,Ann,,x; @y", "1; =2,Ann,,", "\t=1,Ann,,"])
+def test_no_cell_of_a_roster_begins_a_formula_after_a_semicolon(tmp_path: Path, cells: str) -> None:
+    """These cells go to canvas.csv unchanged, and in Europe a semicolon begins a new cell."""
+    path = tmp_path / "roster.csv"
+    path.write_text(f"id,name,email,login\n{cells}\n", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"line 2: the \w+ '.*' must not begin like a spreadsheet"):
+        read_roster(path)
+
+
+def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Path) -> None:
+    """Also the names of those who handed nothing in, or whom nobody knows."""
+    names = [SHOUT, "=1+1", " @x;-y"]
+    absent = [Member(name, name, None, None) for name in names]
+    people = ClassList([*class_of("=2+2").members, *absent], has_roster=True)
+    text = write_index(tmp_path, CHAPTERS, [report_of(SHOUT)], people).read_text(encoding="utf-8")
+    assert "owned" in text
+    assert "<script" not in text
+    assert "<b onclick" not in text
+    book = write_gradebook(tmp_path, CHAPTERS, [report_of("=2+2")], people)
+    with book.open(encoding="utf-8", newline="") as file:
+        cells = [row[0] for row in csv.reader(file)]
+    assert cells[2:] == ["'=2+2", SHOUT, "'=1+1", " '@x;'-y"]

@@ -1,4 +1,4 @@
-"""A worker, and the handles that checks hold of what is in it."""
+"""A worker, the handles that checks hold of what is in it, and the walls around it."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import base64
 import contextlib
 import math
 import os
-import signal
+import struct
+import tempfile
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
@@ -19,8 +19,13 @@ import pytest
 from autograder.diagnosis.faults import CheckEnded, StudentLeft
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.launcher import Launcher, LauncherError
-from autograder.isolation.probe import best_level
-from autograder.isolation.sandbox import Level
+from autograder.isolation.probe import HELD_BY_LANDLOCK, HELD_BY_SECCOMP, best_level, what_fails
+from autograder.isolation.sandbox import (
+    Level,
+    landlock_version,
+    seccomp_filter,
+    seccomp_works_here,
+)
 
 MODULE = """
 import os
@@ -32,37 +37,22 @@ class Box:
     def __init__(self, n=0):
         self.n = n
 
-    def __add__(self, other):
-        return Box(self.n + (other.n if isinstance(other, Box) else other))
-
-    __radd__ = __add__
-
     def __iadd__(self, other):
         self.n += other
         return self
 
-    def __neg__(self):
-        return Box(-self.n)
-
-    def __len__(self):
-        return 3
-
-    def __iter__(self):
-        return iter([self.n, self])
-
-    def __getitem__(self, place):
-        return (self.n, place)
-
-    def __eq__(self, other):
-        return True
-
-    def __repr__(self):
-        return f"Box({self.n})\\x1b[2J"
+    __add__ = lambda self, other: Box(self.n + (other.n if isinstance(other, Box) else other))
+    __radd__ = __add__
+    __neg__ = lambda self: Box(-self.n)
+    __len__ = lambda self: 3
+    __iter__ = lambda self: iter([self.n, self])
+    __getitem__ = lambda self, place: (self.n, place)
+    __eq__ = lambda self, other: True
+    __repr__ = lambda self: f"Box({self.n})\\x1b[2J"
 
 
 class Lie(float):
-    def __eq__(self, other):
-        return True
+    __eq__ = lambda self, other: True
 
 
 class Odd(ZeroDivisionError):
@@ -75,18 +65,16 @@ class Impostor(BaseException):
 
 Impostor.__name__ = "ValueError"
 LIMIT = 7
-
-
-def same(x):
-    return x
+same = lambda x: x
+apply = lambda f, *arguments: f(*arguments)
+who = lambda: (os.getuid(), os.geteuid())
+nested = lambda depth: [nested(depth - 1)] if depth else 1
+leave = lambda code: os._exit(code)
+crash = lambda: __import__("ctypes").string_at(0)
 
 
 def fail(kind):
     raise {"odd": Odd("no"), "exit": SystemExit(3), "impostor": Impostor()}[kind]
-
-
-def apply(f, *arguments):
-    return f(*arguments)
 
 
 def tries(f):
@@ -96,34 +84,9 @@ def tries(f):
         return f"{type(error).__name__}: {error}"
 
 
-def nested(depth):
-    value = 1
-    for _ in range(depth):
-        value = [value]
-    return value
-
-
 def sleep_for_ever():
     while True:
         pass
-
-
-def who():
-    return os.getuid(), os.geteuid()
-
-
-def number():
-    return os.getpid()
-
-
-def leave(code):
-    os._exit(code)
-
-
-def crash():
-    import ctypes
-
-    ctypes.string_at(0)
 
 
 def close_everything():
@@ -150,9 +113,7 @@ def engine(tmp_path: Path) -> Path:
 def start(level: Level, engine: Path, tmp_path: Path) -> Iterator[Callable[[], Session]]:
     """Starts workers over that engine."""
     (tmp_path / "own").mkdir()
-    (tmp_path / "probes").mkdir()
-    folders = [str(engine)], str(tmp_path / "probes"), tmp_path / "own"
-    launcher = Launcher(level, *folders, seconds=2.0)
+    launcher = Launcher(level, [str(engine)], str(engine), tmp_path / "own", seconds=2.0)
     yield partial(launcher.start_worker, hang)
     launcher.close()
 
@@ -188,43 +149,20 @@ def test_what_checks_do_with_objects(session: Session) -> None:
     assert name(session, "LIMIT") == 7
 
 
-@pytest.mark.parametrize(
-    "use",
-    [
-        lambda box: box == 4,
-        lambda box: box != 4,
-        lambda box: box > 3,
-        lambda box: bool(box),
-        lambda box: float(box),
-        lambda box: math.sqrt(box),
-        lambda box: 4 in box,
-        lambda box: [1, 2][box],
-    ],
-)
-def test_no_verdict_hangs_on_what_an_object_says_of_itself(
-    session: Session, use: Callable[[Any], Any]
-) -> None:
+USES = "box == 4; box != 4; box > 3; bool(box); float(box); math.sqrt(box); 4 in box; [1, 2][box]"
+
+
+@pytest.mark.parametrize("use", USES.split("; "))
+def test_no_verdict_hangs_on_what_an_object_says_of_itself(session: Session, use: str) -> None:
     with pytest.raises(CheckEnded, match=r"plain value is expected: Box\(4\)\\x1b\[2J"):
-        use(name(session, "Box")(4))
+        eval(use, {"box": name(session, "Box")(4), "math": math})
+
+
+NUMBERS = [True, 0, -(2**70), 0.1, math.inf, -0.0]
 
 
 @pytest.mark.parametrize(
-    "value",
-    [
-        None,
-        True,
-        0,
-        -(2**70),
-        0.1,
-        math.inf,
-        -0.0,
-        "",
-        "é\ud800\n",
-        [],
-        (1, [2, (3,)]),
-        {"a": {1: 2}},
-    ],
-    ids=repr,
+    "value", [None, *NUMBERS, "", "é\ud800\n", [], (1, [2, (3,)]), {"a": {1: 2}}], ids=repr
 )
 def test_plain_values_cross_as_they_are(session: Session, value: Any) -> None:
     back = name(session, "same")(value)
@@ -269,14 +207,7 @@ def test_errors_come_as_the_built_in_ones_with_the_students_line(session: Sessio
 
 def test_call_backs_may_use_objects_and_raise(session: Session) -> None:
     apply, tries, kind = (name(session, wanted) for wanted in ("apply", "tries", "Box"))
-    seen = []
-
-    def look(box: Any) -> Any:
-        seen.append(box.n)
-        return box + 1
-
-    assert apply(look, kind(5)).n == 6
-    assert seen == [5]
+    assert apply(lambda box: box + box.n, kind(5)).n == 10
     assert apply(lambda: apply(lambda: 9)) == 9
 
     def refuses() -> None:
@@ -287,11 +218,8 @@ def test_call_backs_may_use_objects_and_raise(session: Session) -> None:
 
 
 def test_a_call_back_that_ends_the_check_is_not_caught_by_the_student(session: Session) -> None:
-    def fails() -> None:
-        pytest.fail("enough")
-
     with pytest.raises(pytest.fail.Exception, match="enough"):
-        name(session, "tries")(fails)
+        name(session, "tries")(lambda: pytest.fail("enough"))
     with pytest.raises(WorkerFailure, match="a callback of the check failed"):
         name(session, "LIMIT")
 
@@ -313,37 +241,6 @@ def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(
     assert not isinstance(caught.value, Exception)
     with pytest.raises(WorkerFailure, match=words):
         name(session, "LIMIT")
-
-
-def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(
-    engine: Path, tmp_path: Path, level: Level
-) -> None:
-    inside = replace(level, bubblewrap=False)  # it hides the process ID of a worker
-    launcher = Launcher(inside, [str(engine)], str(engine), tmp_path, 5.0)
-    with contextlib.closing(launcher):
-        session = launcher.start_worker(hang)
-        os.kill(name(session, "number")(), signal.SIGKILL)
-        with pytest.raises(LauncherError, match="killed from outside") as caught:
-            session.ask("show", 1)
-        assert not isinstance(caught.value, Exception), "no check can expect it"
-        with pytest.raises(WorkerFailure, match="has ended"):
-            session.ask("show", 1)
-        assert launcher.start_worker(hang).ask("show", 1) == "1"
-
-
-def test_without_seccomp_each_worker_has_a_launcher_of_its_own(
-    engine: Path, tmp_path: Path, level: Level
-) -> None:
-    if not level.bubblewrap:
-        pytest.skip("bubblewrap does not work here")
-    launcher = Launcher(replace(level, seccomp=False), [str(engine)], str(engine), tmp_path, 5.0)
-    numbers = set()
-    with contextlib.closing(launcher):
-        for n in (1, 2):
-            session = launcher.start_worker(hang)
-            assert name(session, "Box")(n).n == n
-            numbers.add(name(session, "number")())
-    assert len(numbers) == 1, "a second worker of the same launcher has another process ID"
 
 
 def test_a_worker_that_does_not_answer_is_a_hang(session: Session) -> None:
@@ -385,3 +282,117 @@ def test_compiled_code_runs_anew_in_each_worker(
         with pytest.raises(AttributeError):
             box.left_behind  # noqa: B018
         box.left_behind = 1
+
+
+# The walls, and what gets through where one is missing
+
+
+@pytest.mark.skipif(landlock_version() == 0, reason="there is no Landlock here")
+def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Level) -> None:
+    if not (level.landlock and level.seccomp):
+        pytest.skip("Landlock and seccomp do not stand here")
+    attempts = [*HELD_BY_LANDLOCK, *HELD_BY_SECCOMP]
+    (tmp_path / "forbidden").touch()
+    through = []
+    for number, walls in enumerate([Level(), Level(landlock=True), Level(seccomp=True), level]):
+        own = tmp_path / str(number)
+        own.mkdir()
+        launcher = Launcher(walls, [], str(own), own, 5.0)
+        with contextlib.closing(launcher):
+            session = launcher.start_worker(hang)
+            path = str(tmp_path / "forbidden")
+            through.append(set(session.ask("test_walls", attempts, path)))
+    nothing, landlock, seccomp, all_of_them = through
+    assert nothing >= {*HELD_BY_LANDLOCK, "sending a signal"}
+    assert landlock.isdisjoint(HELD_BY_LANDLOCK)
+    assert seccomp.isdisjoint(HELD_BY_SECCOMP)
+    assert seccomp >= {*HELD_BY_LANDLOCK}
+    assert all_of_them == set()
+
+
+@pytest.mark.parametrize("most", range(20, 34))
+def test_a_sandbox_works_however_many_files_its_runner_has_open(level: Level, most: int) -> None:
+    """Some descriptors of a worker have fixed numbers, up to 31."""
+    with contextlib.ExitStack() as files:
+        while files.enter_context(Path(os.devnull).open(encoding="utf-8")).fileno() < most:
+            pass
+        assert what_fails(level) == ""
+
+
+CAPABILITIES = """
+import ctypes
+import struct
+
+
+def of_this_process():
+    header, data = struct.pack("Ii", 0x20080522, 0), ctypes.create_string_buffer(24)
+    if ctypes.CDLL(None).capget(header, data):
+        return "the filter refuses to tell"
+    return struct.unpack("6I", data.raw)[0]
+"""
+
+
+@pytest.mark.skipif(
+    landlock_version() == 0 or os.geteuid() != 0, reason="only root has privileges to lose"
+)
+def test_a_worker_without_the_filter_keeps_no_privilege_of_root(tmp_path: Path) -> None:
+    """With it, open_by_handle_at would read any file. The filter refuses that call."""
+    with contextlib.ExitStack() as stack:
+        engine = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        engine.chmod(0o755)  # without the privilege, the worker is an ordinary user
+        (engine / "ch90_small").mkdir()
+        (engine / "ch90_small/small.py").write_text(CAPABILITIES, encoding="utf-8")
+        launcher = Launcher(Level(landlock=True), [str(engine)], str(engine), tmp_path, 5.0)
+        stack.enter_context(contextlib.closing(launcher))
+        session = launcher.start_worker(hang)
+        assert session.ask("name", "ch90_small.small", "of_this_process")() == 0
+
+
+def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("autograder.isolation.launcher.python_folders", lambda: ["/"])
+    level = Level(landlock=True, seccomp=seccomp_works_here())
+    assert what_fails(level), "everything can be read"
+
+
+def test_a_launcher_that_cannot_start_says_so(
+    tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("autograder.isolation.launcher.ROOT", tmp_path)  # it has no autograder
+    launcher = Launcher(level, [], str(tmp_path), tmp_path, 1.0)
+    with (
+        contextlib.closing(launcher),
+        pytest.raises(LauncherError, match=r"(?s)did not start: .*No module named"),
+    ):
+        launcher.start_worker(hang)
+
+
+def test_the_filter_refuses_what_it_does_not_name() -> None:
+    """Run the program by hand, as the kernel does: 8 bytes an instruction."""
+
+    def verdict(architecture: int, number: int) -> int:
+        program = seccomp_filter()
+        place, loaded = 0, 0
+        while True:
+            code, yes, no, value = struct.unpack_from("=HBBI", program, 8 * place)
+            place += 1
+            match code:
+                case 0x20:
+                    loaded = architecture if value == 4 else number
+                case 0x15:
+                    place += yes if loaded == value else no
+                case 0x35:
+                    place += yes if loaded >= value else no
+                case 0x06:
+                    return value
+
+    allow, refuse, kill = 0x7FFF0000, 0x00050001, 0x80000000
+    x86_64 = 0xC000003E
+    read, write, exit_group, statx = 0, 1, 231, 332
+    for number in (read, write, exit_group, statx):
+        assert verdict(x86_64, number) == allow
+    # ioctl, socket, clone, fork, vfork, execve, kill, ptrace, fcntl, prlimit64, memfd_create,
+    # execveat, clone3, name_to_handle_at, open_by_handle_at, and the 32-bit way in.
+    refused = (16, 41, 56, 57, 58, 59, 62, 101, 72, 302, 319, 322, 435, 303, 304, 0x40000000 | 1)
+    for number in refused:
+        assert verdict(x86_64, number) == refuse
+    assert verdict(0x40000003, read) == kill, "another architecture"

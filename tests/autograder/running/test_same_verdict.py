@@ -1,6 +1,7 @@
 """What passes at home passes in grading: the same code has the same verdict, in the same words.
 
-Beside the checks, as students run them, and behind the walls, as a class is graded.
+Beside the checks, as students run them, and behind the walls, as a class is graded. A file that the
+grader rejects is rejected at home too.
 """
 
 from __future__ import annotations
@@ -11,15 +12,21 @@ import shutil
 import sys
 import textwrap
 import tomllib
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 import pytest
 
+from autograder.answers import questions_of
 from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.manifest import ROOT, load_chapter
-from small import RIGHT, make_root
+from autograder.manifest import ROOT, load_chapter, load_chapters
+from autograder.message import Kind, Message
+from autograder.submissions.stage import stage
+from copies import copy_tree, edit
+from small import RIGHT, hand_in, make_root
 from typed import typed
 from walls import behind_walls
 
@@ -28,6 +35,7 @@ OURS = "autograder autograder.student.screen autograder.isolation.student_side s
 OURS += " tests chapters solutions expect draw lever conftest sitecustomize nowhere"
 NOT_GRADED = ("ch90_small.helper", "ch90_small.test_small")
 
+BothWays = tuple[dict[str, Verdict], dict[str, Verdict]]
 ATTEMPTS = tomllib.loads(Path(__file__).with_name("attempts.toml").read_text(encoding="utf-8"))
 MODULE = """
 import os
@@ -73,14 +81,12 @@ def installed() -> list[str]:
     return [*sorted({*names, *OURS.split()} - sys.stdlib_module_names), *NOT_GRADED]
 
 
-def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verdict]]:
+def both_ways(root: Path, code: str) -> BothWays:
     """Return the verdicts beside the checks, and behind walls on what a grader takes."""
     chapter = load_chapter(root / "chapters/ch90_small")
     home, graded = root / "home", root / "graded"
     for engine in (home, graded):
-        shutil.rmtree(engine, ignore_errors=True)
-        (engine / "ch90_small").mkdir(parents=True)
-        (engine / "ch90_small/small.py").write_text(code, encoding="utf-8")
+        hand_in(root, engine.name, code)
         (engine / "ch90_small/drops.csv").write_text("1,2", encoding="utf-8")
     (home / "ch90_small/helper.py").write_text("x = 1\n", encoding="utf-8")
     (home / "ch90_small/data").mkdir()
@@ -96,14 +102,11 @@ def told(verdict: Verdict) -> tuple[str, str]:
 
 
 @pytest.fixture(scope="module")
-def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def with_attempts(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small chapter with a check for each attempt, which fails with what came of it."""
     root = make_root(tmp_path_factory.mktemp("same"))
     manifest = root / "chapters/ch90_small/chapter.toml"
-    text = manifest.read_text(encoding="utf-8")
-    manifest.write_text(
-        text.replace("edit =", 'files = ["drops.csv"]\nedit =', 1), encoding="utf-8"
-    )
+    edit(manifest, 'edit = ["small.double"]', 'files = ["drops.csv"]\nedit = ["small.double"]')
     checks = ["import pytest", "from ch90_small.small import imports, try_"]
     for name, attempt in ATTEMPTS.items():
         exercise = "90.1" if attempt.get("again") else "B90.1"
@@ -116,27 +119,25 @@ def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def verdicts(root: Path) -> tuple[dict[str, Verdict], dict[str, Verdict]]:
+def verdicts(with_attempts: Path) -> BothWays:
     """What came of every attempt, both ways."""
     if not behind_walls().level["seccomp"]:
         pytest.skip("there are no walls here that refuse all of it")
     code = MODULE
     for name, attempt in ATTEMPTS.items():
         code += f"\n\ndef try_{name}():\n" + textwrap.indent(attempt["code"], "    ") + "\n"
-    return both_ways(root, code)
+    return both_ways(with_attempts, code)
 
 
 @pytest.mark.parametrize("name", ATTEMPTS)
-def test_an_attempt_comes_to_the_same(
-    name: str, verdicts: tuple[dict[str, Verdict], dict[str, Verdict]]
-) -> None:
+def test_an_attempt_comes_to_the_same(name: str, verdicts: BothWays) -> None:
     home, graded = (verdicts_of[f"test_{name}"] for verdicts_of in verdicts)
     assert ATTEMPTS[name]["says"] in str(graded.message)
     assert told(home) == told(graded)
 
 
 def test_every_package_is_refused_in_pythons_own_words(
-    verdicts: tuple[dict[str, Verdict], dict[str, Verdict]],
+    verdicts: BothWays,
 ) -> None:
     assert {"numpy", "scipy", "pytest", "rich", "autograder"} <= {*installed()}
     for verdicts_of in verdicts:
@@ -154,22 +155,115 @@ def test_every_package_is_refused_in_pythons_own_words(
         ("open('/tmp/written-by-a-student', 'w')", "likely .*should only compute"),
     ],
 )
-def test_a_module_that_asks_for_it_is_told_the_same(line: str, words: str, tmp_path: Path) -> None:
-    root = make_root(tmp_path)
+def test_a_module_that_asks_for_it_is_told_the_same(line: str, words: str, root: Path) -> None:
     home, graded = both_ways(root, f"{line}\n{RIGHT}")
     assert [told(home[name]) for name in home] == [told(graded[name]) for name in graded]
     assert re.search(words, str(home["test_double"].message))
 
 
 def test_a_plot_and_a_scene_refuse_what_a_check_refuses(tmp_path: Path) -> None:
-    vector = tmp_path / "ch02_vectors/vector.py"
-    vector.parent.mkdir()
-    source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    vector.write_text(
-        source.replace("import math\n", "import math\nimport numpy\n"), encoding="utf-8"
-    )
+    copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
+    edit(tmp_path / "ch02_vectors/vector.py", "import math\n", "import math\nimport numpy\n")
     for arguments in (["plots", "draw", "--chapter", "2"], ["lab", "record", "ball-game"]):
         done = typed(*arguments, "--engine", tmp_path)
         assert "No module named 'numpy' (" in done.stdout
         assert "vector.py, line" in done.stdout
         assert "only Python's standard library" in done.stdout
+
+
+VECTOR = "ch02_vectors/vector.py"
+# Each change makes a right file into one that the grader rejects.
+CHANGES: dict[str, Callable[[Path], object]] = {
+    "latin-1": lambda file: file.write_bytes(
+        b"# -*- coding: latin-1 -*-\n# Stra\xdfe\n" + file.read_bytes()
+    ),
+    "NUL": lambda file: file.write_bytes(file.read_bytes() + b"# \0\n"),
+    "large": lambda file: file.write_bytes(file.read_bytes() + b"#\n" * 500_000),
+    "link": lambda file: file.symlink_to(file.rename(file.with_name("mine.txt"))),
+    "linked folder": lambda file: file.parent.symlink_to(
+        file.parent.rename(file.parent.with_name("elsewhere"))
+    ),
+    "folder": lambda file: file.unlink() or file.mkdir(),
+    "renamed": lambda file: file.rename(file.with_stem(f"{file.stem} (1)")),
+}
+posix = ("link", "linked folder")
+
+
+def changed(change: str, file: Path) -> None:
+    if change in posix and sys.platform == "win32":
+        pytest.skip("on Windows only an administrator can make links")
+    CHANGES[change](file)
+
+
+def run_ann(root: Path) -> list[Verdict]:
+    (chapter,) = load_chapters(root)
+    return run_checks(chapter, [root / "ann"], seed="1", root=root)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_check_rejects_what_the_grader_rejects(change: str, root: Path) -> None:
+    hand_in(root, "ann", RIGHT)
+    assert {verdict.status for verdict in run_ann(root)} == {"passed"}
+    changed(change, root / "ann/ch90_small/small.py")
+    staged = stage(root / "ann", load_chapters(root), root / "box", root)
+    why = staged.rejected["ch90_small.small"]
+    assert why.startswith("ch90_small/small.py was rejected: ")
+    for verdict in run_ann(root):
+        assert verdict.status in ("failed", "blocked")
+        assert verdict.message.title == why
+
+
+@pytest.mark.parametrize("change", ["latin-1", "large"])
+def test_scenes_plots_and_recordings_reject_what_the_grader_rejects(
+    change: str, tmp_path: Path
+) -> None:
+    copy_tree(ROOT / "solutions", tmp_path / "ann")
+    changed(change, tmp_path / "ann" / VECTOR)
+    why = stage(tmp_path / "ann", load_chapters()[:1], tmp_path / "box").rejected[
+        "ch02_vectors.vector"
+    ]
+    load = '{"kind": "load", "scene": "one-spring", "values": {}, "peer": ""}\n'
+    for arguments, text in (
+        (("plots", "draw", "--chapter", "2", "--out", tmp_path / "plots"), ""),
+        (("lab", "record", "ball-game", "--out", tmp_path), ""),
+        (("lab.child", "--stack", tmp_path / "stack.txt"), load),
+    ):
+        assert why in typed(*arguments, "--engine", tmp_path / "ann", text=text).stdout
+
+
+def test_rejected_answers_are_reported_at_home_in_the_same_words(tmp_path: Path) -> None:
+    chapter = load_chapters()[0]
+    copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "class/ann/ch02_vectors")
+    with (tmp_path / "class/ann/ch02_vectors/answers.md").open("ab") as file:
+        file.write(b"Stra\xdfe\n")
+    why = "ch02_vectors/answers.md was rejected: it is not UTF-8: save it as UTF-8 in your editor"
+    questions = questions_of(chapter, [tmp_path / "class/ann"])
+    assert questions
+    for question in questions:
+        assert question.problems == [why]
+        assert not question.answered
+
+
+@pytest.mark.parametrize("change", ["latin-1", "renamed"])
+def test_rejected_data_have_the_same_verdict_and_reason_at_home(change: str, root: Path) -> None:
+    manifest, own = root / "chapters/ch90_small/chapter.toml", 'edit = ["small.double"]'
+    edit(manifest, own, f'{own}\nfiles = ["data.csv"]')
+    code = RIGHT + "\nfrom pathlib import Path\nFILE = Path(__file__).with_name('data.csv')\n"
+    code = code.replace("return x + x", "return 2 * x * float(FILE.read_text())")
+    shutil.rmtree(root / "solutions")
+    for name in ("ann", "solutions"):
+        hand_in(root, name, code)
+        (root / name / "ch90_small/data.csv").write_text("1\n", encoding="utf-8")
+    assert {verdict.status for verdict in run_ann(root)} == {"passed"}
+    changed(change, root / "ann/ch90_small/data.csv")
+    (chapter,) = load_chapters(root)
+    staged = stage(root / "ann", [chapter], root / "box", root)
+    why = staged.rejected["ch90_small.data.csv"]
+    missing = {"ch90_small.data.csv": Message(why, kind=Kind.BROKEN)}
+    behind = replace(behind_walls(), missing=missing)
+    graded = run_checks(chapter, [root / "box"], seed="1", root=root, sandbox=behind)
+    home = run_ann(root)
+    told, in_grading = ([(v.status, str(v.message)) for v in of] for of in (home, graded))
+    assert told == in_grading
+    assert home[0].status == "failed"
+    assert home[0].message.likely == why

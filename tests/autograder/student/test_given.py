@@ -27,13 +27,17 @@ from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.message import Kind, Message
 from autograder.student.screen import check as check_chapters
 from autograder.submissions.find import Submission
-from copies import copy_tree
+from copies import copy_tree, edit
 from graded import points_of
 from typed import typed
 
 CH02, CH03 = select_chapters("2-3")
 WHOLE = f"{points_of(CH03)} of {points_of(CH03)}"
 REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
+
+
+SCALE = ("self.z * scale)", "self.z)")  # z is not scaled
+MOMENTUM = "test_momentum_is_mass_times_velocity"
 
 
 def check(engine: Path | str, *arguments: str, root: Path = ROOT) -> CompletedProcess[str]:
@@ -48,10 +52,14 @@ def engine(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def edit(engine: Path, file: str, old: str, new: str) -> None:
-    text = (engine / file).read_text(encoding="utf-8")
-    assert old in text
-    (engine / file).write_text(text.replace(old, new), encoding="utf-8")
+@pytest.fixture
+def vector(engine: Path) -> Path:
+    return engine / CH02.name / "vector.py"
+
+
+@pytest.fixture
+def particle(engine: Path) -> Path:
+    return engine / CH03.name / "particle.py"
 
 
 def verdicts(engine: Path, exercises: list[str] | None = None) -> dict[str, Verdict]:
@@ -92,60 +100,47 @@ def test_given_takes_the_earlier_chapter_from_the_reference() -> None:
     assert "Chapter 2:" not in everything.stdout
 
 
-def test_own_failures_stay_failures_and_come_first(engine: Path) -> None:
-    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
-    edit(engine, "ch03_laws_of_motion/exercises.py", "** 2", "** 3")
+def test_own_failures_stay_failures_and_come_first(engine: Path, vector: Path) -> None:
+    edit(vector, *SCALE)
+    edit(engine / CH03.name / "exercises.py", "** 2", "** 3")
     marked = verdicts(engine)
-    assert marked["test_momentum_is_mass_times_velocity"].status == "inherited"
+    assert marked[MOMENTUM].status == "inherited"
     assert marked["test_the_force_falls_with_the_square_of_the_distance"].status == "failed"
     done = check(engine, "--chapter", "3")
     assert "Fix this first: 3.2 Gravity between two people" in done.stdout
     assert "make check CH=3 GIVEN=2" in done.stdout
 
 
-def test_a_failure_in_both_is_told_as_it_is_on_the_reference(engine: Path) -> None:
-    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
-    edit(
-        engine, "ch03_laws_of_motion/particle.py", "self.velocity * self.mass", "self.velocity * 2"
-    )
-    check_ = verdicts(engine)["test_momentum_is_mass_times_velocity"]
-    assert check_.status == "failed"
-    got = check_.message.got
-    velocity = (
-        check_.message.called.partition("Vector3")[2].partition(")")[0].strip("(").split(", ")
-    )
-    assert float(got.strip(" ()").split(", ")[2]) == 2.0 * float(velocity[2]), "z is scaled too"
+def test_a_failure_in_both_is_told_as_it_is_on_the_reference(
+    engine: Path, vector: Path, particle: Path
+) -> None:
+    edit(vector, *SCALE)
+    edit(particle, "self.velocity * self.mass", "self.velocity * 2")
+    verdict = verdicts(engine)[MOMENTUM]
+    assert verdict.status == "failed"
+    velocity = re.findall(r"Vector3\(.*?, .*?, (.*?)\)", verdict.message.called)
+    got = verdict.message.got.strip(" ()").split(", ")
+    assert float(got[2]) == 2.0 * float(velocity[0]), "z is scaled too"
 
 
-def test_points_on_the_reference_are_those_of_a_run_on_it(engine: Path) -> None:
+def test_points_on_the_reference_are_those_of_a_run_on_it(
+    engine: Path, vector: Path, particle: Path
+) -> None:
     """Two mistakes that make up for each other: on the reference the second one shows."""
-    edit(
-        engine,
-        "ch02_vectors/vector.py",
-        "return math.hypot(self.x, self.y, self.z)",
-        "return self @ self",
-    )
-    edit(
-        engine,
-        "ch03_laws_of_motion/particle.py",
-        "velocity.squared_magnitude()",
-        "velocity.magnitude()",
-    )
-    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
+    edit(vector, "return math.hypot(self.x, self.y, self.z)", "return self @ self", *SCALE)
+    edit(particle, "velocity.squared_magnitude()", "velocity.magnitude()")
     done = check(engine, "--chapter", "3")
     left = points_of(CH03) - CH03.exercise("3.3").points
     assert f"On the reference's chapter 2 you have {left}." in done.stdout  # a check of 3.3 passes
 
 
 @pytest.mark.slow
-def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Path) -> None:
-    edit(
-        engine,
-        "ch03_laws_of_motion/particle.py",
-        "        if not self.has_finite_mass:\n            return Vector3()",
-        "        while True:\n            pass",
-    )
-    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
+def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(
+    engine: Path, vector: Path, particle: Path
+) -> None:
+    loop = "while True:\n            pass"
+    edit(particle, "if not self.has_finite_mass:\n            return Vector3()", loop)
+    edit(vector, *SCALE)
     marked = verdicts(engine, ["B3.2"])
     hung = [verdict for verdict in marked.values() if verdict.message.kind is Kind.HUNG]
     assert "3 seconds" in hung[0].message.title
@@ -165,50 +160,41 @@ def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Pa
         ("    def squared_magnitude", "    def square", "has no attribute 'squared_magnitude'"),
     ],
 )
-def test_whatever_is_wrong_below_is_inherited(engine: Path, old: str, new: str, words: str) -> None:
-    edit(engine, "ch02_vectors/vector.py", old, new)
+def test_whatever_is_wrong_below_is_inherited(
+    engine: Path, vector: Path, old: str, new: str, words: str
+) -> None:
+    edit(vector, old, new)
     lost = [verdict for verdict in verdicts(engine).values() if verdict.status != "passed"]
     assert lost
     assert {verdict.status for verdict in lost} == {"inherited"}
     assert words in str(lost[0].message)
 
 
-def never(*_: object) -> list[Verdict]:
-    pytest.fail("ran again")
-
-
 def test_a_chapter_that_is_not_written_yet_is_not_run_a_second_time() -> None:
-    before = [Verdict("a", "B3.1", 1, "failed", Message(kind=Kind.UNWRITTEN, exercise="B3.1"))]
-    assert run_on_given(CH03, before, REFERENCE, [CH02], never) == []
-    wrong = [Verdict("a", "B3.1", 1, "failed", Message("wrong"))]
-    assert run_on_given(CH03, wrong, REFERENCE, [], never) == [], "all below is given"
+    never = lambda *_: pytest.fail("ran again")  # noqa: E731
+    unwritten, wrong = Message(kind=Kind.UNWRITTEN, exercise="B3.1"), Message("wrong")
+    for message, chapters in ((unwritten, [CH02]), (wrong, [])):  # or all below is given
+        before = [Verdict("a", "B3.1", 1, "failed", message)]
+        assert run_on_given(CH03, before, REFERENCE, chapters, never) == []
 
 
 def test_a_fault_of_the_second_run_leaves_the_first_as_it_is(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    real = run_checks
+    """At home, and in grading, where it is no score on given chapters."""
+
+    def fails(*_: Any, **__: Any) -> list[Verdict]:
+        raise GraderError("the disk is full")
 
     def fails_on_given(chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
-        if "given" in engine[0].name:
-            raise GraderError("the disk is full")
-        return real(chapter, engine, **options)
+        return (fails if "given" in engine[0].name else run_checks)(chapter, engine, **options)
 
     monkeypatch.setattr("autograder.student.screen.run_checks", fails_on_given)
     engine = [ROOT / "sample_class/hana", ROOT / "chapters"]
     assert not check_chapters([CH03], None, engine, "1", [])
     assert "inherited" not in capsys.readouterr().out
-
-
-def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def fails(*_: Any, **__: Any) -> list[Verdict]:
-        raise GraderError("the disk is full")
-
     monkeypatch.setattr("autograder.grader.grading.run_on_given", fails)
-    hana = Submission("hana", ROOT / "sample_class/hana")
-    report = grade_submission(Conditions([CH03], "1", Level()), hana)
+    report = grade_submission(Conditions([CH03], "1", Level()), Submission("hana", engine[0]))
     assert report.status == "error, retry"
     assert (report.score or 0.0) > 0
     assert report.score_on_given is None
@@ -250,14 +236,6 @@ def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: P
     assert "Next: open chapters/ch02_vectors/vector.py:11\n" in done.stdout
 
 
-def test_a_slip_outside_all_bodies_is_where_the_screen_sends_to(engine: Path) -> None:
-    edit(engine, "ch03_laws_of_motion/particle.py", "import Vector3", "import Vector3 as Vector")
-    done = check(engine, "--chapter", "3")
-    line = (engine / "ch03_laws_of_motion/particle.py").read_text(encoding="utf-8")
-    number = line[: line.index("Vector3() if position")].count("\n") + 1
-    assert f"ch03_laws_of_motion/particle.py:{number}\n" in done.stdout
-
-
 def test_a_helper_that_is_not_handed_in_is_named(engine: Path) -> None:
     (engine / "ch03_laws_of_motion/my_helper.py").touch()
     done = check(engine, "--exercise", "B3.1")
@@ -269,3 +247,53 @@ def test_the_given_folder_is_gone_afterwards() -> None:
         top = folders[0]
         assert (top / "ch02_vectors/vector.py").exists()
     assert not top.exists()
+
+
+@pytest.fixture
+def on_nothing(tmp_path: Path) -> Path:
+    """A student's chapters 3 to 5, on a chapter 2 that cannot be used."""
+    for name in (CH03.name, "ch04_particle_engine", "ch05_forces"):
+        copy_tree(ROOT / "solutions" / name, tmp_path / "engine" / name)
+    (tmp_path / "engine" / CH02.name).mkdir()
+    vector = tmp_path / "engine" / CH02.name / "vector.py"
+    vector.write_text("class Vector3:\n    pass\n", encoding="utf-8")
+    return tmp_path / "engine"
+
+
+@pytest.mark.parametrize(
+    ("command", "given", "made"),
+    [
+        ("plots draw --chapter 3", "2", "ch03_laws_of_motion/trajectories.png"),
+        ("lab record ballistics --seconds 0.1", "2-3", "ballistics.gif"),
+    ],
+)
+def test_plots_and_scenes_are_made_on_what_is_given(
+    command: str, given: str, made: str, on_nothing: Path, tmp_path: Path
+) -> None:
+    words = [*command.split(), "--engine", on_nothing, "--out", tmp_path / "out"]
+    assert typed(*words, MPLBACKEND="Agg").returncode == 1
+    after = typed(*words, "--given", given, MPLBACKEND="Agg")
+    assert after.returncode == 0, after.stdout + after.stderr
+    assert (tmp_path / "out" / made).exists()
+
+
+@pytest.mark.parametrize(
+    ("command", "says"),
+    [
+        ("autograder hint 2.5 --given 2-3", "exercise 2.5 is in chapter 2, which is given"),
+        ("autograder reset 2.5 --given 2-3", "exercise 2.5 is in chapter 2, which is given"),
+        ("plots draw --given 19", "no chapter 19"),
+        ("lab record ballistics --given 19", "no chapter 19"),
+    ],
+)
+def test_what_cannot_be_given_or_is_given_is_one_sentence(command: str, says: str) -> None:
+    refused = typed(*command.split())
+    assert refused.returncode == 2
+    assert says in refused.stderr
+    assert "Traceback" not in refused.stderr
+    assert refused.stdout == ""
+
+
+def test_an_exercise_above_what_is_given_has_its_hints() -> None:
+    given, alone = (typed("autograder", "hint", "3.1", *more) for more in (("--given", "2"), ()))
+    assert given.stdout == alone.stdout

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -21,9 +20,8 @@ from autograder.reports.gradescope import gradescope_results
 from autograder.reports.report import StudentReport
 from autograder.scores import results_of
 from graded import CHAPTERS, SHOUT, check, class_of, report_of, with_exercise
-from small import MANIFEST, make_root
-from small import RIGHT as SMALL
-from small_class import grade
+from small import MANIFEST, RIGHT, hand_in
+from small_class import grade, results
 from walls import behind_walls
 
 AXES = ["evaluations", "error of the result"]
@@ -74,28 +72,25 @@ ASKS = {
     "dan": "def double(ask):\n    raise ValueError('no')\n",
 }
 REFERENCE = "def double(ask):\n    return 2.125 * ask()\n"
-QUADRUPLE = SMALL[SMALL.index("def quadruple") :]
+QUADRUPLE = RIGHT[RIGHT.index("def quadruple") :]
 
 
 @pytest.fixture
-def root(tmp_path: Path) -> Path:
-    made = make_root(tmp_path / "root")
+def root(root: Path) -> Path:
     for name, text in (
         ("chapters/ch90_small/chapter.toml", OPEN),
         ("solutions/ch90_small/small.py", REFERENCE + QUADRUPLE),
         ("tests/ch90_small/test_small.py", CHECK),
     ):
-        (made / name).write_text(text, encoding="utf-8")
-    return made
+        (root / name).write_text(text, encoding="utf-8")
+    return root
 
 
 def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody_there(
     root: Path, tmp_path: Path
 ) -> None:
     for student, code in ASKS.items():
-        folder = tmp_path / "class" / student / "ch90_small"
-        folder.mkdir(parents=True)
-        (folder / "small.py").write_text(code + QUADRUPLE, encoding="utf-8")
+        hand_in(tmp_path / "class", student, code + QUADRUPLE)
     hidden = tmp_path / "hidden/ch90_small"
     hidden.mkdir(parents=True)
     (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
@@ -103,11 +98,9 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
     grade(tmp_path / "class", out, root, hidden=tmp_path / "hidden")
 
     def places(student: str) -> list[Any]:
-        text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
-        results = json.loads(text)["results"]
         return [
             (*(check["on_chart"] for check in one["checks"] if "on_chart" in check), ours)
-            for one in results
+            for one in results(out)[student]["results"]
             if (ours := one.get("reference"))
         ]
 
@@ -142,25 +135,26 @@ def charted(student: str, own: Point) -> StudentReport:
     return with_exercise(report_of(student), 1, exercise=exercise, checks=checks)
 
 
+def shown(folder: Path, *reports: StudentReport) -> str:
+    return write_index(folder, OPEN_CHAPTERS, [*reports], class_of()).read_text(encoding="utf-8")
+
+
 def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_path: Path) -> None:
-    report = charted(SHOUT, (100.0, 0.01))
-    page = write_index(tmp_path, OPEN_CHAPTERS, [report], class_of()).read_text(encoding="utf-8")
+    report, nobody = charted(SHOUT, (100.0, 0.01)), report_of("ada")
+    page = shown(tmp_path, report)
     assert "<script>" not in page
     assert page.count("&lt;script&gt;") >= 2
     told = gradescope_results(report)["tests"][1]["output"]
     assert "your work: 100 evaluations, error of the result: 0.01" in told
-    nobody = report_of("ada")
     assert SVG not in write_feedback(tmp_path, nobody).read_text(encoding="utf-8")
-    page = write_index(tmp_path, OPEN_CHAPTERS, [nobody], class_of()).read_text(encoding="utf-8")
-    assert "Speed against accuracy" not in page
+    assert "Speed against accuracy" not in shown(tmp_path, nobody)
 
 
 def test_the_table_beside_a_chart_has_the_best_first_and_says_who_is_on_the_front(
     tmp_path: Path,
 ) -> None:
     places = {"ann": (100.0, 1e-2), "bob": (1000.0, 1e-6), "cem": (2000.0, 1e-3)}
-    reports = [charted(student, place) for student, place in places.items()]
-    page = write_index(tmp_path, OPEN_CHAPTERS, reports, class_of()).read_text(encoding="utf-8")
+    page = shown(tmp_path, *(charted(student, place) for student, place in places.items()))
     table = page[page.index("the smallest error first") :]
     rows = re.findall(r'<bdi>(\w+)</bdi></th><td class="points">(.*?)</td>.*<td>(.*?)</td>', table)
     assert rows == [("bob", "1000", "yes"), ("cem", "2000", ""), ("ann", "100", "yes")]
@@ -180,7 +174,6 @@ def test_a_dot_lies_where_its_logarithms_say() -> None:
     assert ours[1] == pytest.approx((first[1] + second[1]) / 2.0, abs=0.1)
     assert first[1] < second[1], "a smaller error is lower"
     assert 'role="img" aria-label="the chart"' in svg
-    assert svg == draw_chart(AXES, [(100.0, 1e-2), (1000.0, 1e-6)], (300.0, 1e-4), "the chart")
 
 
 SIZES = st.floats(1e-20, 1e20)

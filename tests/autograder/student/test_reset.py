@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import shutil
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,8 +12,9 @@ import pytest
 from autograder.__main__ import main
 from autograder.definitions import functions
 from autograder.handouts.bodies import put_back, with_bodies
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.student.reset import question, reset
+from copies import copy_tree
 from made import made_stubs
 from small import RIGHT, STUB, make_students_root
 from typed import typed
@@ -23,12 +23,24 @@ CHAPTERS = load_chapters()
 CH02 = CHAPTERS[0]
 
 
+@pytest.fixture
+def copies(tmp_path: Path) -> Path:
+    return tmp_path / "copies"
+
+
+@pytest.fixture
+def vector(tmp_path: Path) -> Path:
+    """The module vector.py of the reference in an engine, which is the folder for the test."""
+    return engine_of(CH02, tmp_path) / CH02.name / "vector.py"
+
+
 def engine_of(chapter: Chapter, folder: Path) -> Path:
-    """Copy the modules of a chapter's reference into an engine."""
-    (folder / chapter.name).mkdir(parents=True)
-    for name in chapter.edited_files:
-        shutil.copyfile(ROOT / "solutions" / chapter.name / name, folder / chapter.name / name)
+    copy_tree(ROOT / "solutions" / chapter.name, folder / chapter.name)
     return folder
+
+
+def stub_of(chapter: Chapter, file: str = "vector.py") -> str:
+    return made_stubs()[f"chapters/{chapter.name}/{file}"]
 
 
 def taken_apart(source: str, names: set[str]) -> tuple[dict[str, str], str]:
@@ -44,49 +56,47 @@ def taken_apart(source: str, names: set[str]) -> tuple[dict[str, str], str]:
     return parts, rest + "".join(lines[at:])
 
 
-def edited(chapter: Chapter, file: str, exercise_id: str = "") -> set[str]:
-    """Return the names in a file that an exercise, or any of them, has students write."""
-    parts = [name.partition(".") for e in chapter.exercises for name in e.edit]
-    if exercise_id:
-        parts = [name.partition(".") for name in chapter.exercise(exercise_id).edit]
+def edited(exercises: list[Exercise], file: str) -> set[str]:
+    """Return the names in a file that exercises have students write."""
+    parts = [name.partition(".") for exercise in exercises for name in exercise.edit]
     return {name for module, _, name in parts if f"{module}.py" == file}
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
-def test_an_exercise_is_reset_and_all_else_stays(chapter: Chapter, tmp_path: Path) -> None:
+def test_an_exercise_is_reset_and_all_else_stays(
+    chapter: Chapter, tmp_path: Path, copies: Path
+) -> None:
     """Imports, constants and helpers stay too: another exercise may use them."""
     engine = engine_of(chapter, tmp_path / "engine")
     texts = {path: path.read_text(encoding="utf-8") for path in engine.rglob("*.py")}
-    for exercise in chapter.exercises:
-        if not exercise.edit:
-            continue
-        reset(chapter, exercise, engine, tmp_path / "copies")
+    for exercise in (exercise for exercise in chapter.exercises if exercise.edit):
+        reset(chapter, exercise, engine, copies)
         for path, before in texts.items():
-            names = edited(chapter, path.name, exercise.id)
+            names = edited([exercise], path.name)
             texts[path] = path.read_text(encoding="utf-8")
-            now, rest = taken_apart(texts[path], names)
-            assert rest == taken_apart(before, names)[1]
-            stub = made_stubs()[f"chapters/{chapter.name}/{path.name}"]
-            assert now == taken_apart(stub, names)[0]
             assert (texts[path] != before) == bool(names)
+            if names:
+                now, rest = taken_apart(texts[path], names)
+                assert rest == taken_apart(before, names)[1]
+                assert now == taken_apart(stub_of(chapter, path.name), names)[0]
 
 
-def test_the_file_as_it_was_is_kept_and_no_copy_is_overwritten(tmp_path: Path) -> None:
-    engine, copies = engine_of(CH02, tmp_path / "engine"), tmp_path / "copies"
-    asked = question(CH02, CH02.exercise("B2.4"), engine, copies)
+def test_the_file_as_it_was_is_kept_and_no_copy_is_overwritten(
+    vector: Path, tmp_path: Path, copies: Path
+) -> None:
+    normalize, add = CH02.exercise("B2.4"), CH02.exercise("B2.5")
+    asked = question(CH02, normalize, tmp_path, copies)
     for words in ("B2.4", "Vector3.normalize, Vector3.normalized", "vector.py", str(copies)):
         assert words in asked
-    file = engine / CH02.name / "vector.py"
-    first = file.read_bytes()
-    said = reset(CH02, CH02.exercise("B2.5"), engine, copies)
+    first = vector.read_bytes()
+    said = reset(CH02, add, tmp_path, copies)
     assert f"A copy of your previous file: {copies}/ch02_vectors/vector-1.py" in said
     assert "Vector3.__add__, Vector3.__iadd__, Vector3.__sub__, Vector3.__isub__" in said
-    second = file.read_bytes()
-    reset(CH02, CH02.exercise("B2.4"), engine, copies)
+    second = vector.read_bytes()
+    reset(CH02, normalize, tmp_path, copies)
+    assert "already has the stub" in reset(CH02, normalize, tmp_path, copies)
     kept = sorted((copies / CH02.name).iterdir())
     assert [copy.read_bytes() for copy in kept] == [first, second]
-    assert "already has the stub" in reset(CH02, CH02.exercise("B2.4"), engine, copies)
-    assert sorted((copies / CH02.name).iterdir()) == kept
 
 
 @pytest.mark.parametrize(
@@ -114,22 +124,13 @@ def test_a_students_own_way_of_writing_stays(above: str, body: str, stub: str, b
     assert after.decode() == above + stub + below
 
 
-@pytest.mark.parametrize(
-    ("left", "result"),
-    [
-        (b"class C:\r\n\tx = 1", b"class C:\r\n\tx = 1\r\n\r\n\tdef f(self):\r\n\t    RAISE\r\n"),
-        (b"class C: pass\n", None),
-        (b"", b"class C:\n    x = 1\n\n    def f(self):\n        RAISE\n"),
-    ],
-    ids=["tabs", "a class on one line", "no class"],
-)
-def test_a_stub_comes_back_in_the_students_own_way(left: bytes, result: bytes | None) -> None:
+def test_a_stub_comes_back_in_the_students_own_way() -> None:
     stub = b"class C:\n    x = 1\n\n    def f(self):\n        RAISE\n"
-    if result is None:
-        with pytest.raises(ValueError, match="does not fit"):
-            put_back(left, stub, ["C.f"])
-    else:
-        assert put_back(left, stub, ["C.f"]) == result
+    tabs = b"class C:\r\n\tx = 1"
+    assert put_back(tabs, stub, ["C.f"]) == tabs + b"\r\n\r\n\tdef f(self):\r\n\t    RAISE\r\n"
+    assert put_back(b"", stub, ["C.f"]) == stub
+    with pytest.raises(ValueError, match="does not fit"):
+        put_back(b"class C: pass\n", stub, ["C.f"])
 
 
 @pytest.mark.parametrize(
@@ -141,20 +142,18 @@ def test_a_stub_comes_back_in_the_students_own_way(left: bytes, result: bytes | 
     ],
 )
 def test_a_file_without_such_a_body_is_left_alone_and_the_way_out_works(
-    content: str | None, why: str, tmp_path: Path
+    content: str | None, why: str, vector: Path, tmp_path: Path, copies: Path
 ) -> None:
-    file = tmp_path / CH02.name / "vector.py"
-    file.parent.mkdir()
+    vector.unlink()
     if content is not None:
-        file.write_text(content, encoding="utf-8")
-    exercise, copies = CH02.exercise("B2.4"), tmp_path / "copies"
+        vector.write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=r"make reset EX=B2\.4 WHOLE=1 ENGINE=") as error:
-        reset(CH02, exercise, tmp_path, copies)
+        reset(CH02, CH02.exercise("B2.4"), tmp_path, copies)
     assert why in str(error.value)
     assert not copies.exists()
-    assert (file.read_text(encoding="utf-8") if file.exists() else None) == content
-    reset(CH02, exercise, tmp_path, copies, whole=True)
-    assert file.read_text(encoding="utf-8") == made_stubs()[f"chapters/{CH02.name}/vector.py"]
+    assert (vector.read_text(encoding="utf-8") if vector.exists() else None) == content
+    reset(CH02, CH02.exercise("B2.4"), tmp_path, copies, whole=True)
+    assert vector.read_text(encoding="utf-8") == stub_of(CH02)
     if content is not None:
         assert (copies / CH02.name / "vector-1.py").read_text(encoding="utf-8") == content
 
@@ -162,8 +161,8 @@ def test_a_file_without_such_a_body_is_left_alone_and_the_way_out_works(
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 def test_functions_that_were_deleted_come_back_where_they_were(chapter: Chapter) -> None:
     for file in chapter.edited_files:
-        stub = made_stubs()[f"chapters/{chapter.name}/{file}"]
-        every = [name for name in functions(ast.parse(stub)) if name in edited(chapter, file)]
+        stub, names = stub_of(chapter, file), edited(chapter.exercises, file)
+        every = [name for name in functions(ast.parse(stub)) if name in names]
         # The first is put where nothing of the exercises comes before it.
         for gone in (every[::2], every[:1], every[-1:]):
             left = without(stub, set(gone))
@@ -183,34 +182,30 @@ def without(source: str, gone: set[str]) -> str:
     return "".join(line for line in lines if line != "\0")
 
 
-def test_only_what_is_gone_is_put_back_and_the_rest_of_the_exercise_stays(tmp_path: Path) -> None:
-    engine, copies = engine_of(CH02, tmp_path / "engine"), tmp_path / "copies"
-    file = engine / CH02.name / "vector.py"
-    solved = file.read_text(encoding="utf-8")
-    file.write_text(without(solved, {"Vector3.clear"}), encoding="utf-8")
-    asked = question(CH02, CH02.exercise("B2.1"), engine, copies)
-    assert "missing stub of Vector3.clear" in asked
-    said = reset(CH02, CH02.exercise("B2.1"), engine, copies)
+def test_only_what_is_gone_is_put_back_and_the_rest_of_the_exercise_stays(
+    vector: Path, tmp_path: Path, copies: Path
+) -> None:
+    exercise, gone = CH02.exercise("B2.1"), {"Vector3.clear"}
+    solved = vector.read_text(encoding="utf-8")
+    vector.write_text(without(solved, gone), encoding="utf-8")
+    assert "missing stub of Vector3.clear" in question(CH02, exercise, tmp_path, copies)
+    said = reset(CH02, exercise, tmp_path, copies)
     assert "Vector3.clear" in said
     assert "Vector3.copy" not in said
-    now, rest = taken_apart(file.read_text(encoding="utf-8"), {"Vector3.clear"})
-    assert rest == taken_apart(solved, {"Vector3.clear"})[1]
-    stub = made_stubs()[f"chapters/{CH02.name}/vector.py"]
-    assert now == taken_apart(stub, {"Vector3.clear"})[0]
-    reset(CH02, CH02.exercise("B2.1"), engine, copies)  # now all of the exercise
-    now, _ = taken_apart(file.read_text(encoding="utf-8"), {"Vector3.copy"})
-    assert now == taken_apart(stub, {"Vector3.copy"})[0]
+    now, rest = taken_apart(vector.read_text(encoding="utf-8"), gone)
+    assert rest == taken_apart(solved, gone)[1]
+    assert now == taken_apart(stub_of(CH02), gone)[0]
 
 
-def test_a_class_that_was_deleted_comes_back_whole(tmp_path: Path) -> None:
-    file = tmp_path / CH02.name / "vector.py"
-    file.parent.mkdir()
-    file.write_text("import math\n\nmine = math.pi\n", encoding="utf-8")
-    reset(CH02, CH02.exercise("B2.4"), tmp_path, tmp_path / "copies")
-    text = file.read_text(encoding="utf-8")
-    assert text.startswith("import math\n\nmine = math.pi\n")
-    stub = ast.parse(made_stubs()[f"chapters/{CH02.name}/vector.py"])
-    members = {name for name in functions(stub) if name.startswith("Vector3.")}
+def test_a_class_that_was_deleted_comes_back_whole(
+    vector: Path, tmp_path: Path, copies: Path
+) -> None:
+    mine = "import math\n\nmine = math.pi\n"
+    vector.write_text(mine, encoding="utf-8")
+    reset(CH02, CH02.exercise("B2.4"), tmp_path, copies)
+    text = vector.read_text(encoding="utf-8")
+    assert text.startswith(mine)
+    members = {n for n in functions(ast.parse(stub_of(CH02))) if n.startswith("Vector3.")}
     assert functions(ast.parse(text)).keys() == members
 
 

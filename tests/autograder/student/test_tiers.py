@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -16,8 +17,9 @@ from autograder.reports.gradescope import gradescope_results
 from autograder.scores import Result, result_of, results_of
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.screen import print_report
+from copies import edit
 from graded import check, exercise_of, report_of
-from small import CHECKS, RIGHT, make_root
+from small import CHECKS, RIGHT, hand_in
 
 REFUSES = """
 
@@ -35,72 +37,61 @@ def test_double_of_minus_one():
 
 
 @pytest.fixture
-def chapter(tmp_path: Path) -> Chapter:
+def chapter(root: Path) -> Chapter:
     """A small chapter whose first exercise has a robust check above a physics one."""
-    root = make_root(tmp_path / "root")
     (root / "tests/ch90_small/test_small.py").write_text(CHECKS + REFUSES, encoding="utf-8")
     return load_chapter(root / "chapters/ch90_small")
 
 
-def verdicts_of(chapter: Chapter, tmp_path: Path, code: str) -> list[Verdict]:
-    engine = tmp_path / "engine"
-    shutil.rmtree(engine, ignore_errors=True)
-    (engine / chapter.name).mkdir(parents=True)
-    (engine / chapter.name / "small.py").write_text(code, encoding="utf-8")
-    return run_checks(chapter, [engine], seed="1", root=tmp_path / "root")
+@pytest.fixture
+def results_by_id(chapter: Chapter, root: Path) -> Callable[..., dict[str, Result]]:
+    def run(*changes: str) -> dict[str, Result]:
+        shutil.rmtree(root / "engine", ignore_errors=True)
+        hand_in(root, "engine", RIGHT)
+        edit(root / "engine/ch90_small/small.py", *changes)
+        verdicts = run_checks(chapter, [root / "engine"], seed="1", root=root)
+        return {result.exercise.id: result for result in results_of(chapter, verdicts)}
+
+    return run
 
 
-def results_by_id(chapter: Chapter, tmp_path: Path, code: str) -> dict[str, Result]:
-    results = results_of(chapter, verdicts_of(chapter, tmp_path, code))
-    return {result.exercise.id: result for result in results}
+QUINTUPLE, TRIPLE = ("return 4 * x", "return 5 * x"), ("return x + x", "return 3 * x")
 
 
-def test_the_physics_of_an_exercise_runs_before_its_robust_checks(
-    chapter: Chapter, tmp_path: Path
+def test_physics_comes_first_earns_85_percent_and_unlocks_what_builds_on_it(
+    results_by_id: Callable[..., dict[str, Result]],
 ) -> None:
-    names = [verdict.name for verdict in verdicts_of(chapter, tmp_path, RIGHT)]
+    results = results_by_id()
+    names = [check.name for check in results["B90.1"].checks]
     assert names.index("test_double_of_minus_one") < names.index("test_a_text_is_refused")
-    assert names.index("test_a_text_is_refused") < names.index("test_quadruple")
-
-
-def test_physics_alone_earns_85_percent_and_unlocks_what_builds_on_it(
-    chapter: Chapter, tmp_path: Path
-) -> None:
-    results = results_by_id(chapter, tmp_path, RIGHT)
     assert results["B90.1"].score == pytest.approx(0.85 * 4)
     assert results["B90.1"].status == "failed"
     assert results["B90.1"].works
     assert results["90.1"].status == "passed"
 
 
-def test_only_failing_physics_blocks_what_builds_on_it(chapter: Chapter, tmp_path: Path) -> None:
-    wrong = RIGHT.replace("return 4 * x", "return 5 * x")
-    assert results_by_id(chapter, tmp_path, wrong)["90.1"].status == "failed"
-    both_wrong = wrong.replace("return x + x", "return 3 * x")
-    assert results_by_id(chapter, tmp_path, both_wrong)["90.1"].status == "blocked"
+def test_only_failing_physics_blocks_what_builds_on_it(
+    results_by_id: Callable[..., dict[str, Result]],
+) -> None:
+    assert results_by_id(*QUINTUPLE)["90.1"].status == "failed"
+    assert results_by_id(*QUINTUPLE, *TRIPLE)["90.1"].status == "blocked"
+
+
+def verdict(tier: str, status: str, weight: float = 1.0) -> Verdict:
+    return Verdict(f"test_{tier}", "B90.1", weight, status, "", robust=tier == "robust")
+
+
+EXERCISE = exercise_of("B90.1", "Double", "build", 10)
 
 
 @pytest.mark.parametrize(
     ("passing", "points"), [("", 0.0), ("physics", 8.5), ("robust", 1.5), ("physics robust", 10.0)]
 )
 def test_points_by_tier_whatever_the_number_of_checks(passing: str, points: float) -> None:
-    exercise = exercise_of("B90.1", "Double", "build", 10)
-    tiers = {"physics": 1, "robust": 7}
-    checks = [
-        Verdict(
-            f"{tier} {number}",
-            exercise.id,
-            0.5 if tier == "robust" else 1,
-            "passed" if tier in passing else "failed",
-            "",
-            robust=tier == "robust",
-        )
-        for tier, count in tiers.items()
-        for number in range(count)
-    ]
-    assert result_of(exercise, checks).score == pytest.approx(points)
-    alone = [check for check in checks if check.robust]
-    assert result_of(exercise, alone).score == (10.0 if "robust" in passing else 0.0)
+    physics, robust = ("passed" if tier in passing else "failed" for tier in ("physics", "robust"))
+    alone = [verdict("robust", robust, 0.5)] * 7
+    assert result_of(EXERCISE, [verdict("physics", physics), *alone]).score == pytest.approx(points)
+    assert result_of(EXERCISE, alone).score == (10.0 if "robust" in passing else 0.0)
 
 
 @pytest.mark.parametrize(
@@ -115,21 +106,18 @@ def test_points_by_tier_whatever_the_number_of_checks(passing: str, points: floa
 def test_an_exercise_is_in_the_state_of_its_physics_first(
     physics: str, robust: str, status: str
 ) -> None:
-    exercise = exercise_of("B3.1", "Mass", "build", 5)
-    checks = [
-        Verdict("a", exercise.id, 1, physics, ""),
-        Verdict("b", exercise.id, 1, robust, "", robust=True),
-    ]
-    assert result_of(exercise, checks).status == status
+    checks = [verdict("physics", physics), verdict("robust", robust)]
+    assert result_of(EXERCISE, checks).status == status
 
 
 def test_the_screen_shows_physics_before_robust_checks(
-    chapter: Chapter, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    chapter: Chapter,
+    results_by_id: Callable[..., dict[str, Result]],
+    root: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    wrong = RIGHT.replace("return 4 * x", "return 5 * x")
-    report = ChapterResults(chapter, list(results_by_id(chapter, tmp_path, wrong).values()), [], [])
-    engine = [tmp_path / "engine"]
-    assert not print_report([report], None, engine, [])
+    report = ChapterResults(chapter, [*results_by_id(*QUINTUPLE).values()], [], [])
+    assert not print_report([report], None, [root / "engine"], [])
     screen = capsys.readouterr().out
     assert re.search(r"B90\.1 .* works +3/3 +0/1 +3\.4/4", screen)
     assert re.search(r"90\.1 .* failed +1/2 +1/2", screen)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import re
 import tempfile
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -25,14 +26,6 @@ from wrong import Wrong, write_wrong
 
 CHAPTERS = load_chapters()
 LONG = settings.get_current_profile_name() == "long"
-submissions = settings(
-    max_examples=(settings.default.max_examples if LONG else 32) // len(CHAPTERS),
-    derandomize=not LONG,
-    deadline=None,
-    suppress_health_check=list(HealthCheck),
-)
-each_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
-
 # Whatever JSON can hold, and more: numbers without end, no numbers, half characters, tuples.
 plain = st.recursive(
     st.none() | st.booleans() | st.integers() | st.just(10**400) | st.floats() | st.text(),
@@ -43,21 +36,10 @@ plain = st.recursive(
     ),
     max_leaves=6,
 )
-ERRORS = [
-    "ValueError",
-    "AssertionError",
-    "KeyError",
-    "StopIteration",
-    "SystemExit",
-    "KeyboardInterrupt",
-    "MemoryError",
-    "RecursionError",
-    "NotImplementedError",
-    "BaseException",
-    "GeneratorExit",
-    "OSError",
-    "UnicodeError",
-]
+ERRORS = """
+ValueError AssertionError KeyError StopIteration SystemExit KeyboardInterrupt MemoryError
+RecursionError NotImplementedError BaseException GeneratorExit OSError UnicodeError
+"""
 OTHER = [
     "return self",
     "return object()",
@@ -77,20 +59,42 @@ OTHER = [
 ]
 bodies = (
     plain.map(lambda value: f"nan, inf = float('nan'), float('inf')\nreturn {value!a}")
-    | st.tuples(st.sampled_from(ERRORS), st.text(max_size=50)).map(
+    | st.tuples(st.sampled_from(ERRORS.split()), st.text(max_size=50)).map(
         lambda drawn: f"raise {drawn[0]}({drawn[1]!a})"
     )
     | st.sampled_from(OTHER)
 )
 
 
-def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder: Path) -> None:
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@settings(
+    max_examples=(2 * settings.default.max_examples if LONG else 64) // len(CHAPTERS),
+    derandomize=not LONG,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+)
+@given(data=st.data())
+def test_any_result_any_error_and_any_damage_to_a_file(
+    chapter: Chapter, data: st.DataObject
+) -> None:
     """Every check has a verdict of the student's, and whoever loses it reads why."""
-    engine = [folder, ROOT / "solutions", ROOT / "chapters"]
-    verdicts = run_checks(
-        chapter, engine, seed="1", exercises=exercises, sandbox=behind_walls(), limits=Limits(1.0)
-    )
-    assert {verdict.exercise for verdict in verdicts} == {*with_needs(chapter, exercises)}
+    exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
+    damage = data.draw(st.sampled_from([lines_gone, renamed, other_parameters, odd_bytes]))
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        if data.draw(st.booleans(), label="the file is damaged"):
+            file = f"{chapter.name}/{exercise.edit[0].split('.')[0]}.py"
+            source = (ROOT / "solutions" / file).read_text(encoding="utf-8")
+            (folder / chapter.name).mkdir()
+            (folder / file).write_bytes(damage(data, source))
+        else:
+            drawn = {edit: data.draw(bodies, label=edit) for edit in exercise.edit}
+            wrongs = [Wrong(edit, "", "", body=body) for edit, body in drawn.items()]
+            write_wrong(chapter, wrongs, folder)
+        engine = [folder, ROOT / "solutions", ROOT / "chapters"]
+        limited = partial(run_checks, sandbox=behind_walls(), limits=Limits(1.0))
+        verdicts = limited(chapter, engine, seed="1", exercises=[exercise.id])
+    assert {verdict.exercise for verdict in verdicts} == {*with_needs(chapter, [exercise.id])}
     for verdict in verdicts:
         assert verdict.status in ("passed", "failed", "blocked"), verdict
         if verdict.status != "passed":
@@ -99,59 +103,31 @@ def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder
             assert "Traceback" not in str(verdict.message)
 
 
-@each_chapter
-@submissions
-@given(data=st.data())
-def test_any_result_and_any_error_of_a_body(chapter: Chapter, data: st.DataObject) -> None:
-    exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
-    wrongs = [Wrong(edit, "", "", body=data.draw(bodies, label=edit)) for edit in exercise.edit]
-    with tempfile.TemporaryDirectory() as folder:
-        write_wrong(chapter, wrongs, Path(folder))
-        assert_verdicts_and_sentences(chapter, [exercise.id], Path(folder))
-
-
-@each_chapter
-@submissions
-@given(data=st.data())
-def test_any_damage_to_a_file(chapter: Chapter, data: st.DataObject) -> None:
-    """Lines that are gone, a name that is another, one parameter too few or too many, odd bytes."""
-    exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
-    module = exercise.edit[0].split(".")[0]
-    source = (ROOT / "solutions" / chapter.name / f"{module}.py").read_text(encoding="utf-8")
-    damage = data.draw(st.sampled_from([lines_gone, renamed, other_parameters, odd_bytes]))
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / chapter.name).mkdir()
-        (Path(folder) / chapter.name / f"{module}.py").write_bytes(damage(data, source))
-        assert_verdicts_and_sentences(chapter, [exercise.id], Path(folder))
-
-
 def lines_gone(data: st.DataObject, source: str) -> bytes:
     lines = source.splitlines(keepends=True)
-    start = data.draw(st.integers(0, len(lines) - 1), label="first line that is gone")
-    count = data.draw(st.integers(1, 20), label="lines gone")
-    return "".join(lines[:start] + lines[start + count :]).encode()
+    start = data.draw(st.integers(0, len(lines) - 1))
+    return "".join(lines[:start] + lines[start + data.draw(st.integers(1, 20)) :]).encode()
 
 
 def renamed(data: st.DataObject, source: str) -> bytes:
     names = sorted(set(re.findall(r"\b[a-zA-Z_]\w*\b", source)))
-    old, new = (data.draw(st.sampled_from(names), label=label) for label in ("name", "becomes"))
+    old, new = (data.draw(st.sampled_from(names)) for _ in range(2))
     return re.sub(rf"\b{old}\b", new, source).encode()
 
 
 def other_parameters(data: st.DataObject, source: str) -> bytes:
     tree = ast.parse(source)
     found = functions(tree)
-    parameters = found[data.draw(st.sampled_from(sorted(found)), label="function")].args
-    if data.draw(st.booleans(), label="one more"):
+    parameters = found[data.draw(st.sampled_from(sorted(found)))].args
+    if data.draw(st.booleans()):
         parameters.args.append(ast.arg("one_more"))
-        parameters.defaults.clear()
     elif parameters.args:
-        parameters.args.pop(data.draw(st.integers(0, len(parameters.args) - 1), label="gone"))
-        parameters.defaults.clear()
+        parameters.args.pop(data.draw(st.integers(0, len(parameters.args) - 1)))
+    parameters.defaults.clear()
     return ast.unparse(tree).encode()
 
 
 def odd_bytes(data: st.DataObject, source: str) -> bytes:
     code = source.encode()
-    at = data.draw(st.integers(0, len(code)), label="place")
-    return code[:at] + data.draw(st.binary(min_size=1, max_size=8), label="bytes") + code[at:]
+    at = data.draw(st.integers(0, len(code)))
+    return code[:at] + data.draw(st.binary(min_size=1, max_size=8)) + code[at:]

@@ -1,8 +1,7 @@
 """Hostile submissions get what their honest code is worth, and nothing else comes of them.
 
 All of hostile/ is graded in one run, by a process of its own, and then looked at: each submission,
-and what the run as a whole has left behind. HOSTILE_KEEP=folder keeps everything there, for
-hostile/hostile_table.py and for a closer look.
+and what the run as a whole has left behind. HOSTILE_KEEP=folder keeps everything there.
 """
 
 from __future__ import annotations
@@ -24,16 +23,19 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from subprocess import TimeoutExpired
 from typing import Any
 
 import pytest
+
+from autograder.checks.runner import run_checks
+from autograder.manifest import load_chapters
 
 TESTS = Path(__file__).parents[2]
 sys.path.append(str(Path(__file__).parent / "hostile"))
 
 from corpus import (  # noqa: E402
     IDLE,
-    NEIGHBOR,
     POINTS,
     RIGHT,
     TOKENS,
@@ -46,7 +48,6 @@ from corpus import (  # noqa: E402
     result_of,
     write,
 )
-from hostile_table import table  # noqa: E402
 from machine import (  # noqa: E402
     Services,
     bearing_the_mark_of,
@@ -129,7 +130,6 @@ def run() -> Iterator[Run]:
         survivors = [name for pid in started if (name := process_name(pid))]
         screen = (base / "screen.txt").read_text(encoding="utf-8", errors="replace")
         results = read_results(world.out)
-        print(table(world.out, SUBMISSIONS))
         yield Run(world, code, screen, results, before, snapshot(world), survivors, services.heard)
     finally:
         libc.prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0)
@@ -138,7 +138,6 @@ def run() -> Iterator[Run]:
                 os.kill(pid, signal.SIGKILL)
             with contextlib.suppress(OSError):
                 os.waitpid(pid, os.WNOHANG)
-        services.close()
         if not kept:
             for folder in world.submissions.glob("*/ch90_sums"):
                 if not folder.is_symlink() and folder.is_dir():
@@ -158,8 +157,8 @@ def grade(world: World) -> int | None:
     }
     places = [str(path) for path in (world.submissions, world.out, world.root)]
     command = [sys.executable, "-c", GRADE, *places, SEED, str(TIME_LIMIT)]
-    with (world.base / "screen.txt").open("wb") as screen:
-        process = subprocess.Popen(
+    with (world.base / "screen.txt").open("wb") as screen, contextlib.suppress(TimeoutExpired):
+        return subprocess.run(
             command,
             cwd=TESTS.parent,
             env=environment,
@@ -167,18 +166,10 @@ def grade(world: World) -> int | None:
             stdout=screen,
             stderr=subprocess.STDOUT,
             start_new_session=True,
-        )
-        try:
-            return process.wait(RUN_LIMIT)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-            return None
-
-
-def lost_checks(result: dict[str, Any]) -> list[dict[str, Any]]:
-    checks = [check for one in result["results"] for check in one["checks"]]
-    return [check for check in checks if check["status"] != "passed"]
+            timeout=RUN_LIMIT,
+            check=False,
+        ).returncode
+    return None
 
 
 @pytest.mark.parametrize("submission", SUBMISSIONS, ids=[f"{s.kind}/{s.name}" for s in SUBMISSIONS])
@@ -189,40 +180,35 @@ def test_a_submission_gets_what_its_honest_code_is_worth(run: Run, submission: S
         assert (submission.earns, submission.score, result["score"]) == (set(), 0, None)
         assert re.search(submission.says, result["nothing"]), result["nothing"]
         return
-    messages = "\n".join(message_of(check) for check in lost_checks(result))
+    lost = [c for one in result["results"] for c in one["checks"] if c["status"] != "passed"]
+    messages = "\n".join(map(message_of, lost))
     assert result["status"] == "graded", messages
     earned = {r["exercise"]["id"] for r in result["results"] if r["status"] == "passed"}
     assert earned == submission.earns, messages
     assert result["score"] == submission.score
     assert result["points"] == sum(POINTS.values())
-    if messages:
-        assert re.search(submission.says, messages), messages
-
-
-@pytest.mark.parametrize("submission", SUBMISSIONS, ids=[f"{s.kind}/{s.name}" for s in SUBMISSIONS])
-def test_every_lost_check_says_why_in_words(run: Run, submission: Submission) -> None:
-    result = result_of(submission, run.results)
-    assert result is not None
-    for check in lost_checks(result):
+    assert not lost or re.search(submission.says, messages), messages
+    for check in lost:  # each says why, in words
         message = message_of(check)
         assert check["status"] in ("failed", "blocked")
         assert len(re.findall(r"[a-z]{2,}", message)) >= 3, message
         assert "Traceback (most recent call last)" not in message
         assert len(message) <= LONGEST_MESSAGE
-        unprintable = [char for char in message if not char.isprintable() and char not in "\n\t"]
-        assert not unprintable, message
+        assert all(char.isprintable() or char in "\n\t" for char in message), message
 
 
 def test_the_run_ends_by_itself_and_misses_nobody(run: Run) -> None:
     assert run.code == 0, run.screen[-4000:]
     assert len(run.results) == len(SUBMISSIONS) + len(ALIKE)
+    assert not [one for one in run.results if LINKED in one["student"]], "a link is no submission"
     times = sorted(path.stat().st_mtime for path in (run.world.out / "results").iterdir())
     gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
     assert max(gaps) < LONGEST_GAP
 
 
-def test_nothing_outlives_the_run(run: Run) -> None:
+def test_nothing_outlives_the_run_and_nobody_was_talked_to(run: Run) -> None:
     assert run.survivors == []
+    assert run.heard == []
 
 
 def test_nothing_is_written_outside_the_box(run: Run) -> None:
@@ -237,24 +223,17 @@ def test_nothing_is_written_outside_the_box(run: Run) -> None:
     assert not [*run.world.out.rglob("*hostile*note*")]
 
 
-def test_no_secret_is_told(run: Run) -> None:
+def test_no_secret_is_told_and_the_screen_is_safe(run: Run) -> None:
     assert leaks(run.world.out) == []
     for place, token in TOKENS.items():
         assert token not in run.screen, place
-
-
-def test_nobody_was_talked_to(run: Run) -> None:
-    assert run.heard == []
+    assert not [char for char in run.screen if not char.isprintable() and char not in "\n\r\t"]
 
 
 def test_names_that_are_cleaned_alike_keep_their_own_results(run: Run) -> None:
     alike = [result for result in run.results if result["student"].startswith("alike")]
     assert len({result["student"] for result in alike}) == len(ALIKE)
     assert sorted(result["score"] for result in alike) == [0, 7, 7]
-
-
-def test_a_linked_folder_is_no_submission(run: Run) -> None:
-    assert not [result for result in run.results if LINKED in result["student"]]
 
 
 def test_the_gradebook_has_a_row_for_each_and_no_formula(run: Run) -> None:
@@ -287,20 +266,8 @@ def test_files_for_gradescope_are_sound(run: Run) -> None:
         assert isinstance(json.loads(path.read_text(encoding="utf-8")), dict)
 
 
-def test_the_screen_is_safe(run: Run) -> None:
-    assert not [char for char in run.screen if not char.isprintable() and char not in "\n\r\t"]
-
-
 def test_the_solution_passes_beside_its_checks(run: Run) -> None:
-    from autograder.checks.runner import run_checks
-    from autograder.manifest import load_chapters
-
     (chapter,) = load_chapters(run.world.root)
     engine = [run.world.root / "solutions", run.world.root / "chapters"]
     verdicts = run_checks(chapter, engine, seed="1", root=run.world.root)
     assert [verdict.status for verdict in verdicts] == ["passed"] * len(POINTS)
-
-
-def test_the_neighbor_keeps_full_marks(run: Run) -> None:
-    neighbor = next(result for result in run.results if result["student"] == NEIGHBOR)
-    assert neighbor["score"] == neighbor["points"] == sum(POINTS.values())

@@ -8,9 +8,6 @@ Most are a table in a TOML file in the folder of their kind. The table has the n
     says = words that must appear in the messages of the checks that it loses (may be left out)
     source = the text that is handed in as sums.py (may be left out)
 
-A file NAME.py in the same folder is an attack too. Its docstring says what it tries, followed by a
-blank line and by lines such as "earns: add counter" or "says: not written yet".
-
 A source may leave out add, Counter and total_of. They are then added at the end, solved if the
 exercise is earned and idle if it is not. Idle code returns the value that the source calls RIGHT,
 or the result of its attack(), or None if it has neither.
@@ -24,6 +21,7 @@ from __future__ import annotations
 
 import ast
 import json
+import re
 import shutil
 import sysconfig
 import tomllib
@@ -33,6 +31,7 @@ from pathlib import Path
 from typing import Any
 
 HOSTILE = Path(__file__).parent
+CHECKS = "root/tests/ch90_sums/test_sums.py"
 KINDS = ("leaving", "not_ending", "taking", "reading", "writing", "network", "forging", "lying")
 EXERCISES = {"add": "B90.1", "counter": "B90.2", "total": "B90.3"}
 POINTS = {"B90.1": 1, "B90.2": 2, "B90.3": 4}
@@ -90,7 +89,7 @@ TOKENS = {
 NEIGHBOR = "controls-plain"
 
 
-@dataclass(frozen=True)
+@dataclass
 class World:
     """The places of a run. All of them lie in one folder, which everybody may read."""
 
@@ -99,25 +98,12 @@ class World:
     udp: int = 0
     run: str = ""
 
-    @property
-    def root(self) -> Path:
-        return self.base / "root"
-
-    @property
-    def home(self) -> Path:
-        return self.base / "home"
-
-    @property
-    def submissions(self) -> Path:
-        return self.base / "class"
-
-    @property
-    def out(self) -> Path:
-        return self.base / "out"
-
-    @property
-    def temporary(self) -> Path:
-        return self.base / "temporary"
+    def __post_init__(self) -> None:
+        self.root = self.base / "root"
+        self.home = self.base / "home"
+        self.submissions = self.base / "class"
+        self.out = self.base / "out"
+        self.temporary = self.base / "temporary"
 
 
 @dataclass(frozen=True)
@@ -129,7 +115,6 @@ class Submission:
 
     kind: str
     name: str
-    tries: str
     earns: frozenset[str]
     says: str
     student: str
@@ -156,42 +141,25 @@ def all_submissions() -> list[Submission]:
     import odd_zips  # noqa: F401 - adds its own
     from odd_files import ODD
 
-    attacks: list[Submission] = []
-    for kind in ("controls", *KINDS):
-        for path in sorted((HOSTILE / kind).rglob("*.*")):
-            if path.suffix in READERS:
-                attacks += READERS[path.suffix](path)
-    return [*attacks, *ODD]
-
-
-def _from_toml(path: Path) -> list[Submission]:
-    return [_attack(path, name, **words) for name, words in tomllib.loads(_text(path)).items()]
-
-
-def _from_python(path: Path) -> list[Submission]:
-    text = _text(path)
-    tries, _, rest = (ast.get_docstring(ast.parse(text)) or "").partition("\n\n")
-    words = dict(line.split(": ", 1) for line in rest.splitlines())
-    return [_attack(path, path.stem, tries, **words, source=text)]
-
-
-READERS = {".toml": _from_toml, ".py": _from_python}
-
-
-def _text(path: Path) -> str:
-    return path.read_text(encoding="utf-8")
+    return [
+        _attack(path, name, **words)
+        for kind in ("controls", *KINDS)
+        for path in sorted((HOSTILE / kind).glob("*.toml"))
+        for name, words in tomllib.loads(path.read_text(encoding="utf-8")).items()
+    ] + ODD
 
 
 def _attack(
-    path: Path, name: str, tries: str, earns: str = "nothing", says: str = "", source: str = ""
+    path: Path, name: str, *, tries: str, earns: str = "nothing", says: str = "", source: str = ""
 ) -> Submission:
-    kind, solved = path.relative_to(HOSTILE).parts[0], earned(earns)
+    assert tries
+    kind, solved = path.parent.name, earned(earns)
 
     def build(at: Path, world: World) -> None:
         text = with_places(completed(f"\n{source}", solved), world)
         write(at / "ch90_sums/sums.py", text)
 
-    return Submission(kind, name, tries, solved, says, f"{kind}-{name}", build)
+    return Submission(kind, name, solved, says, f"{kind}-{name}", build)
 
 
 def completed(source: str, earns: frozenset[str]) -> str:
@@ -223,7 +191,7 @@ def with_places(text: str, world: World) -> str:
         "UDP": world.udp,
         "RUN": world.run,
         "LINE": _line(world.root / "solutions/ch90_sums/sums.py"),
-        "CHECKLINE": _line(world.root / "tests/ch90_sums/test_sums.py"),
+        "CHECKLINE": _line(world.base / CHECKS),
         "VERDICTS": _verdicts(),
     }
     for name, place in places.items():
@@ -233,15 +201,11 @@ def with_places(text: str, world: World) -> str:
 
 def _verdicts() -> str:
     """Return the events of a run that passes, escaped for a literal in double quotes."""
-    checks = (
-        "test_add_gives_the_sum",
-        "test_a_counter_steps_and_adds",
-        "test_the_total_of_a_function",
-    )
-    named = zip(checks, EXERCISES.values(), strict=True)
+    names = re.findall(r"def (test_\w+)", (HOSTILE / CHECKS).read_text(encoding="utf-8"))
+    named = zip(names, POINTS, strict=True)
     listed = [{"name": name, "exercise": exercise, "weight": 1} for name, exercise in named]
     events: list[dict[str, Any]] = [{"event": "checks", "checks": listed}]
-    for name in checks:
+    for name in names:
         events.append({"event": "start", "name": name})
         events.append({"event": "verdict", "name": name, "status": "passed", "message": ""})
     text = "".join(json.dumps(event) + "\n" for event in [*events, {"event": "end"}])
@@ -284,12 +248,11 @@ def read_results(out: Path) -> list[dict[str, Any]]:
 
 def result_of(submission: Submission, results: list[dict[str, Any]]) -> dict[str, Any] | None:
     """Return a submission's result, found by the student's name, or by what is left of it."""
-    for result in results:
-        if result["student"] == submission.student:
-            return result
-    if submission.student == submission.label:
-        return None
-    return next((result for result in results if submission.label in result["student"]), None)
+    names = {result["student"]: result for result in results}
+    near = [names[name] for name in names if submission.label in name]
+    if submission.student != submission.label and submission.student not in names:
+        return near[0] if near else None
+    return names.get(submission.student)
 
 
 def leaks(out: Path) -> list[tuple[str, str]]:

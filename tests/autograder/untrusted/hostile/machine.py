@@ -5,13 +5,10 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
-import selectors
 import socket
 import stat
 import threading
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from corpus import TOKENS, World
 
@@ -29,54 +26,31 @@ class Services:
         file, abstract = socket.socket(socket.AF_UNIX), socket.socket(socket.AF_UNIX)
         tcp.bind(("127.0.0.1", 0))
         udp.bind(("127.0.0.1", 0))
-        with _inside(home):  # the path of a socket must be short
+        with contextlib.chdir(home):  # the path of a socket must be short
             file.bind("service")
         abstract.bind(f"\0hostile-{run}")
         self.tcp, self.udp = tcp.getsockname()[1], udp.getsockname()[1]
-        self._datagrams = [udp]
+        datagrams = [udp]
         with contextlib.suppress(OSError):  # where there is IPv6
             udp6 = socket.socket(socket.AF_INET6, socket.SOCK_DGRAM)
             udp6.bind(("::1", self.udp))
-            self._datagrams.append(udp6)
-        self._listening = [tcp, file, abstract]
-        for server in self._listening:
+            datagrams.append(udp6)
+        for server in (tcp, file, abstract):
             server.listen()
-        self._stop = threading.Event()
-        self._thread = threading.Thread(target=self._serve, daemon=True)
-        self._thread.start()
+            threading.Thread(target=self._serve, args=[server], daemon=True).start()
+        for server in datagrams:
+            threading.Thread(target=self._receive, args=[server], daemon=True).start()
 
-    def _serve(self) -> None:
-        selector = selectors.DefaultSelector()
-        for server in (*self._listening, *self._datagrams):
-            selector.register(server, selectors.EVENT_READ)
-        while not self._stop.is_set():
-            for key, _ in selector.select(0.1):
-                server: Any = key.fileobj
-                if server in self._datagrams:
-                    self.heard.append(server.recv(1000))
-                    continue
-                with contextlib.suppress(OSError):
-                    connection, _ = server.accept()
-                    with connection:
-                        connection.settimeout(0.5)
-                        self.heard.append(connection.recv(1000))
-                        connection.sendall(TOKENS["the network"].encode())
+    def _receive(self, server: socket.socket) -> None:
+        while True:
+            self.heard.append(server.recv(1000))
 
-    def close(self) -> None:
-        self._stop.set()
-        self._thread.join()
-        for server in (*self._listening, *self._datagrams):
-            server.close()
-
-
-@contextlib.contextmanager
-def _inside(folder: Path) -> Iterator[None]:
-    before = Path.cwd()
-    os.chdir(folder)
-    try:
-        yield
-    finally:
-        os.chdir(before)
+    def _serve(self, server: socket.socket) -> None:
+        while True:
+            with contextlib.suppress(OSError), server.accept()[0] as connection:
+                connection.settimeout(0.5)
+                self.heard.append(connection.recv(1000))
+                connection.sendall(TOKENS["the network"].encode())
 
 
 def snapshot(world: World) -> dict[str, str]:
@@ -115,14 +89,18 @@ def shared_memory() -> str:
     return ""
 
 
+def status_of(pid: int) -> list[str]:
+    """Return the state of a process, its parent and more; where it has ended, that it is gone."""
+    with contextlib.suppress(OSError):
+        text = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8")
+        return text.rpartition(")")[2].split()
+    return ["Z", "0"]
+
+
 def descendants() -> set[int]:
     """Return our children, theirs, and so on."""
-    parents: dict[int, int] = {}
-    for path in Path("/proc").glob("[0-9]*/stat"):
-        with contextlib.suppress(OSError):
-            parents[int(path.parent.name)] = int(
-                path.read_text(encoding="utf-8").rpartition(")")[2].split()[1]
-            )
+    pids = [int(path.name) for path in Path("/proc").glob("[0-9]*")]
+    parents = {pid: int(status_of(pid)[1]) for pid in pids}
     found = {os.getpid()}
     while new := {pid for pid, parent in parents.items() if parent in found} - found:
         found |= new
@@ -142,7 +120,6 @@ def bearing_the_mark_of(world: World) -> set[int]:
 def process_name(pid: int) -> str:
     """Return what a process is; nothing where it has ended."""
     with contextlib.suppress(OSError):
-        state = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
         command = Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ")
-        return "" if state == "Z" else f"{pid} {command[:200]!r}"
+        return "" if status_of(pid)[0] == "Z" else f"{pid} {command[:200]!r}"
     return ""

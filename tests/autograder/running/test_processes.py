@@ -18,7 +18,7 @@ from typing import NoReturn
 import pytest
 
 from autograder.checks.check_process import environment
-from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.handles import Session, WorkerFailure, extra_time
 from autograder.isolation.judges import ForkedJudge
 from autograder.isolation.launcher import Launcher, LauncherError
 from autograder.isolation.probe import best_level

@@ -6,7 +6,7 @@ import math
 
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.clock import FRAME
 from scenes.fall_in_air import G, falling
 from scenes.orbit import KeplerOrbit
@@ -80,16 +80,13 @@ class FallInAir(Scene):
         left, right = self.fallers
         return {"speed, left, m/s": -left.velocity.y, "speed, right, m/s": -right.velocity.y}
 
-    def state(self) -> list[float]:
-        return [ball.position.y for ball in self.fallers]
-
-    def exact(self, time: float) -> list[float]:
-        """Compute the heights of both balls. A ball that has landed is where it is."""
-        heights = []
-        for ball, landed, (mass, k2) in zip(self.fallers, self.landed, self.balls, strict=True):
+    def beside_exact(self) -> Pair:
+        """Return the heights of both balls. Those of a ball that has landed are the same."""
+        heights, exact, time = [ball.position.y for ball in self.fallers], [], self.simulated
+        for height, landed, (mass, k2) in zip(heights, self.landed, self.balls, strict=True):
             fallen = quadratic_fall(mass, G, k2, time)[1] if k2 else 0.5 * G * time * time
-            heights.append(self.TOP - fallen if landed == math.inf else ball.position.y)
-        return heights
+            exact.append(self.TOP - fallen if landed == math.inf else height)
+        return heights, exact
 
     def facts(self) -> str:
         ends = self.terminal_speeds()
@@ -97,7 +94,7 @@ class FallInAir(Scene):
         return f"terminal speeds: {left} and {right}"
 
     def say(self) -> str:
-        left, right = self.state()
+        left, right = (ball.position.y for ball in self.fallers)
         return f"The balls are {left:.0f} m and {right:.0f} m high."
 
 
@@ -156,11 +153,8 @@ class Orbit(Scene):
         energy = 0.5 * v.squared_magnitude() - self.MU / p.magnitude()
         return {"energy, J": energy, "angular momentum, kg m²/s": p.x * v.y - p.y * v.x}
 
-    def state(self) -> list[float]:
-        return [self.planet.position.x, self.planet.position.y]
-
-    def exact(self, time: float) -> list[float]:
-        return [*self.orbit.exact(time)]
+    def beside_exact(self) -> Pair:
+        return [*self.planet.position][:2], self.orbit.exact(self.simulated)
 
     def facts(self) -> str:
         period = self.orbit.period

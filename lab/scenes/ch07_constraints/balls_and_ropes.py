@@ -14,7 +14,7 @@ from ch07_constraints.links import Rod
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.chain import Chain
 from scenes.clock import FRAME
 from scenes.dropped_balls import DroppedBalls
@@ -104,9 +104,8 @@ class Bounce(Scene):
         xs = [0.25 + 2.3 * (i - last) / 240.0 + 2.2 for i in range(last + 1)]
         pen.line([(x, self.RADIUS + y) for x, y in zip(xs, self.path, strict=True)], "blue", 1.0)
         pen.segments([((-2.6, top), (2.6, top))], "gray")
-        exact = self.exact(self.simulated)
-        if exact is not None:
-            pen.circle((0.0, exact[0] + self.RADIUS), self.RADIUS, "gray", fill=False)
+        if (pair := self.beside_exact()) is not None:
+            pen.circle((0.0, pair[1][0] + self.RADIUS), self.RADIUS, "gray", fill=False)
         center = (0.0, self.ball.position.y + self.RADIUS)
         pen.circle(center, self.RADIUS, "orange")
         pen.arrow(center, (0.0, 0.1 * self.ball.velocity.y), "green", "velocity")
@@ -117,12 +116,10 @@ class Bounce(Scene):
         energy = self.ball.kinetic_energy() + G * self.ball.position.y
         return {"energy, J": energy, "height, m": self.ball.position.y}
 
-    def state(self) -> list[float]:
-        return [self.ball.position.y]
-
-    def exact(self, time: float) -> list[float] | None:
-        frame = round(time / FRAME)
-        return [self.heights[frame]] if frame < len(self.heights) else None
+    def beside_exact(self) -> Pair | None:
+        if (frame := round(self.simulated / FRAME)) >= len(self.heights):
+            return None
+        return [self.ball.position.y], [self.heights[frame]]
 
     def facts(self) -> str:
         if self.restitution == 1.0:
@@ -276,11 +273,8 @@ class Ropes(Scene):
     def chart(self) -> dict[str, float]:
         return {f"{name}, cm": 100.0 * self.too_long(i) for i, name in enumerate(ROPES)}
 
-    def state(self) -> list[float]:
-        return [self.too_long(i) for i in range(3)]
-
-    def exact(self, time: float) -> list[float]:
-        return [0.0, 0.0, 0.0]
+    def beside_exact(self) -> Pair:
+        return [self.too_long(i) for i in range(3)], [0.0, 0.0, 0.0]
 
     def facts(self) -> str:
         return f"{self.count} rods of {self.rope.length:.2g} m"

@@ -67,9 +67,8 @@ def warnings(
             "errors marked ? are only guesses, because they do not fall with the expected order as "
             "the steps are halved"
         )
-    for tried in unsteady:
-        if not tried.halved.orders:
-            told.append(tried.failure or f"{tried.model.name}: its runs hardly differ")
+    unknown = [tried for tried in unsteady if not tried.halved.orders]
+    told += [tried.failure or f"{tried.model.name}: its runs hardly differ" for tried in unknown]
     if len(unsteady) == len(found):
         told.append(
             "no model converges. If the motion is chaotic, shorten DURATION, or measure something "

@@ -60,9 +60,8 @@ def models_of(world: ParticleWorld) -> list[Model]:
     if world.contact_generators:
         return [*_special(world), *(_resolving(name) for name in INTEGRATORS)]
     found = [] if world.registry.pairs() else [Model("exact steps", 1, _exact, STEPS[:3])]
-    for name, integrator in INTEGRATORS.items():
-        order = 1 if damped else ORDERS.get(name, 1)
-        found.append(Model(name, order, _with(integrator)))
+    orders = {} if damped else ORDERS
+    found += [Model(name, orders.get(name, 1), _with(one)) for name, one in INTEGRATORS.items()]
     if not damped:  # adaptive damps once per frame, which no tolerance makes more accurate
         found.append(
             Model("adaptive", 1, lambda w: _with(w.integrator)(w), TOLERANCES, takes_tolerance=True)

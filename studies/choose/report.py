@@ -39,31 +39,24 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
         style="bold",
         soft_wrap=True,
     )
-    doubt = contradiction(found, tolerance)
-    chosen = None
-    if doubt:
-        _print_line(console, "cheapest", f"unknown, because {doubt}")
-    else:
-        chosen = _print_own(scene, found, tolerance, console)
-    console.print(_table(found, scene, tolerance, is_doubtful=bool(doubt)))
-    for warning in warnings(found, chosen, tolerance, is_doubtful=bool(doubt)):
-        print_wrapped(console, f"Warning: {warning}", hanging=2)
-    return 0 if chosen else 1
-
-
-def _print_own(
-    scene: OwnScene, found: list[Tried], tolerance: float, console: Console
-) -> Point | None:
-    """Print the cheapest run that is accurate enough, and the next cheaper one, and return it."""
-    steady = [point for tried in found if tried.halved.is_steady for point in tried.points(scene)]
-    longest = max(taken for tried in found for times in tried.times for taken in times)
 
     def told(point: Point) -> str:
         run = _run(point, [tried.model for tried in found], scene.frames)
         return f"{run}, error about {told_beside(tolerance, point.error)}"
 
-    none = f"no model is accurate enough with runs of up to {longest:.2g} s"
-    return _print_choice(console, steady, tolerance, told, (none, "no model is cheaper"))
+    doubt = contradiction(found, tolerance)
+    chosen = None
+    if doubt:
+        _print_line(console, "cheapest", f"unknown, because {doubt}")
+    else:
+        steady = [point for one in found if one.halved.is_steady for point in one.points(scene)]
+        longest = max(taken for tried in found for times in tried.times for taken in times)
+        none = f"no model is accurate enough with runs of up to {longest:.2g} s"
+        chosen = _print_choice(console, steady, tolerance, told, (none, "no model is cheaper"))
+    console.print(_table(found, scene, tolerance, is_doubtful=bool(doubt)))
+    for warning in warnings(found, chosen, tolerance, is_doubtful=bool(doubt)):
+        print_wrapped(console, f"Warning: {warning}", hanging=2)
+    return 0 if chosen else 1
 
 
 def choose_built_in(scenes: Sequence[Scene], tolerance: float, console: Console) -> int:

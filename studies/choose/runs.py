@@ -68,10 +68,7 @@ class Tried:
         """Convert the runs to points of the accuracy study. Their work is the number of steps."""
         start = str(scene.path), self.model.name, "ours"
         runs = zip(self.model.choices, self.halved.errors, self.times, strict=False)
-        return [
-            Point(*start, choice, error, choice * scene.frames, times)
-            for choice, error, times in runs
-        ]
+        return [Point(*start, n, error, n * scene.frames, times) for n, error, times in runs]
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:

@@ -137,7 +137,10 @@ def _repeats(particle: Particle, force: ForceGenerator, calls: int) -> bool:
 def load(path: Path) -> OwnScene:
     """Load the user's scene, or raise SceneError if the file is missing, broken or incomplete."""
     module = _run(path)
-    build, measure = _function(module, "build"), _function(module, "measure")
+    build, measure = (getattr(module, name, None) for name in ("build", "measure"))
+    for name, found in (("build", build), ("measure", measure)):
+        if found is not None and not callable(found):
+            raise SceneError(f"{name} must be a function, got {found!r}")
     if build is None:
         raise SceneError(
             "build is missing. Define it as a function that returns a ParticleWorld, as in "
@@ -182,14 +185,6 @@ def _run(path: Path) -> ModuleType:
     except (Exception, SystemExit) as error:
         raise SceneError(f"the file {why(error, path)}") from error
     return module
-
-
-def _function(module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return a function of the user's file, or None if it is not defined."""
-    found = getattr(module, name, None)
-    if found is not None and not callable(found):
-        raise SceneError(f"{name} must be a function, got {found!r}")
-    return found
 
 
 def _numbers(found: Any) -> Iterable[float]:

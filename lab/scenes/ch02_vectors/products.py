@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 from ch02_vectors.vector import Vector3
@@ -11,12 +12,6 @@ from lab.scene import Pair, Scene
 
 STEP = math.radians(5.0)  # rotation per key press
 TIP = 0.14  # m, radius of the draggable tip of a vector
-
-
-def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Rotate the point (x, y) counter-clockwise about the origin by ``angle``, in radians."""
-    c, s = math.cos(angle), math.sin(angle)
-    return c * x - s * y, s * x + c * y
 
 
 class TwoVectors(Scene):
@@ -33,7 +28,8 @@ class TwoVectors(Scene):
 
     def rotate(self, angle: float) -> None:
         """Rotate a to the left by an angle in radians."""
-        self.a.x, self.a.y = rotated(self.a.x, self.a.y, angle)
+        rotated = complex(self.a.x, self.a.y) * cmath.rect(1.0, angle)
+        self.a.x, self.a.y = rotated.real, rotated.imag
 
     def press(self, key: str) -> None:
         if key in self.keys:
@@ -134,7 +130,8 @@ class CrossProduct(TwoVectors):
 
     def rotate(self, angle: float) -> None:
         """Rotate a on the ground. From above, z points toward the viewer."""
-        self.a.x, self.a.z = rotated(self.a.x, self.a.z, -angle)
+        rotated = complex(self.a.x, self.a.z) * cmath.rect(1.0, -angle)
+        self.a.x, self.a.z = rotated.real, rotated.imag
 
     def drag(self, name: str, x: float, y: float) -> None:
         moved = self.a if name == "a" else self.b

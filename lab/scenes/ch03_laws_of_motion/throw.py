@@ -133,8 +133,9 @@ class Throw(Scene):
         pen.line(self.truth, "gray", 1.5, dashed=True)
         pen.dots(self.path, "blue")
         if self.flies:
-            pen.circle(self.exact(), self.BALL, "gray", fill=False)
-            pen.segments([(self.path[-1], self.exact())], "red", 1.5)
+            _, (x_exact, y_exact) = self.beside_exact()
+            pen.circle((x_exact, y_exact), self.BALL, "gray", fill=False)
+            pen.segments([(self.path[-1], (x_exact, y_exact))], "red", 1.5)
         else:
             a, reach = math.radians(self.angle), 0.2 * self.speed
             pen.arrow(self.HAND, (reach * math.cos(a), reach * math.sin(a)), "red")
@@ -150,13 +151,9 @@ class Throw(Scene):
     def place(self) -> Point:
         return self.path[-1] if self.path else self.HAND
 
-    def exact(self) -> Point:
-        """Compute where the ball would be on the exact path."""
-        x, y, _ = self.flight.exact(min(self.simulated, self.end) - self.start).position
-        return x, y
-
     def beside_exact(self) -> Pair:
-        return self.place(), self.exact()
+        exact = self.flight.exact(min(self.simulated, self.end) - self.start)
+        return self.place(), exact.position[:2]
 
     def facts(self) -> str:
         return f"{self.score} of {self.throws} went in; {self.rate} steps per second"

@@ -15,12 +15,6 @@ from scenes.parameters import Choice, Slider
 RATES = (15, 30, 60, 120, 240)
 
 
-def lands_first(scene: FallInAir) -> int:
-    """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie."""
-    left, right = scene.terminal_speeds()
-    return 0 if left > 1.001 * right else 1 if right > 1.001 * left else 2
-
-
 class FallInAir(Scene):
     """A scene of two balls dropped from a tower, with quadratic drag from the air."""
 
@@ -32,7 +26,7 @@ class FallInAir(Scene):
     predict = Question(
         "Both balls are released together. Which one lands first?",
         ["The left ball.", "The right ball.", "Both land together."],
-        lands_first,
+        lambda scene: scene.lands_first(),
         "Without air both balls would land together. With drag, the ball with more weight for its "
         "drag coefficient falls faster: the terminal speed is the square root of m g / k2.",
         6.0,
@@ -54,6 +48,11 @@ class FallInAir(Scene):
     def terminal_speeds(self) -> list[float]:
         """Return the terminal speed of each ball in m/s, which is infinite without air."""
         return [terminal_speed(mass * G, 0.0, k2) if k2 else math.inf for mass, k2 in self.balls]
+
+    def lands_first(self) -> int:
+        """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie."""
+        left, right = self.terminal_speeds()
+        return 0 if left > 1.001 * right else 1 if right > 1.001 * left else 2
 
     def step(self, duration: float) -> None:
         self.registry.update_forces(duration)

@@ -73,7 +73,8 @@ class IntegratorRace(Scene):
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
         pen.text((-1.9, 2.1), "velocity / ω against position", "gray", 13.0)
-        pen.circle(self.exact(), 0.1, "gray", fill=False)
+        _, (x, y) = self.beside_exact()
+        pen.circle((x, y), 0.1, "gray", fill=False)
         for i, ((name, ball), color) in enumerate(zip(self.balls.items(), COLORS, strict=True)):
             x, y = self.phase(ball)
             if math.hypot(x, y) < FAR:
@@ -91,12 +92,9 @@ class IntegratorRace(Scene):
             found[f"energy, {name}, J"] = min(0.5 * self.stiffness * (x * x + y * y), 1e9)
         return found
 
-    def exact(self) -> tuple[float, float]:
-        x, v = self.wall.state(self.simulated)
-        return x, v / math.sqrt(self.stiffness)
-
     def beside_exact(self) -> Pair:
-        return self.phase(self.balls["Runge-Kutta 4"]), self.exact()
+        x, v = self.wall.state(self.simulated)
+        return self.phase(self.balls["Runge-Kutta 4"]), (x, v / math.sqrt(self.stiffness))
 
     def facts(self) -> str:
         kappa, _ = self.wall.per_step(1.0 / self.rate)

@@ -39,12 +39,6 @@ class OneContact(ContactResolver):
             contact.resolve(duration)
 
 
-def rises(scene: Bounce) -> int:
-    """Return 1 if the last bounces are over 2 % higher than the drop, 2 if lower, and else 0."""
-    share = max(scene.path) / scene.HEIGHT
-    return 1 if share > 1.02 else 2 if share < 0.98 else 0
-
-
 class Bounce(Scene):
     """A ball that bounces on the ground and keeps some or all of its speed."""
 
@@ -56,7 +50,7 @@ class Bounce(Scene):
     predict = Question(
         "The ball falls from 2 m. How high are its bounces after ten seconds?",
         ["As high as at first, within 2 %.", "Higher.", "Lower."],
-        rises,
+        lambda scene: scene.rises(),
         "With restitution 1 an exact bounce loses no energy. Explicit Euler gains energy in every "
         "flight. Semi-implicit Euler loses some at each impact, mostly because the rule for "
         "resting contacts takes away the velocity that gravity adds in one step. Time division "
@@ -97,6 +91,11 @@ class Bounce(Scene):
         self.view_of_contacts.forget()
         if contacts := self.ground.contacts():
             self.view_of_contacts.resolve_contacts(contacts, duration)
+
+    def rises(self) -> int:
+        """Return 1 if the last bounces are over 2 % higher than the drop, 2 if lower, or else 0."""
+        share = max(self.path) / self.HEIGHT
+        return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
     def draw(self, pen: Pen) -> None:
         pen.ground()

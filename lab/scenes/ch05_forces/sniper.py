@@ -84,13 +84,12 @@ class Sniper(Scene):
         return f"The wind blows to the {side}. {shots} are left."
 
     def press(self, key: str) -> None:
-        azimuth, elevation = self.aim
         if key == "n":
             self.build()
         elif key == "f":
-            self.shoot(azimuth, elevation)
+            self.shoot(*self.aim)
         elif key in TURNS:
-            left, up = TURNS[key]
+            (azimuth, elevation), (left, up) = self.aim, TURNS[key]
             self.aim = (azimuth + left, elevation + up)
 
     def click(self, x: float, y: float) -> None:

@@ -171,8 +171,7 @@ class Stack(Scene):
         for _ in range(self.substeps):
             semi_implicit_euler(self.spheres, no_forces, part)
             self.view_of_contacts.forget()
-            contacts = [one for generator in self.setup.contacts for one in generator.contacts()]
-            if contacts:
+            if contacts := [one for touching in self.setup.contacts for one in touching.contacts()]:
                 self.view_of_contacts.iterations = self.per_contact * len(contacts)
                 self.view_of_contacts.resolve_contacts(contacts, part)
 

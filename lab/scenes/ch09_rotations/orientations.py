@@ -168,8 +168,7 @@ class Orientations(Scene):
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
     def draw(self, pen: Pen) -> None:
-        boxes = zip(PLACES.items(), self.turns(), self.errors(), strict=True)
-        for (name, x), axes, error in boxes:
+        for (name, x), axes, error in zip(PLACES.items(), self.turns(), self.errors(), strict=True):
 
             def turn(v: Vector3, axes: list[Vector3] = axes) -> Vector3:
                 return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z

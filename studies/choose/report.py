@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
@@ -76,15 +77,10 @@ def _print_built_in(
         style="bold",
         soft_wrap=True,
     )
-
-    def told(point: Point) -> str:
-        error = told_beside(tolerance, point.error, 2)
-        run = _run(point, scene.models, scene.frames)
-        return f"{run}, {point.work} {scene.counted}, error {error}"
-
     ours, others = split([point for point in points if point.scene == scene.name])
     limit = f"with runs of up to {runs.SLOWEST:g} s"
     none = f"none of our models is accurate enough {limit}", "none of our models is cheaper"
+    told = partial(told_of, scene, tolerance)
     chosen = _print_choice(console, ours, tolerance, told, none)
     theirs, _ = cheapest(others, tolerance)
     text = told(theirs) if theirs else f"not accurate enough {limit}"
@@ -92,6 +88,12 @@ def _print_built_in(
         text += ": cheaper than all of ours"
     _print_line(console, "pymunk", text)
     return chosen
+
+
+def told_of(scene: Scene, tolerance: float, point: Point) -> str:
+    """Describe a run of a built-in scene, with its steps, time, work and error."""
+    run = _run(point, scene.models, scene.frames)
+    return f"{run}, {point.work} {scene.counted}, error {told_beside(tolerance, point.error, 2)}"
 
 
 def _print_choice(

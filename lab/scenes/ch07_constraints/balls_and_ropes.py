@@ -278,5 +278,4 @@ class Ropes(Scene):
         return f"{self.count} rods of {self.rope.length:.2g} m"
 
     def say(self) -> str:
-        longest = 100.0 * self.too_long(0)
-        return f"With one step per frame the rope is {longest:.1f} cm too long."
+        return f"With one step per frame the rope is {100.0 * self.too_long(0):.1f} cm too long."

@@ -82,9 +82,8 @@ class Charts(Scene):
             pen.line(own, "blue", 1.5)
         for point in own:
             pen.circle(point, 0.04, "blue")
-        note = (
-            "" if self.model.name == self.method else f" (there is no {self.method} in this scene)"
-        )
+        chosen = self.model.name == self.method
+        note = "" if chosen else f" (there is no {self.method} in this scene)"
         pen.text((0.0, 1.2), self.model.name + note, "black", 14.0)
 
     def beside_exact(self) -> Pair:

@@ -263,5 +263,6 @@ class FirstOrder(Scene):
         return f"in theory {behind} and {length:.3g} times as long after 1 s"
 
     def say(self) -> str:
-        length = self.q.magnitude()
-        return f"The hand is {self.behind():.1f}° behind. The length of q is {length:.3g}."
+        return (
+            f"The hand is {self.behind():.1f}° behind. The length of q is {self.q.magnitude():.3g}."
+        )

@@ -95,8 +95,7 @@ def _doubt_about(found: list[Tried], chosen: Point, tolerance: float) -> str:
     if not others:
         only = f"only {chosen.model} converges, so no other model confirms its error"
         return "" if mine.halved.is_exact or len(found) == 1 else only
-    farthest = _farthest(found, tolerance)
-    if not farthest:
+    if not (farthest := _farthest(found, tolerance)):
         return ""
     gap, a, b = farthest
     return (

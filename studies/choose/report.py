@@ -45,9 +45,8 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
         run = _run(point, [tried.model for tried in found], scene.frames)
         return f"{run}, error about {told_beside(tolerance, point.error)}"
 
-    doubt = contradiction(found, tolerance)
     chosen = None
-    if doubt:
+    if doubt := contradiction(found, tolerance):
         _print_line(console, "cheapest", f"unknown, because {doubt}")
     else:
         steady = [point for one in found if one.halved.is_steady for point in one.points(scene)]

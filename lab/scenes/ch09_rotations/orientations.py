@@ -263,6 +263,5 @@ class FirstOrder(Scene):
         return f"in theory {behind} and {length:.3g} times as long after 1 s"
 
     def say(self) -> str:
-        return (
-            f"The hand is {self.behind():.1f}° behind. The length of q is {self.q.magnitude():.3g}."
-        )
+        length = self.q.magnitude()
+        return f"The hand is {self.behind():.1f}° behind. The length of q is {length:.3g}."

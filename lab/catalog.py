@@ -39,12 +39,11 @@ def entries() -> tuple[Entry, ...]:
 
 def find(name: str) -> Entry:
     """Look up a scene by its name, such as "one-spring", or raise ValueError with all names."""
-    for entry in entries():
-        if entry.name == name:
-            return entry
-    names = ", ".join(entry.name for entry in entries())
-    wrong = f"there is no scene {name!r}" if name else "name a scene"
-    raise ValueError(f"{wrong}; choose from {names}")
+    named = {entry.name: entry for entry in entries()}
+    if name not in named:
+        wrong = f"there is no scene {name!r}" if name else "name a scene"
+        raise ValueError(f"{wrong}; choose from {', '.join(named)}")
+    return named[name]
 
 
 def load(name: str) -> type[Scene]:

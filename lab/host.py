@@ -7,12 +7,12 @@ message is a dict with a ``kind`` that can be sent as JSON.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from lab.catalog import find, load
 from lab.cost import Cost, clock
-from lab.drawing.pen import Item, Pen
+from lab.drawing.pen import Pen
 from lab.scene import Scene, described, parameters_of
 
 Message = dict[str, Any]
@@ -140,11 +140,9 @@ class Host:
         }
 
 
-def _numbers(items: list[Item]) -> list[float]:
-    found: list[float] = []
-    for value in (value for item in items for value in item):
+def _numbers(items: list[Any]) -> Iterator[float]:
+    for value in items:
         if isinstance(value, list):
-            found += value
+            yield from _numbers(value)
         elif isinstance(value, float):
-            found.append(value)
-    return found
+            yield value

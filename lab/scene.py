@@ -10,6 +10,8 @@ from lab.drawing.pen import Pen
 from scenes.clock import FRAME, Clock, deviation
 from scenes.parameters import Parameter
 
+Pair = tuple[Sequence[float], Sequence[float]]  # simulated coordinates, and their exact values
+
 
 @dataclass(frozen=True)
 class Question:
@@ -68,12 +70,8 @@ class Scene:
         """Return the values to plot over time, such as {"energy, J": 2.5}."""
         return {}
 
-    def state(self) -> list[float]:
-        """Return the simulated coordinates that ``error`` compares with the exact ones."""
-        return []
-
-    def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact values of ``state`` at a simulated time, or None if there are none."""
+    def beside_exact(self) -> Pair | None:
+        """Return the simulated coordinates and their exact values, or None if these are unknown."""
         return None
 
     def say(self) -> str:
@@ -113,8 +111,8 @@ class Scene:
 
     def error(self) -> float | None:
         """Compute the largest difference between a coordinate and its exact value, if known."""
-        exact = self.exact(self.simulated)
-        return None if exact is None else deviation(self.state(), exact)
+        pair = self.beside_exact()
+        return None if pair is None else deviation(*pair)
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:

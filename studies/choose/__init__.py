@@ -14,18 +14,10 @@ from __future__ import annotations
 import argparse
 import math
 import sys
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from autograder.commands import TUNED, find_engine
 from autograder.text.wrapping import plain_console
-
-if TYPE_CHECKING:
-    from studies.accuracy.measure import Point
-    from studies.accuracy.scene import Scene
-
-ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
@@ -38,57 +30,19 @@ def main(arguments: list[str]) -> int:
     if not 0.0 < options.tolerance < math.inf:
         parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
     sys.path[:0] = map(str, find_engine(TUNED))
-    # These modules import chapters.
-    if options.scene.endswith(".py"):
-        from studies.choose.report import choose
-        from studies.choose.scene import SceneError
+    from studies.choose import report  # it imports chapters
+    from studies.choose.scene import SceneError
 
+    console, file = plain_console(), Path(options.scene)
+    if options.scene.endswith(".py"):
         try:
-            return choose(Path(options.scene), options.tolerance, plain_console())
+            return report.choose(file, options.tolerance, console)
         except SceneError as error:
-            parser.error(str(error))
-    from scenes.clock import RATE
-    from studies.accuracy import results
+            parser.error(f"{file}: {error}")
     from studies.accuracy.catalog import scenes_with
-    from studies.accuracy.measure import measured_in
-    from studies.choose.report import print_choice, print_line
 
     try:
         scenes = scenes_with(options.scene)
     except ValueError as error:
         parser.error(str(error))
-    console = plain_console()
-    measured = measured_in(console, scenes, ROUNDS, SLOWEST, SLOWEST)
-    missed = False
-    for scene in scenes:
-        own = [point for point in measured.points if point.scene == scene.name]
-        console.print(
-            f"{scene.name}: {scene.frames / RATE:.3g} s, error at most {options.tolerance:g} of "
-            f"the scene's size, {scene.scale:.3g} m",
-            style="bold",
-            soft_wrap=True,
-        )
-        ours, others = results.split(own)
-        found, cheaper = results.cheapest(ours, options.tolerance)
-        theirs, _ = results.cheapest(others, options.tolerance)
-        missed |= found is None
-        limit = f"with runs of up to {SLOWEST:g} s"
-        none = f"none of our models is accurate enough {limit}", "none of our models is cheaper"
-        told = partial(_told, scene, tolerance=options.tolerance)
-        print_choice(console, found, cheaper, options.tolerance, told, none)
-        text = told(theirs) if theirs else f"not accurate enough {limit}"
-        if found and theirs and theirs.time < found.time:
-            text += ": cheaper than all of ours"
-        print_line(console, "pymunk", text)
-    return 1 if missed else 0
-
-
-def _told(scene: Scene, point: Point, tolerance: float) -> str:
-    """Describe one timed run for the report, with its steps, time, work and error."""
-    from studies.choose.report import told_beside, took  # it imports chapters
-
-    model = next(model for model in scene.models if model.name == point.model)
-    return (
-        f"{point.model}, {model.chosen(point.steps)}: {took(point, scene.frames)}, "
-        f"{point.work} {scene.counted}, error {told_beside(tolerance, point.error, 2)}"
-    )
+    return report.choose_built_in(scenes, options.tolerance, console)

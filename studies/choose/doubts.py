@@ -67,9 +67,8 @@ def warnings(
             "errors marked ? are only guesses, because they do not fall with the expected order as "
             "the steps are halved"
         )
-    for tried in unsteady:
-        if not tried.halved.orders:
-            told.append(tried.failure or f"{tried.model.name}: its runs hardly differ")
+    unknown = [tried for tried in unsteady if not tried.halved.orders]
+    told += [tried.failure or f"{tried.model.name}: its runs hardly differ" for tried in unknown]
     if len(unsteady) == len(found):
         told.append(
             "no model converges. If the motion is chaotic, shorten DURATION, or measure something "
@@ -96,8 +95,7 @@ def _doubt_about(found: list[Tried], chosen: Point, tolerance: float) -> str:
     if not others:
         only = f"only {chosen.model} converges, so no other model confirms its error"
         return "" if mine.halved.is_exact or len(found) == 1 else only
-    farthest = _farthest(found, tolerance)
-    if not farthest:
+    if not (farthest := _farthest(found, tolerance)):
         return ""
     gap, a, b = farthest
     return (

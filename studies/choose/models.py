@@ -60,9 +60,8 @@ def models_of(world: ParticleWorld) -> list[Model]:
     if world.contact_generators:
         return [*_special(world), *(_resolving(name) for name in INTEGRATORS)]
     found = [] if world.registry.pairs() else [Model("exact steps", 1, _exact, STEPS[:3])]
-    for name, integrator in INTEGRATORS.items():
-        order = 1 if damped else ORDERS.get(name, 1)
-        found.append(Model(name, order, _with(integrator)))
+    orders = {} if damped else ORDERS
+    found += [Model(name, orders.get(name, 1), _with(one)) for name, one in INTEGRATORS.items()]
     if not damped:  # adaptive damps once per frame, which no tolerance makes more accurate
         found.append(
             Model("adaptive", 1, lambda w: _with(w.integrator)(w), TOLERANCES, takes_tolerance=True)
@@ -88,11 +87,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
     """Build a model's ``step_of`` function, which uses ``integrator`` and ignores contacts."""
 
-    def step_of(world: ParticleWorld) -> Step:
-        particles, forces = world.particles, world.registry.update_forces
-        return lambda duration: integrator(particles, forces, duration)
-
-    return step_of
+    return lambda world: partial(integrator, world.particles, world.registry.update_forces)
 
 
 def _resolving(name: str) -> Model:
@@ -129,16 +124,11 @@ def _time_division(world: ParticleWorld) -> Step:
 def _after_forces(make: Callable[[ParticleWorld], Step]) -> Callable[[ParticleWorld], Step]:
     """Return a ``step_of`` function whose steps evaluate the forces, and then move the world."""
 
-    def step_of(world: ParticleWorld) -> Step:
-        move = make(world)
+    def step(world: ParticleWorld, move: Step, duration: float) -> None:
+        world.registry.update_forces(duration)
+        move(duration)
 
-        def step(duration: float) -> None:
-            world.registry.update_forces(duration)
-            move(duration)
-
-        return step
-
-    return step_of
+    return lambda world: partial(step, world, make(world))
 
 
 def _of_all(solver: Callable[[Any, Any], Any]) -> Callable[[ParticleWorld], Step]:

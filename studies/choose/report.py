@@ -1,9 +1,10 @@
-"""Print the report of `make choose` on a scene that the user wrote."""
+"""Print the report of `make choose` on a scene that the user wrote, or on built-in scenes."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
@@ -12,9 +13,10 @@ from rich.table import Table
 
 from autograder.text.wrapping import print_wrapped
 from scenes.clock import RATE
-from studies.accuracy.measure import Point
-from studies.accuracy.results import cheapest, first_within
-from studies.choose import runs
+from studies.accuracy.measure import Point, measured_in
+from studies.accuracy.results import cheapest, first_within, split
+from studies.accuracy.scene import Model, Scene
+from studies.choose import models, runs
 from studies.choose.doubts import contradiction, is_guess, warnings
 from studies.choose.runs import Tried
 from studies.choose.scene import OwnScene, load
@@ -38,56 +40,81 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
         style="bold",
         soft_wrap=True,
     )
-    doubt = contradiction(found, tolerance)
+
+    def told(point: Point) -> str:
+        run = _run(point, [tried.model for tried in found], scene.frames)
+        return f"{run}, error about {told_beside(tolerance, point.error)}"
+
     chosen = None
-    if doubt:
-        print_line(console, "cheapest", f"unknown, because {doubt}")
+    if doubt := contradiction(found, tolerance):
+        _print_line(console, "cheapest", f"unknown, because {doubt}")
     else:
-        chosen = _print_choice(scene, found, tolerance, console)
+        steady = [point for one in found if one.halved.is_steady for point in one.points(scene)]
+        longest = max(taken for tried in found for times in tried.times for taken in times)
+        none = f"no model is accurate enough with runs of up to {longest:.2g} s"
+        chosen = _print_choice(console, steady, tolerance, told, (none, "no model is cheaper"))
     console.print(_table(found, scene, tolerance, is_doubtful=bool(doubt)))
     for warning in warnings(found, chosen, tolerance, is_doubtful=bool(doubt)):
         print_wrapped(console, f"Warning: {warning}", hanging=2)
     return 0 if chosen else 1
 
 
-def _print_choice(
-    scene: OwnScene, found: list[Tried], tolerance: float, console: Console
+def choose_built_in(scenes: Sequence[Scene], tolerance: float, console: Console) -> int:
+    """Report the fastest accurate model of each built-in scene. Return 1 if a scene has none."""
+    points = measured_in(console, scenes, runs.ROUNDS, runs.SLOWEST, runs.SLOWEST).points
+    chosen = [_print_built_in(scene, points, tolerance, console) for scene in scenes]
+    return 0 if all(chosen) else 1
+
+
+def _print_built_in(
+    scene: Scene, points: list[Point], tolerance: float, console: Console
 ) -> Point | None:
-    """Print the cheapest run that is accurate enough, and the next cheaper one, and return it."""
-    steady = [point for tried in found if tried.halved.is_steady for point in tried.points(scene)]
-    chosen, cheaper = cheapest(steady, tolerance)
-    longest = max(taken for tried in found for times in tried.times for taken in times)
-    models = {tried.model.name: tried.model for tried in found}
-
-    def told(point: Point) -> str:
-        choice = models[point.model].chosen(point.steps)
-        error = told_beside(tolerance, point.error)
-        return f"{point.model}, {choice}: {took(point, scene.frames)}, error about {error}"
-
-    none = f"no model is accurate enough with runs of up to {longest:.2g} s"
-    print_choice(console, chosen, cheaper, tolerance, told, (none, "no model is cheaper"))
+    """Print the cheapest accurate runs of our models and of pymunk's, and return ours."""
+    console.print(
+        f"{scene.name}: {scene.frames / RATE:.3g} s, error at most {tolerance:g} of the scene's "
+        f"size, {scene.scale:.3g} m",
+        style="bold",
+        soft_wrap=True,
+    )
+    ours, others = split([point for point in points if point.scene == scene.name])
+    limit = f"with runs of up to {runs.SLOWEST:g} s"
+    none = f"none of our models is accurate enough {limit}", "none of our models is cheaper"
+    told = partial(told_of, scene, tolerance)
+    chosen = _print_choice(console, ours, tolerance, told, none)
+    theirs, _ = cheapest(others, tolerance)
+    text = told(theirs) if theirs else f"not accurate enough {limit}"
+    if chosen and theirs and theirs.time < chosen.time:
+        text += ": cheaper than all of ours"
+    _print_line(console, "pymunk", text)
     return chosen
 
 
-def print_choice(
+def told_of(scene: Scene, tolerance: float, point: Point) -> str:
+    """Describe a run of a built-in scene, with its steps, time, work and error."""
+    run = _run(point, scene.models, scene.frames)
+    return f"{run}, {point.work} {scene.counted}, error {told_beside(tolerance, point.error, 2)}"
+
+
+def _print_choice(
     console: Console,
-    chosen: Point | None,
-    cheaper: Point | None,
+    points: list[Point],
     tolerance: float,
     told: Callable[[Point], str],
     none: tuple[str, str],
-) -> None:
+) -> Point | None:
     """Print the cheapest accurate run and the next cheaper one, with texts for ``none``."""
-    print_line(console, "cheapest", told(chosen) if chosen else none[0])
+    chosen, cheaper = cheapest(points, tolerance)
+    _print_line(console, "cheapest", told(chosen) if chosen else none[0])
     if chosen and cheaper:
         fails = cheaper.error > tolerance
         why = "not accurate enough" if fails else "accurate only by chance"
-        print_line(console, "next cheaper", f"{told(cheaper)}: {why}")
+        _print_line(console, "next cheaper", f"{told(cheaper)}: {why}")
     elif chosen:
-        print_line(console, "next cheaper", none[1])
+        _print_line(console, "next cheaper", none[1])
+    return chosen
 
 
-def print_line(console: Console, title: str, text: str) -> None:
+def _print_line(console: Console, title: str, text: str) -> None:
     """Print a line of the report, such as the cheapest run."""
     print_wrapped(console, f"  {title + ':':14}{text}", hanging=16)
 
@@ -104,10 +131,13 @@ def told_beside(tolerance: float, error: float, digits: int = 1) -> str:
     return f"{error:.{MOST_DIGITS}g}"
 
 
-def took(point: Point, frames: int) -> str:
-    """Describe how long a run of a scene took, in total and for each frame on average."""
+def _run(point: Point, every: Iterable[Model | models.Model], frames: int) -> str:
+    """Describe a run, its steps, and how long it took in total and for each frame on average."""
+    steps = next(model.chosen(point.steps) for model in every if model.name == point.model)
     milliseconds = 1e3 * point.time
-    return f"{milliseconds:.3g} ms ({milliseconds / frames:.2g} ms per frame)"
+    return (
+        f"{point.model}, {steps}: {milliseconds:.3g} ms ({milliseconds / frames:.2g} ms per frame)"
+    )
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float, *, is_doubtful: bool) -> Table:

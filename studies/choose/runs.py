@@ -68,10 +68,7 @@ class Tried:
         """Convert the runs to points of the accuracy study. Their work is the number of steps."""
         start = str(scene.path), self.model.name, "ours"
         runs = zip(self.model.choices, self.halved.errors, self.times, strict=False)
-        return [
-            Point(*start, choice, error, choice * scene.frames, times)
-            for choice, error, times in runs
-        ]
+        return [Point(*start, n, error, n * scene.frames, times) for n, error, times in runs]
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
@@ -96,11 +93,10 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
         found.append(tried)
     runs = [run for tried in found for run in tried.runs if run is not None]
     if not runs:
-        raise SceneError(f"{scene.path}: no model could run the scene; {found[-1].failure}")
+        raise SceneError(f"no model could run the scene; {found[-1].failure}")
     size = max(map(abs, start))
     if all(distance(run, [start] * scene.frames) <= STILL * size for run in runs):
-        seconds = scene.frames / RATE
-        raise SceneError(f"{scene.path}: none of the measured values changes in {seconds:g} s")
+        raise SceneError(f"none of the measured values changes in {scene.frames / RATE:g} s")
     return found
 
 
@@ -126,12 +122,12 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
     except (ArithmeticError, ValueError) as error:
         return f"{model.name} {why(error, scene.path)}", time.process_time() - start
     except Exception as error:
-        raise SceneError(f"{scene.path}: {model.name} {why(error, scene.path)}") from error
+        raise SceneError(f"{model.name} {why(error, scene.path)}") from error
     taken = time.process_time() - start
     if not all(math.isfinite(value) for place in values for value in place):
         return f"{model.name} produced numbers that are not finite", taken
     if any(len(place) != len(values[0]) for place in values):
-        raise SceneError(f"{scene.path}: measure() must always return the same number of values")
+        raise SceneError("measure() must always return the same number of values")
     return values, taken
 
 

@@ -45,9 +45,9 @@ class OwnScene:
         """Build the scene, or raise SceneError if build() fails or its result has no particles."""
         world = self._asked("build", self.build)
         if not isinstance(world, ParticleWorld):
-            raise SceneError(f"{self.path}: build() must return a ParticleWorld, got {world!r}")
+            raise SceneError(f"build() must return a ParticleWorld, got {world!r}")
         if not world.particles:
-            raise SceneError(f"{self.path}: the world that build() returns has no particles")
+            raise SceneError("the world that build() returns has no particles")
         return world
 
     def measured(self, world: ParticleWorld) -> Values:
@@ -60,8 +60,7 @@ class OwnScene:
             return tuple(_numbers(found))
         except TypeError:
             wanted = "a number, a Vector3, or a list of these"
-            message = f"{self.path}: measure() must return {wanted}, got {found!r}"
-            raise SceneError(message) from None
+            raise SceneError(f"measure() must return {wanted}, got {found!r}") from None
 
     def check(self) -> Values:
         """Build the scene twice, and return the values measured at the start.
@@ -72,18 +71,18 @@ class OwnScene:
         first, second = self.built(), self.built()
         if {*map(id, first.particles)} & {*map(id, second.particles)}:
             raise SceneError(
-                f"{self.path}: build() must make new particles on every call, because each run "
-                "starts over; it returned the same particle twice"
+                "build() must make new particles on every call, because each run starts over; it "
+                "returned the same particle twice"
             )
         values, again = self.measured(first), self.measured(second)
         if not values:
-            raise SceneError(f"{self.path}: measure() returned no numbers")
+            raise SceneError("measure() returned no numbers")
         if not all(map(math.isfinite, values)):
-            raise SceneError(f"{self.path}: measure() must be finite at the start, got {values}")
+            raise SceneError(f"measure() must be finite at the start, got {values}")
         if values != again:
             raise SceneError(
-                f"{self.path}: build() must make the same scene on every call, but measure() gave "
-                f"{values} for the first and {again} for the second; seed any random numbers"
+                f"build() must make the same scene on every call, but measure() gave {values} for "
+                f"the first and {again} for the second; seed any random numbers"
             )
         return values
 
@@ -91,7 +90,7 @@ class OwnScene:
         try:
             return call()
         except (Exception, SystemExit) as error:
-            raise SceneError(f"{self.path}: {what}() {why(error, self.path)}") from error
+            raise SceneError(f"{what}() {why(error, self.path)}") from error
 
 
 def check_forces(scene: OwnScene) -> None:
@@ -113,10 +112,10 @@ def check_forces(scene: OwnScene) -> None:
             return
         if not repeats:
             raise SceneError(
-                f"{scene.path}: {type(force).__name__} gave different forces, although no particle "
-                "had moved. A force must not keep its own clock or any other memory, because some "
-                "methods evaluate the forces several times per step. Let it read the time from a "
-                "clock that is a particle, as in studies/choose/example_driven.py. Draw any random "
+                f"{type(force).__name__} gave different forces, although no particle had moved. A "
+                "force must not keep its own clock or any other memory, because some methods "
+                "evaluate the forces several times per step. Let it read the time from a clock "
+                "that is a particle, as in studies/choose/example_driven.py. Draw any random "
                 "numbers in build()"
             )
 
@@ -138,21 +137,22 @@ def _repeats(particle: Particle, force: ForceGenerator, calls: int) -> bool:
 def load(path: Path) -> OwnScene:
     """Load the user's scene, or raise SceneError if the file is missing, broken or incomplete."""
     module = _run(path)
-    build, measure = _function(path, module, "build"), _function(path, module, "measure")
+    build, measure = (getattr(module, name, None) for name in ("build", "measure"))
+    for name, found in (("build", build), ("measure", measure)):
+        if found is not None and not callable(found):
+            raise SceneError(f"{name} must be a function, got {found!r}")
     if build is None:
         raise SceneError(
-            f"{path}: build is missing. Define it as a function that returns a ParticleWorld, as "
-            "in studies/choose/example.py"
+            "build is missing. Define it as a function that returns a ParticleWorld, as in "
+            "studies/choose/example.py"
         )
     if not hasattr(module, "DURATION"):
-        raise SceneError(
-            f"{path}: DURATION is missing. Set it to the time in s that the scene should run"
-        )
+        raise SceneError("DURATION is missing. Set it to the time in s that the scene should run")
     duration = module.DURATION
     is_number = isinstance(duration, (int, float)) and not isinstance(duration, bool)
     if not is_number or not 0.5 / RATE < duration < math.inf:
         wanted = f"a number of seconds, at least one frame of 1/{RATE:g} s"
-        raise SceneError(f"{path}: DURATION must be {wanted}, got {duration!r}")
+        raise SceneError(f"DURATION must be {wanted}, got {duration!r}")
     return OwnScene(path, round(duration * RATE), build, measure or positions)
 
 
@@ -174,7 +174,7 @@ def positions(world: ParticleWorld) -> list[Vector3]:
 
 def _run(path: Path) -> ModuleType:
     if not path.is_file():
-        raise SceneError(f"{path}: there is no such file")
+        raise SceneError("there is no such file")
     spec = importlib.util.spec_from_file_location(NAME, path.absolute())
     assert spec is not None
     assert spec.loader is not None
@@ -183,16 +183,8 @@ def _run(path: Path) -> ModuleType:
     try:
         spec.loader.exec_module(module)
     except (Exception, SystemExit) as error:
-        raise SceneError(f"{path}: the file {why(error, path)}") from error
+        raise SceneError(f"the file {why(error, path)}") from error
     return module
-
-
-def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return a function of the user's file, or None if it is not defined."""
-    found = getattr(module, name, None)
-    if found is not None and not callable(found):
-        raise SceneError(f"{path}: {name} must be a function, got {found!r}")
-    return found
 
 
 def _numbers(found: Any) -> Iterable[float]:

@@ -73,7 +73,7 @@ def test_one_rope_of_rods_stretches_and_another_does_not() -> None:
     The lower limit is 1 cm, and the upper limit is a millionth of the rope's length.
     """
     scene = after("ropes", 2.0, angle=60.0)
-    by_frame, by_substeps, solved = scene.state()
+    (by_frame, by_substeps, solved), _ = scene.beside_exact()
     assert by_frame > 10.0 * by_substeps
     assert by_frame > 0.01
     assert abs(solved) < 3e-6
@@ -158,7 +158,7 @@ def test_only_a_spin_about_the_middle_axis_turns_over(
     scene = after("spin", 9.0, about=about, disturbance=disturbance)
     assert (scene.turned_over > 0) == turns
     assert answer(scene) == int(turns)
-    energy, *momentum = scene.state()
+    energy, *momentum = scene.conserved()
     # A splitting of order 2 with sixty steps per turn: (2 pi / 60)^2 is about 1 %.
     assert energy == pytest.approx(scene.first[0], rel=0.01)
     assert momentum == pytest.approx(scene.first[1:], rel=1e-9, abs=1e-12)

@@ -27,6 +27,8 @@ from studies.accuracy.results import front, stalls, table, time_to
 from studies.accuracy.scene import Model, Outcome, Scene
 from studies.charts.page import looks
 from studies.charts.ratios import figures_of, precise, told, told_ratio
+from studies.choose import runs
+from studies.choose.report import told_of
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
 G = 9.81
@@ -351,7 +353,7 @@ def test_a_scene_that_is_not_there_is_refused_by_name(capsys: pytest.CaptureFixt
 def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_not(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(choose, "SLOWEST", 0.01)
+    monkeypatch.setattr(runs, "SLOWEST", 0.01)
     assert choose.main(["elastic", "--tolerance", "1e-5"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("elastic pendulum: 2 s, error at most 1e-05 of the scene's size")
@@ -366,7 +368,7 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
 def test_a_model_that_takes_a_tolerance_is_told_with_it() -> None:
     orbit = SCENES["orbit of eccentricity 0.9"]
     point = Point(orbit.name, "adaptive", "ours", 10**6, 3e-5, 834, [1e-3])
-    told = choose._told(orbit, point, 1e-4)
+    told = told_of(orbit, 1e-4, point)
     assert told.startswith("adaptive, tolerance 1e-06: 1 ms")
     assert "834 evaluations" in told
 
@@ -374,7 +376,7 @@ def test_a_model_that_takes_a_tolerance_is_told_with_it() -> None:
 def test_where_nothing_will_do_the_command_fails(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(choose, "SLOWEST", 1e-3)
+    monkeypatch.setattr(runs, "SLOWEST", 1e-3)
     assert choose.main(["k = 100 ", "--tolerance", "1e-20"]) == 1
     assert "cheapest:     none of our models is accurate enough" in capsys.readouterr().out
     for bad in ("0", "-1", "nan", "inf"):

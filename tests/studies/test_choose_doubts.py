@@ -27,7 +27,7 @@ from studies.choose import runs
 from studies.choose.doubts import contradiction, is_guess, warnings
 from studies.choose.halving import distance, halved
 from studies.choose.models import models_of
-from studies.choose.report import told_beside
+from studies.choose.report import told_beside, told_of
 from studies.choose.scene import OwnScene, load
 
 DRIVEN = ROOT / "studies/choose/example_driven.py"
@@ -189,9 +189,9 @@ def test_steps_longer_than_a_frame_are_counted_in_several_frames() -> None:
     (scene,) = scenes_with("double pendulum")
     model = next(model for model in scene.models if model.per > 1)
     point = Point(scene.name, model.name, "ours", 3, 4e-4, 240, [1e-3])
-    assert f"{model.name}, 3 steps per {model.per} frames: " in choose._told(scene, point, 1e-3)
+    assert f"{model.name}, 3 steps per {model.per} frames: " in told_of(scene, 1e-3, point)
     once = replace(point, steps=1)
-    assert f"{model.name}, once per {model.per} frames: " in choose._told(scene, once, 1e-3)
+    assert f"{model.name}, once per {model.per} frames: " in told_of(scene, 1e-3, once)
 
 
 def stars() -> tuple[OwnScene, list[list[float]]]:

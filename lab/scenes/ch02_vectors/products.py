@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 from ch02_vectors.vector import Vector3
 from lab.drawing.camera import flat, on_the_ground
 from lab.drawing.pen import Pen
-from lab.scene import Scene
+from lab.scene import Pair, Scene
 
 STEP = math.radians(5.0)  # rotation per key press
 TIP = 0.14  # m, radius of the draggable tip of a vector
-
-
-def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Rotate the point (x, y) counter-clockwise about the origin by ``angle``, in radians."""
-    c, s = math.cos(angle), math.sin(angle)
-    return c * x - s * y, s * x + c * y
 
 
 class TwoVectors(Scene):
@@ -33,7 +28,8 @@ class TwoVectors(Scene):
 
     def rotate(self, angle: float) -> None:
         """Rotate a to the left by an angle in radians."""
-        self.a.x, self.a.y = rotated(self.a.x, self.a.y, angle)
+        rotated = complex(self.a.x, self.a.y) * cmath.rect(1.0, angle)
+        self.a.x, self.a.y = rotated.real, rotated.imag
 
     def press(self, key: str) -> None:
         if key in self.keys:
@@ -74,13 +70,10 @@ class Projection(TwoVectors):
             "projection, m": self.shadow().dot(self.b.normalized()),
         }
 
-    def state(self) -> list[float]:
-        return [*self.shadow()][:2]
-
-    def exact(self, time: float) -> list[float]:
+    def beside_exact(self) -> Pair:
         a, b = self.a, self.b
         scale = (a.x * b.x + a.y * b.y) / (b.x * b.x + b.y * b.y)
-        return [scale * b.x, scale * b.y]
+        return [*self.shadow()][:2], [scale * b.x, scale * b.y]
 
     def facts(self) -> str:
         angle = abs(math.degrees(math.atan2(self.a.y, self.a.x) - math.atan2(self.b.y, self.b.x)))
@@ -124,12 +117,9 @@ class CrossProduct(TwoVectors):
     def chart(self) -> dict[str, float]:
         return {"vertical component of a × b, m²": self.a.cross(self.b).y}
 
-    def state(self) -> list[float]:
-        return [*self.a.cross(self.b)]
-
-    def exact(self, time: float) -> list[float]:
+    def beside_exact(self) -> Pair:
         a, b = self.a, self.b
-        return [0.0, a.z * b.x - a.x * b.z, 0.0]
+        return [*a.cross(b)], [0.0, a.z * b.x - a.x * b.z, 0.0]
 
     def facts(self) -> str:
         return f"area of the parallelogram: {self.a.cross(self.b).magnitude():.2f} m²"
@@ -140,7 +130,8 @@ class CrossProduct(TwoVectors):
 
     def rotate(self, angle: float) -> None:
         """Rotate a on the ground. From above, z points toward the viewer."""
-        self.a.x, self.a.z = rotated(self.a.x, self.a.z, -angle)
+        rotated = complex(self.a.x, self.a.z) * cmath.rect(1.0, -angle)
+        self.a.x, self.a.z = rotated.real, rotated.imag
 
     def drag(self, name: str, x: float, y: float) -> None:
         moved = self.a if name == "a" else self.b

@@ -8,7 +8,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.clock import FRAME, ROUNDING
 from scenes.flight import GRAVITY, thrown
 from scenes.parameters import Choice, Slider
@@ -69,16 +69,12 @@ class FrameRates(Scene):
             pen.text((x + 0.2, y + 0.8), f"{rate} Hz", color)
 
     def chart(self) -> dict[str, float]:
-        return {
-            f"error at {rate} Hz, m": math.dist(self.paths[i][-1], self.exact(self.flown(i)))
-            for i, rate in enumerate(self.rates)
-        }
+        exact = [self.flight.exact(self.flown(i)).position[:2] for i in range(3)]
+        ends = zip(self.rates, self.paths, exact, strict=True)
+        return {f"error at {rate} Hz, m": math.dist(path[-1], end) for rate, path, end in ends}
 
-    def state(self) -> list[float]:
-        return [*self.paths[-1][-1]]
-
-    def exact(self, time: float) -> list[float]:
-        return [*self.flight.exact(time).position[:2]]
+    def beside_exact(self) -> Pair:
+        return self.paths[-1][-1], self.flight.exact(self.simulated).position[:2]
 
     def facts(self) -> str:
         rise = 0.5 * -GRAVITY[1] / self.rate**2
@@ -139,11 +135,8 @@ class DampingForms(Scene):
         per_step, per_second = self.speeds
         return {"speed, per step, m/s": per_step.x, "speed, per second, m/s": per_second.x}
 
-    def state(self) -> list[float]:
-        return [self.places[1]]
-
-    def exact(self, time: float) -> list[float]:
-        return [self.slid(time)]
+    def beside_exact(self) -> Pair:
+        return [self.places[1]], [self.slid(self.simulated)]
 
     def facts(self) -> str:
         found = f"{self.kept ** (self.rate / 60.0):.3g} of v per second, not {self.kept:g}"

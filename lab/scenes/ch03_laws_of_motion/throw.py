@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from ch03_laws_of_motion.particle import Particle
 from lab.drawing.pen import Pen
-from lab.scene import Scene
+from lab.scene import Pair, Scene
 from scenes.flight import thrown
 from scenes.parameters import Choice, Slider
 
@@ -133,26 +133,27 @@ class Throw(Scene):
         pen.line(self.truth, "gray", 1.5, dashed=True)
         pen.dots(self.path, "blue")
         if self.flies:
-            x_exact, y_exact = self.exact(self.simulated)
+            _, (x_exact, y_exact) = self.beside_exact()
             pen.circle((x_exact, y_exact), self.BALL, "gray", fill=False)
             pen.segments([(self.path[-1], (x_exact, y_exact))], "red", 1.5)
         else:
             a, reach = math.radians(self.angle), 0.2 * self.speed
             pen.arrow(self.HAND, (reach * math.cos(a), reach * math.sin(a)), "red")
-        place = self.path[-1] if self.path else self.HAND
-        pen.circle((place[0], max(self.BALL, place[1])), self.BALL, "orange")
+        ball_x, ball_y = self.place()
+        pen.circle((ball_x, max(self.BALL, ball_y)), self.BALL, "orange")
         pen.text((9.0, 10.2), self.message or f"error {self.error() or 0.0:.2f} m", "black", 15.0)
         if self.score > self.passed:
             pen.text((x, y + 1.5), "In!", "green", 18.0)
 
     def chart(self) -> dict[str, float]:
-        return {"height, m": self.path[-1][1] if self.path else self.HAND[1]}
+        return {"height, m": self.place()[1]}
 
-    def state(self) -> list[float]:
-        return [*(self.path[-1] if self.path else self.HAND)]
+    def place(self) -> Point:
+        return self.path[-1] if self.path else self.HAND
 
-    def exact(self, time: float) -> list[float]:
-        return [*self.flight.exact(min(time, self.end) - self.start).position[:2]]
+    def beside_exact(self) -> Pair:
+        exact = self.flight.exact(min(self.simulated, self.end) - self.start)
+        return self.place(), exact.position[:2]
 
     def facts(self) -> str:
         return f"{self.score} of {self.throws} went in; {self.rate} steps per second"

@@ -10,7 +10,7 @@ from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, 
 from ch04_particle_engine.closed_form import state_after
 from ch04_particle_engine.targets import TargetBlock, strike_first
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.flight import thrown
 from scenes.parameters import Choice, Slider
 from scenes.readings import Numbers, is_written
@@ -92,11 +92,9 @@ class Artillery(Scene):
     def chart(self) -> dict[str, float]:
         return {"height, m": self.shell.position.y, "speed, m/s": self.shell.velocity.magnitude()}
 
-    def state(self) -> list[float]:
-        return [self.shell.position.x, self.shell.position.y]
-
-    def exact(self, time: float) -> list[float]:
-        return [*self.place_after(min(time, self.end) - self.fired, self.elevation)]
+    def beside_exact(self) -> Pair:
+        flown = min(self.simulated, self.end) - self.fired
+        return [*self.shell.position][:2], self.place_after(flown, self.elevation)
 
     def facts(self) -> str:
         return f"lands {self.length:.2f} m away after {self.flight:.2f} s, as calculated in advance"

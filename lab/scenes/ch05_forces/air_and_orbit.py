@@ -6,19 +6,13 @@ import math
 
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.clock import FRAME
 from scenes.fall_in_air import G, falling
 from scenes.orbit import KeplerOrbit
 from scenes.parameters import Choice, Slider
 
 RATES = (15, 30, 60, 120, 240)
-
-
-def lands_first(scene: FallInAir) -> int:
-    """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie."""
-    left, right = scene.terminal_speeds()
-    return 0 if left > 1.001 * right else 1 if right > 1.001 * left else 2
 
 
 class FallInAir(Scene):
@@ -32,7 +26,7 @@ class FallInAir(Scene):
     predict = Question(
         "Both balls are released together. Which one lands first?",
         ["The left ball.", "The right ball.", "Both land together."],
-        lands_first,
+        lambda scene: scene.lands_first(),
         "Without air both balls would land together. With drag, the ball with more weight for its "
         "drag coefficient falls faster: the terminal speed is the square root of m g / k2.",
         6.0,
@@ -54,6 +48,11 @@ class FallInAir(Scene):
     def terminal_speeds(self) -> list[float]:
         """Return the terminal speed of each ball in m/s, which is infinite without air."""
         return [terminal_speed(mass * G, 0.0, k2) if k2 else math.inf for mass, k2 in self.balls]
+
+    def lands_first(self) -> int:
+        """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie."""
+        left, right = self.terminal_speeds()
+        return 0 if left > 1.001 * right else 1 if right > 1.001 * left else 2
 
     def step(self, duration: float) -> None:
         self.registry.update_forces(duration)
@@ -80,16 +79,13 @@ class FallInAir(Scene):
         left, right = self.fallers
         return {"speed, left, m/s": -left.velocity.y, "speed, right, m/s": -right.velocity.y}
 
-    def state(self) -> list[float]:
-        return [ball.position.y for ball in self.fallers]
-
-    def exact(self, time: float) -> list[float]:
-        """Compute the heights of both balls. A ball that has landed is where it is."""
-        heights = []
-        for ball, landed, (mass, k2) in zip(self.fallers, self.landed, self.balls, strict=True):
+    def beside_exact(self) -> Pair:
+        """Return the heights of both balls. Those of a ball that has landed are the same."""
+        heights, exact, time = [ball.position.y for ball in self.fallers], [], self.simulated
+        for height, landed, (mass, k2) in zip(heights, self.landed, self.balls, strict=True):
             fallen = quadratic_fall(mass, G, k2, time)[1] if k2 else 0.5 * G * time * time
-            heights.append(self.TOP - fallen if landed == math.inf else ball.position.y)
-        return heights
+            exact.append(self.TOP - fallen if landed == math.inf else height)
+        return heights, exact
 
     def facts(self) -> str:
         ends = self.terminal_speeds()
@@ -97,7 +93,7 @@ class FallInAir(Scene):
         return f"terminal speeds: {left} and {right}"
 
     def say(self) -> str:
-        left, right = self.state()
+        left, right = (ball.position.y for ball in self.fallers)
         return f"The balls are {left:.0f} m and {right:.0f} m high."
 
 
@@ -156,11 +152,8 @@ class Orbit(Scene):
         energy = 0.5 * v.squared_magnitude() - self.MU / p.magnitude()
         return {"energy, J": energy, "angular momentum, kg m²/s": p.x * v.y - p.y * v.x}
 
-    def state(self) -> list[float]:
-        return [self.planet.position.x, self.planet.position.y]
-
-    def exact(self, time: float) -> list[float]:
-        return [*self.orbit.exact(time)]
+    def beside_exact(self) -> Pair:
+        return [*self.planet.position][:2], self.orbit.exact(self.simulated)
 
     def facts(self) -> str:
         period = self.orbit.period

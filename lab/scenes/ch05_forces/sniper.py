@@ -29,11 +29,9 @@ class Sniper(Scene):
         "n": "begin a new round",
     }
 
-    def build(self) -> None:
-        self.seed = 2
-        self.begin()
+    seed = 2  # of the winds
 
-    def begin(self) -> None:
+    def build(self) -> None:
         """Begin a new round of ten shots, with new winds."""
         self.seed += 1
         self.range = sniper.SniperRange(self.seed)
@@ -86,13 +84,12 @@ class Sniper(Scene):
         return f"The wind blows to the {side}. {shots} are left."
 
     def press(self, key: str) -> None:
-        azimuth, elevation = self.aim
         if key == "n":
-            self.begin()
+            self.build()
         elif key == "f":
-            self.shoot(azimuth, elevation)
+            self.shoot(*self.aim)
         elif key in TURNS:
-            left, up = TURNS[key]
+            (azimuth, elevation), (left, up) = self.aim, TURNS[key]
             self.aim = (azimuth + left, elevation + up)
 
     def click(self, x: float, y: float) -> None:

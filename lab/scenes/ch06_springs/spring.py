@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.integrators import INTEGRATORS
 from scenes.parameters import Choice, Slider
 from scenes.spring_on_a_wall import DAMPING, MASS, START, STIFFNESS, SpringOnAWall
@@ -73,7 +73,7 @@ class IntegratorRace(Scene):
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
         pen.text((-1.9, 2.1), "velocity / ω against position", "gray", 13.0)
-        x, y = self.exact(self.simulated)
+        _, (x, y) = self.beside_exact()
         pen.circle((x, y), 0.1, "gray", fill=False)
         for i, ((name, ball), color) in enumerate(zip(self.balls.items(), COLORS, strict=True)):
             x, y = self.phase(ball)
@@ -92,12 +92,9 @@ class IntegratorRace(Scene):
             found[f"energy, {name}, J"] = min(0.5 * self.stiffness * (x * x + y * y), 1e9)
         return found
 
-    def state(self) -> list[float]:
-        return [*self.phase(self.balls["Runge-Kutta 4"])]
-
-    def exact(self, time: float) -> list[float]:
-        x, v = self.wall.state(time)
-        return [x, v / math.sqrt(self.stiffness)]
+    def beside_exact(self) -> Pair:
+        x, v = self.wall.state(self.simulated)
+        return self.phase(self.balls["Runge-Kutta 4"]), (x, v / math.sqrt(self.stiffness))
 
     def facts(self) -> str:
         kappa, _ = self.wall.per_step(1.0 / self.rate)
@@ -106,21 +103,6 @@ class IntegratorRace(Scene):
     def say(self) -> str:
         x, y = self.phase(self.balls["explicit Euler"])
         return f"Explicit Euler has {100.0 * min(x * x + y * y, 1e6):.0f} % of its initial energy."
-
-
-def is_stable(integrator: str, kappa: float, drag: float) -> bool:
-    """Return True if a step is stable with ``kappa`` = k h^2 / m and ``drag`` = c h / m."""
-    if integrator == "explicit Euler":
-        return kappa < drag and 2.0 * drag < 4.0 + kappa
-    if integrator == "velocity Verlet":
-        return drag < 2.0 and kappa < 4.0 - 2.0 * drag + drag * drag
-    if integrator == "Runge-Kutta 4":
-        root = cmath.sqrt(0.25 * drag * drag - kappa)
-        ends = (-0.5 * drag + root, -0.5 * drag - root)
-        # A step multiplies by the series of e^z, whose rounding errors do not count.
-        grown = [1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))) for z in ends]
-        return round(max(map(abs, grown)), 13) <= 1.0
-    return kappa + 2.0 * drag < 4.0
 
 
 class OneSpring(Stepped):
@@ -165,11 +147,12 @@ class OneSpring(Stepped):
         x = self.ball.position.x
         return {"energy, J": self.ball.kinetic_energy() + 0.5 * self.stiffness * x * x}
 
-    def state(self) -> list[float]:
-        return [self.ball.position.x]
+    def exact(self) -> tuple[float, float]:
+        """Compute the exact position and velocity."""
+        return self.wall.state(self.simulated - self.since, self.x0, self.v0)
 
-    def exact(self, time: float) -> list[float]:
-        return [self.wall.state(time - self.since, self.x0, self.v0)[0]]
+    def beside_exact(self) -> Pair:
+        return [self.ball.position.x], [self.exact()[0]]
 
     def per_step(self) -> tuple[float, float]:
         """Return k h^2 / m and c h / m, where h is the length of a time step."""
@@ -177,7 +160,18 @@ class OneSpring(Stepped):
 
     def is_stable(self) -> bool:
         """Predict whether the method keeps the ball from getting farther and farther away."""
-        return is_stable(self.integrator, *self.per_step())
+        kappa, drag = self.per_step()
+        if self.integrator == "explicit Euler":
+            return kappa < drag and 2.0 * drag < 4.0 + kappa
+        if self.integrator == "velocity Verlet":
+            return drag < 2.0 and kappa < 4.0 - 2.0 * drag + drag * drag
+        if self.integrator == "Runge-Kutta 4":
+            root = cmath.sqrt(0.25 * drag * drag - kappa)
+            ends = (-0.5 * drag + root, -0.5 * drag - root)
+            # A step multiplies by the series of e^z, whose rounding errors do not count.
+            grown = [1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))) for z in ends]
+            return round(max(map(abs, grown)), 13) <= 1.0
+        return kappa + 2.0 * drag < 4.0
 
     def facts(self) -> str:
         kappa, drag = self.per_step()
@@ -203,8 +197,7 @@ class OneSpring(Stepped):
 
 class ExactSpring(OneSpring):
     def step(self, duration: float) -> None:
-        state = self.wall.state(self.simulated - self.since, self.x0, self.v0)
-        self.ball.position.x, self.ball.velocity.x = state
+        self.ball.position.x, self.ball.velocity.x = self.exact()
 
     def is_stable(self) -> bool:
         return True

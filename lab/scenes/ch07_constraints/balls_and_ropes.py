@@ -14,7 +14,7 @@ from ch07_constraints.links import Rod
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from lab.drawing.contact_view import ContactView
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.chain import Chain
 from scenes.clock import FRAME
 from scenes.dropped_balls import DroppedBalls
@@ -39,12 +39,6 @@ class OneContact(ContactResolver):
             contact.resolve(duration)
 
 
-def rises(scene: Bounce) -> int:
-    """Return 1 if the last bounces are over 2 % higher than the drop, 2 if lower, and else 0."""
-    share = max(scene.path) / scene.HEIGHT
-    return 1 if share > 1.02 else 2 if share < 0.98 else 0
-
-
 class Bounce(Scene):
     """A ball that bounces on the ground and keeps some or all of its speed."""
 
@@ -56,7 +50,7 @@ class Bounce(Scene):
     predict = Question(
         "The ball falls from 2 m. How high are its bounces after ten seconds?",
         ["As high as at first, within 2 %.", "Higher.", "Lower."],
-        rises,
+        lambda scene: scene.rises(),
         "With restitution 1 an exact bounce loses no energy. Explicit Euler gains energy in every "
         "flight. Semi-implicit Euler loses some at each impact, mostly because the rule for "
         "resting contacts takes away the velocity that gravity adds in one step. Time division "
@@ -98,15 +92,19 @@ class Bounce(Scene):
         if contacts := self.ground.contacts():
             self.view_of_contacts.resolve_contacts(contacts, duration)
 
+    def rises(self) -> int:
+        """Return 1 if the last bounces are over 2 % higher than the drop, 2 if lower, or else 0."""
+        share = max(self.path) / self.HEIGHT
+        return 1 if share > 1.02 else 2 if share < 0.98 else 0
+
     def draw(self, pen: Pen) -> None:
         pen.ground()
         last, top = len(self.path) - 1, self.HEIGHT + self.RADIUS
         xs = [0.25 + 2.3 * (i - last) / 240.0 + 2.2 for i in range(last + 1)]
         pen.line([(x, self.RADIUS + y) for x, y in zip(xs, self.path, strict=True)], "blue", 1.0)
         pen.segments([((-2.6, top), (2.6, top))], "gray")
-        exact = self.exact(self.simulated)
-        if exact is not None:
-            pen.circle((0.0, exact[0] + self.RADIUS), self.RADIUS, "gray", fill=False)
+        if (pair := self.beside_exact()) is not None:
+            pen.circle((0.0, pair[1][0] + self.RADIUS), self.RADIUS, "gray", fill=False)
         center = (0.0, self.ball.position.y + self.RADIUS)
         pen.circle(center, self.RADIUS, "orange")
         pen.arrow(center, (0.0, 0.1 * self.ball.velocity.y), "green", "velocity")
@@ -117,12 +115,10 @@ class Bounce(Scene):
         energy = self.ball.kinetic_energy() + G * self.ball.position.y
         return {"energy, J": energy, "height, m": self.ball.position.y}
 
-    def state(self) -> list[float]:
-        return [self.ball.position.y]
-
-    def exact(self, time: float) -> list[float] | None:
-        frame = round(time / FRAME)
-        return [self.heights[frame]] if frame < len(self.heights) else None
+    def beside_exact(self) -> Pair | None:
+        if (frame := round(self.simulated / FRAME)) >= len(self.heights):
+            return None
+        return [self.ball.position.y], [self.heights[frame]]
 
     def facts(self) -> str:
         if self.restitution == 1.0:
@@ -175,8 +171,7 @@ class Stack(Scene):
         for _ in range(self.substeps):
             semi_implicit_euler(self.spheres, no_forces, part)
             self.view_of_contacts.forget()
-            contacts = [one for generator in self.setup.contacts for one in generator.contacts()]
-            if contacts:
+            if contacts := [one for touching in self.setup.contacts for one in touching.contacts()]:
                 self.view_of_contacts.iterations = self.per_contact * len(contacts)
                 self.view_of_contacts.resolve_contacts(contacts, part)
 
@@ -276,15 +271,11 @@ class Ropes(Scene):
     def chart(self) -> dict[str, float]:
         return {f"{name}, cm": 100.0 * self.too_long(i) for i, name in enumerate(ROPES)}
 
-    def state(self) -> list[float]:
-        return [self.too_long(i) for i in range(3)]
-
-    def exact(self, time: float) -> list[float]:
-        return [0.0, 0.0, 0.0]
+    def beside_exact(self) -> Pair:
+        return [self.too_long(i) for i in range(3)], [0.0, 0.0, 0.0]
 
     def facts(self) -> str:
         return f"{self.count} rods of {self.rope.length:.2g} m"
 
     def say(self) -> str:
-        longest = 100.0 * self.too_long(0)
-        return f"With one step per frame the rope is {longest:.1f} cm too long."
+        return f"With one step per frame the rope is {100.0 * self.too_long(0):.1f} cm too long."

@@ -6,7 +6,7 @@ import time as clock
 
 from autograder.commands import require
 from lab.drawing.pen import Pen
-from lab.scene import Scene
+from lab.scene import Pair, Scene
 from scenes.parameters import Choice
 
 require("everything")  # SciPy computes the truths
@@ -86,11 +86,10 @@ class Charts(Scene):
         note = "" if chosen else f" (there is no {self.method} in this scene)"
         pen.text((0.0, 1.2), self.model.name + note, "black", 14.0)
 
-    def state(self) -> list[float]:
-        return [float(x) / self.scene.scale for x in self.places[self.frame]]
-
-    def exact(self, time: float) -> list[float]:
-        return [float(x) / self.scene.scale for x in self.truths[self.frame]]
+    def beside_exact(self) -> Pair:
+        found, exact = self.places[self.frame], self.truths[self.frame]
+        scale = self.scene.scale
+        return [float(x) / scale for x in found], [float(x) / scale for x in exact]
 
     def facts(self) -> str:
         work = f"{self.work:,} {self.scene.counted} for {self.scene.frames} frames"

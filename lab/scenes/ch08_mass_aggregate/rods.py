@@ -9,7 +9,7 @@ from ch02_vectors.vector import Vector3
 from ch07_constraints.links import Rod
 from ch08_mass_aggregate import cube, wheel
 from lab.drawing.pen import Pen
-from lab.scene import Question
+from lab.scene import Pair, Question
 from lab.world_scene import WorldScene
 from scenes.links import ends_of
 from scenes.parameters import Choice, Slider
@@ -62,11 +62,8 @@ class Wheel(WorldScene):
     def chart(self) -> dict[str, float]:
         return {"spin, rad/s": self.spin(), "rigid wheel, rad/s": self.rigid_spin}
 
-    def state(self) -> list[float]:
-        return [self.spin()]
-
-    def exact(self, time: float) -> list[float]:
-        return [self.rigid_spin]
+    def beside_exact(self) -> Pair:
+        return [self.spin()], [self.rigid_spin]
 
     def facts(self) -> str:
         return "a rigid wheel gains " + (

@@ -12,7 +12,7 @@ from ch09_rotations.matrix3 import Matrix3
 from ch09_rotations.quaternion import Quaternion
 from lab.drawing.camera import draw_box, flat
 from lab.drawing.pen import Pen
-from lab.scene import Question, Scene
+from lab.scene import Pair, Question, Scene
 from scenes.parameters import Choice, Slider
 from scenes.readings import numbers
 
@@ -51,7 +51,7 @@ class Spin(Scene):
         spin[self.axis] = self.SPEED
         spin[self.axis - 2] = self.SPEED * 0.01 * self.disturbance
         self.box = FreeBox(mass, sides, Vector3(*spin))
-        self.first = self.state()
+        self.first = self.conserved()
         self.turned_over, self.before = 0, self.SPEED
 
     def step(self, duration: float) -> None:
@@ -74,13 +74,13 @@ class Spin(Scene):
         velocity = numbers(self.box.own_velocity())
         return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
-    def state(self) -> list[float]:
-        """Return the energy in J and the angular momentum in kg m^2/s, both conserved."""
+    def conserved(self) -> list[float]:
+        """Return the energy in J and the angular momentum in kg m^2/s."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return [self.box.energy(), *numbers(self.box.orientation.rotate(own))]
 
-    def exact(self, time: float) -> list[float]:
-        return self.first
+    def beside_exact(self) -> Pair:
+        return self.conserved(), self.first
 
     def facts(self) -> str:
         return f"X blue, Y orange, Z green; spun about {'XYZ'[self.axis]} at one turn per second"
@@ -168,8 +168,7 @@ class Orientations(Scene):
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
     def draw(self, pen: Pen) -> None:
-        boxes = zip(PLACES.items(), self.turns(), self.errors(), strict=True)
-        for (name, x), axes, error in boxes:
+        for (name, x), axes, error in zip(PLACES.items(), self.turns(), self.errors(), strict=True):
 
             def turn(v: Vector3, axes: list[Vector3] = axes) -> Vector3:
                 return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z
@@ -184,12 +183,9 @@ class Orientations(Scene):
     def chart(self) -> dict[str, float]:
         return {f"{name}, % off": e for name, e in zip(PLACES, self.errors(), strict=True)}
 
-    def state(self) -> list[float]:
-        """Return the error of the box with the quaternion, as a fraction of an axis."""
-        return [0.01 * self.errors()[1]]
-
-    def exact(self, time: float) -> list[float]:
-        return [0.0]
+    def beside_exact(self) -> Pair:
+        """Return the error of the box with the quaternion, as a fraction of an axis, and 0."""
+        return [0.01 * self.errors()[1]], [0.0]
 
     def facts(self) -> str:
         near = 90.0 - abs(math.remainder(math.degrees(self.angles.y), 180.0))
@@ -257,12 +253,9 @@ class FirstOrder(Scene):
     def chart(self) -> dict[str, float]:
         return {"behind, degrees": self.behind(), "length of q": self.q.magnitude()}
 
-    def state(self) -> list[float]:
-        """Return the angle in rad through which the hand has turned."""
-        return [self.angle]
-
-    def exact(self, time: float) -> list[float]:
-        return [self.spin.z * time]
+    def beside_exact(self) -> Pair:
+        """Return the angle in rad through which the hand has turned, and the right one."""
+        return [self.angle], [self.spin.z * self.simulated]
 
     def facts(self) -> str:
         length, angle = first_order_drift(self.spin.z, 1.0, self.rate)

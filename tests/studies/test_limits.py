@@ -1,4 +1,4 @@
-"""Limits agree with theory on both sides, and energies agree with the matrix of a step."""
+"""Limits of springs (ch06_springs) agree with theory on both sides, and energies with a matrix."""
 
 from __future__ import annotations
 

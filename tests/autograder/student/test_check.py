@@ -111,7 +111,7 @@ def test_a_syntax_error_is_named_with_its_line_also_in_a_console_that_lacks_a_ch
         ("check --chapter 3 --given 3", "nothing left to check: chapter 3 is given"),
         ("check --exercise 2.1 --given 2", "to check: chapter 2 is given"),
         ("check --chapter 3 --given 19", "no chapter 19"),
-        ("grade nowhere --out OUT", "folder or a zip, but nowhere is not there"),
+        ("grade nowhere --out OUT", "in an existing folder or zip, got 'nowhere'"),
         ("grade studies --out LICENSE", "--out must be a folder, got 'LICENSE'"),
         ("grade studies --out OUT --chapters 1", "no chapter 1"),
         ("grade studies --out OUT --jobs 0", "--jobs must be at least 1"),

@@ -70,7 +70,9 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
     says that the student is on the roster.
     """
     if not folder.is_dir():
-        raise ValueError(f"the submissions must be in an existing folder or zip, got {str(folder)!r}")
+        raise ValueError(
+            f"the submissions must be in an existing folder or zip, got {str(folder)!r}"
+        )
     entries = [_entry(path) for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
     for one in entries:
         if CHAPTER.fullmatch(one.path.name) and one.path.is_dir():

@@ -56,7 +56,9 @@ def test_what_cannot_be_graded_is_handed_in_and_what_is_not_a_students_is_noted(
 def test_a_class_that_is_none_is_refused(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").touch()
     for name in ("notes.txt", "lab1.zip"):  # the second is not there
-        with pytest.raises(ValueError, match=rf"must be in an existing folder or zip, got '.*/{name}'"):
+        with pytest.raises(
+            ValueError, match=rf"must be in an existing folder or zip, got '.*/{name}'"
+        ):
             read_class(tmp_path / name)
 
 

@@ -85,8 +85,10 @@ def _row(scene: Scene) -> dict[str, float | None]:
 
 
 def _save_sheet(tiles: list[Any], file: Path) -> None:
-    sheet, places = pyplot.subplots(TILES // 3, 3, figsize=(12, 10.4), layout="constrained")
-    for axes, tile in zip(places.flat, tiles, strict=True):
+    rows = -(-len(tiles) // 3)
+    sheet, places = pyplot.subplots(rows, 3, figsize=(12, 2.6 * rows), layout="constrained")
+    for axes in places.flat:
         axes.set_axis_off()
+    for axes, tile in zip(places.flat, tiles, strict=False):
         axes.imshow(tile)
     sheet.savefig(file, dpi=110)

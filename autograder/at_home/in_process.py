@@ -126,12 +126,12 @@ class InProcess:
         """
         seconds = self.config.time_limit
         faulthandler.dump_traceback_later(seconds, exit=True, file=self.stack_file)
-        if self.memory_limit:
+        if sys.platform != "win32" and self.memory_limit:
             signal.signal(signal.SIGPROF, partial(_look_at_memory, self.memory_limit - ROOM))
             signal.setitimer(signal.ITIMER_PROF, LOOK_EVERY, LOOK_EVERY)
 
     def stop_clock(self) -> None:
-        if self.memory_limit:
+        if sys.platform != "win32" and self.memory_limit:
             signal.setitimer(signal.ITIMER_PROF, 0.0)
         faulthandler.cancel_dump_traceback_later()
 
@@ -160,11 +160,13 @@ def limit_memory() -> int:
 
 def _look_at_memory(most: int, _: int, __: FrameType | None) -> None:
     """Handle a signal that comes while the student's code runs."""
+    assert sys.platform != "win32"  # which has no such signals
     if _memory_in_use() > most:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         raise MemoryError
 
 
 def _memory_in_use() -> int:
+    assert sys.platform != "win32"
     pages = Path("/proc/self/statm").read_text(encoding="ascii").split()[0]
     return int(pages) * os.sysconf("SC_PAGE_SIZE")

@@ -13,6 +13,7 @@ from typing import Any
 
 from autograder.checks.verdict import Verdict
 from autograder.manifest import Exercise
+from autograder.records import to_json
 from autograder.reports.report import StudentReport, for_students
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import Result, of_possible
@@ -39,7 +40,7 @@ def write_gradescope(out: Path, report: StudentReport) -> Path:
 
 def as_text(results: dict[str, Any]) -> str:
     """Convert a student's results to JSON, the format in which Gradescope reads them."""
-    return json.dumps(results, indent=1, allow_nan=False) + "\n"
+    return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 
 def gradescope_results(report: StudentReport) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from matplotlib import pyplot
 from ch02_vectors.vector import Vector3
 from lab.catalog import entries, load
 from lab.drawing.pen import Pen
+from plots.draw import plots_of
 
 SHOWN = tomllib.loads((Path(__file__).parent / "shown.toml").read_text(encoding="utf-8"))
 # In a short run, these do nothing, which is wrong. In all other cases, a wrong function raises an
@@ -38,7 +39,7 @@ def data_of(target: str) -> Any:
     chapter, _, plot = target.rpartition("/")
     try:
         if chapter:
-            return getattr(importlib.import_module(f"plots.{chapter}"), plot)().rows
+            return plots_of(chapter)[plot]().rows
         scene, shown = load(target)(), []
         for frame in range(round(60 * scene.seconds)):
             scene.play(scene.time)

@@ -149,9 +149,9 @@ def test_an_exercise_takes_what_the_page_lists_and_no_more(root: Path) -> None:
     screens = {}
     for command in dict.fromkeys(COMMANDS):
         _, name, *variables = command.split()
-        plan = ["--dry-run"] if name in ("test", "mutants", "seeds") else []
+        plan = ["--dry-run"] if name in ("test", "measure") else []
         screens[name] = run(root, "make", "--old-file=.venv/ready", *plan, name, *variables)
-    assert screens.keys() == {"update", "check", "test", "mutants", "seeds"}
+    assert screens.keys() == {"update", "check", "test", "measure"}
     assert "generated chapters/ch02_vectors/exercises.py\n" in screens["update"]
     total = points_of(load_chapters()[0]) + POINTS
     assert f"] {total} of {total} points" in screens["check"]

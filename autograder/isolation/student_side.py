@@ -15,6 +15,7 @@ import operator
 import os
 import socket
 import sys
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -68,6 +69,8 @@ class StudentSide:
         except UnsendableError as error:
             reply["unsendable"] = str(error)
         except BaseException as error:
+            if isinstance(error, MemoryError):
+                traceback.clear_frames(error.__traceback__)  # what the student's code has filled
             # We compare classes and not names, since a student's class may be called ValueError.
             known = (_KNOWN.get(base) for base in type(error).__mro__)
             reply["raised"] = next(filter(None, known), "BaseException")

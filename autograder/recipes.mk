@@ -115,4 +115,4 @@ ALSO_charts := QUICK
 ALSO_contacts := QUICK
 ALSO_mutants := CH
 ALSO_seeds := CH SEEDS
-NOT_TAKEN = $(foreach name,$(filter-out $(ALSO_$(WHAT)),CH SEEDS QUICK),$(if $(value $(name)),$(error make measure WHAT=$(WHAT) does not take $(name))))
+NOT_TAKEN = $(foreach name,$(filter-out WHAT $(ALSO_$(WHAT)),$(TAKES_measure)),$(if $(value $(name)),$(error make measure WHAT=$(WHAT) does not take $(name))))

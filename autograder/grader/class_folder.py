@@ -29,7 +29,11 @@ def recorded(out: Path) -> dict[str, Any]:
 
 def graded_folder(out: Path) -> Path | None:
     """Return the folder of the class whose grades are in ``out``, or None if there are none."""
-    folder = recorded(out).get("folder")
+    return _folder_in(recorded(out))
+
+
+def _folder_in(record: dict[str, Any]) -> Path | None:
+    folder = record.get("folder")
     return Path(folder) if isinstance(folder, str) else None
 
 
@@ -59,16 +63,17 @@ def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> 
             )
 
 
-def refuse_other_grades(out: Path, new: dict[str, Any], people: ClassList) -> None:
+def refuse_other_grades(
+    out: Path, old: dict[str, Any], new: dict[str, Any], people: ClassList
+) -> None:
     """Raise ValueError if ``out`` has the grades of another class or of another assignment.
 
     The grades of the sample class may be replaced. If the folder of the class has moved, the same
     students must have handed in.
     """
-    old, before = recorded(out), graded_folder(out)
+    before, folder = _folder_in(old), Path(new["folder"])
     if before is None or before == SAMPLE:
         return
-    folder = Path(new["folder"])
     what = advice = ""
     if before != folder:
         names = {file_name(one.student) for one in people.submissions}

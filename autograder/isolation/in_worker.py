@@ -97,11 +97,10 @@ class InWorker:
         packages = sorted({module.partition(".")[0] for module in self.modules})
         found: dict[str, Path] = {}
         for folder in [*self.engine, Path(self.worker.probes)]:
-            for file in (
-                file for name in packages for file in sorted((folder / name).rglob("*.py"))
-            ):
-                module = ".".join(file.relative_to(folder).with_suffix("").parts)
-                found.setdefault(module, file)
+            for package in packages:
+                for file in sorted((folder / package).rglob("*.py")):
+                    module = ".".join(file.relative_to(folder).with_suffix("").parts)
+                    found.setdefault(module, file)
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:

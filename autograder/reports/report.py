@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from autograder.scores import Result
+from autograder.scores import Result, extra_possible
 
 ReportStatus = Literal["graded", "error, retry", "nothing to grade"]
 
@@ -85,7 +85,7 @@ class StudentReport:
     def extra(self) -> float:
         """The points that checks can give as extra credit. They are not part of ``points``."""
         exercises = [result.exercise for result in self.results]
-        return round(sum(e.points for e in exercises if e.extra and e.kind != "written"), 2)
+        return extra_possible(e for e in exercises if e.kind != "written")
 
     @property
     def first_cause(self) -> Cause | None:

@@ -145,7 +145,7 @@ def write_uploads(
 def _for_canvas(
     people: ClassList, grades: Mapping[str, float], title: str, full: float
 ) -> list[list[str]]:
-    """Make a table of the roster, with the columns by which Canvas recognizes a student."""
+    """Make a table of the roster, with the columns that Canvas needs to recognize students."""
     rows = [[*OF_CANVAS, title], ["    Points Possible", "", "", "", "", number(full)]]
     for member in people.members:
         if who := member.student:

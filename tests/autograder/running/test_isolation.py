@@ -290,7 +290,7 @@ def test_compiled_code_runs_anew_in_each_worker(
 @pytest.mark.skipif(landlock_version() == 0, reason="there is no Landlock here")
 def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Level) -> None:
     if not (level.landlock and level.seccomp):
-        pytest.skip("Landlock and seccomp do not stand here")
+        pytest.skip("Landlock or seccomp does not work here")
     attempts = [*HELD_BY_LANDLOCK, *HELD_BY_SECCOMP]
     (tmp_path / "forbidden").touch()
     through = []

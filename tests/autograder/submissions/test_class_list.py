@@ -74,7 +74,7 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
         ("Wei Li|Li Wei", "1,Li Wei,,\n2,Wei Li,,\n", {"Li Wei": "Li Wei", "Wei Li": "Wei Li"}),
         # A participant's number in Moodle is no id.
         (f"Bo_1042_{MOODLE}", ANN + BO, {"Ann Lee": "", "Bo": f"Bo_1042_{MOODLE}"}),
-        # Students of one name are told apart by their ids, and exactly one's name counts first.
+        # The ids distinguish students with the same name. An exact match of a name comes first.
         ("al7|7", ANN + ANN2, {"Ann Lee (1042)": "al7", "ann lee (7)": "7"}),
         ("Ann Lee (1042)", ANN + ANN2, {"Ann Lee (1042)": "Ann Lee (1042)", "ann lee (7)": ""}),
         ("Ann Lee", ANN + ANN2, {"Ann Lee (1042)": "Ann Lee", "ann lee (7)": ""}),

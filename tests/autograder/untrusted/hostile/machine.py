@@ -18,7 +18,7 @@ SEGMENT = "0x00048ac5"  # the key of the shared memory that the attack system_v_
 
 
 class Services:
-    """What attacks try to talk to: it hands a token to whoever sends something."""
+    """The servers that attacks try to reach. They answer any message with a token."""
 
     def __init__(self, home: Path, run: str) -> None:
         self.heard: list[bytes] = []

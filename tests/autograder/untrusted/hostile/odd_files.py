@@ -123,7 +123,7 @@ def unix_socket(at: Path, world: World) -> None:
 
 
 def device(at: Path, _: World) -> None:
-    """A device without end, where whoever builds this may make one."""
+    """An endless device, if this user is allowed to create one."""
     try:
         os.mknod(within(at / SUMS), stat.S_IFCHR | 0o666, os.makedev(1, 5))
     except PermissionError:

@@ -11,6 +11,7 @@ import numpy
 import pytest
 
 from lab.catalog import load
+from lab.drawing.pen import Pen
 from lab.scene import Scene, parameters_of
 from scenes.parameters import Choice, Slider
 from studies.accuracy.scene import Outcome
@@ -199,4 +200,7 @@ def test_the_charts_run_what_was_chosen(method: str, monkeypatch: pytest.MonkeyP
 
 def test_a_method_that_a_scene_does_not_have_is_named() -> None:
     scene = charts(charted="net of 6 by 6 cables", method="leapfrog")
-    assert "there is no leapfrog in this scene" in scene.shown()
+    pen = Pen()
+    scene.draw(pen)
+    (words,) = [item for item in pen.items if item[0] == "text"]
+    assert "(there is no leapfrog in this scene)" in str(words)

@@ -189,7 +189,10 @@ def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
 @pytest.mark.exercise("B2.9", asks="Set this vector to the vector product self x v", read=DOC)
 def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = vector(rng), vector(rng)
-    with calls("Compute all three components of v x w before you store any of them in v."):
+    with calls(
+        "Either cross or this method gets a component wrong, or you store one in v before you have "
+        "computed all three."
+    ):
         v, w = Vector3(*a), Vector3(*b)
         v.cross_update(w)
     x, y, _ = wanted = a.cross(b)
@@ -209,8 +212,8 @@ def test_the_vector_product_in_place(rng: Random) -> None:
 def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     a = vector(rng)
     with calls(
-        "The vector product of v with itself must be zero. Here v is both factors, so each change "
-        "to v changes both of them. Compute all three components before you store any."
+        "The vector product of v with itself must be zero. If a term has a wrong sign, it is not. "
+        "Here v is also both factors, so compute all three components before you store any."
     ):
         v = Vector3(*a)
         v.cross_update(v)

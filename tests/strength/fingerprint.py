@@ -74,10 +74,15 @@ def _logic(source: str) -> str:
 
 
 class WithoutSentences(ast.NodeTransformer):
-    """Empties every string that contains a space, and drops the words that checks quote."""
+    """Empties every string that contains a space, and drops docstrings and quoted words."""
+
+    def visit_Expr(self, node: ast.Expr) -> ast.AST | None:
+        """Drop a docstring."""
+        is_text = isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+        return None if is_text else self.generic_visit(node)
 
     def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        """Empty a sentence, such as a docstring or a part of a message."""
+        """Empty a sentence, such as a part of a message."""
         return ast.Constant("") if isinstance(node.value, str) and " " in node.value else node
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.expr:

@@ -14,7 +14,6 @@ State = tuple[Vector3, Vector3]
 def difference_quotients(
     times: Sequence[float], values: Sequence[Vector3]
 ) -> tuple[list[float], list[Vector3]]:
-    """Exercise B2.12: the slope of each piece of the table, with the time of its middle."""
     _require_table(times, values, 0)
     rows = list(zip(times, values, strict=True))
     slopes = [
@@ -26,7 +25,6 @@ def difference_quotients(
 def add_up_accelerations(
     times: Sequence[float], accelerations: Sequence[Vector3], position: Vector3, velocity: Vector3
 ) -> tuple[list[Vector3], list[Vector3]]:
-    """Exercise B2.13: move with the mean of the old and the new velocity in each interval."""
     _require_table(times, accelerations, 1)
     _require_finite([position, velocity])
 

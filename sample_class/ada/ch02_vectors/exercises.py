@@ -14,14 +14,12 @@ _ANGLE_WORDS = {-1: "obtuse", 0: "right", 1: "acute"}
 
 
 def split(v: Vector3) -> tuple[float, Vector3]:
-    """Return the magnitude and the direction of v."""
     direction = v.copy()
     direction.normalize()
     return v.magnitude(), direction
 
 
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
-    """Return a . b and the kind of angle that belongs to its sign."""
     product = a @ b
     if math.isnan(product):
         raise ValueError("the scalar product of a and b is NaN, and says nothing of their angle")
@@ -30,14 +28,12 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 
 
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
-    """Return the z that makes the scalar product of (x, y, z) and a zero."""
     if not a.z:
         raise ValueError("a.z must not be zero: no z changes the scalar product")
     return (a.y * y + a.x * x) / -a.z
 
 
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
-    """Return the angle whose cosine is the scalar product of the directions."""
     _require_direction("a", a)
     _require_direction("b", b)
     cosine = max(min(a.normalized() @ b.normalized(), 1.0), -1.0)  # in this order NaN stays NaN
@@ -45,7 +41,6 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
 
 
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
-    """Return the two angles whose sine is the length of the directions' vector product."""
     _require_direction("a", a)
     _require_direction("b", b)
     sine = min(a.normalized().cross(b.normalized()).magnitude(), 1.0)  # NaN stays NaN
@@ -54,7 +49,6 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 
 
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
-    """Return a . b, what is left of b without its part along a, and the angle of that with a."""
     for name, v in (("a", a), ("b", b)):
         if not math.isclose(v.magnitude(), 1.0, rel_tol=0.0, abs_tol=_TOLERANCE):
             raise ValueError(f"{name} must be a unit vector, not {v}")
@@ -75,7 +69,6 @@ def checked_duration(duration: float) -> float:
 
 
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
-    """Return the position after a time of constant velocity."""
     if not 0 < duration < math.inf:
         raise ValueError(f"duration must be positive and finite, not {duration}")
     return duration * velocity + position

@@ -59,35 +59,27 @@ class Vector3:
         return iter(self._xyz)
 
     def __eq__(self, other: object) -> bool:
-        """Compare as floats do. Tuples would not: to them the same NaN object equals itself."""
         return all(map(eq, self, other)) if isinstance(other, Vector3) else NotImplemented
 
     def copy(self) -> Vector3:
-        """Return an equal vector."""
         return _of(self._xyz)
 
     def clear(self) -> None:
-        """Become the zero vector."""
         self._become(Vector3())
 
     def invert(self) -> None:
-        """Become the opposite vector."""
         self._become(-self)
 
     def __neg__(self) -> Vector3:
-        """Return the opposite vector."""
         return _of(map(neg, self._xyz))
 
     def magnitude(self) -> float:
-        """Return the length: the distance from the origin, which no square can overflow."""
         return math.dist(self._xyz, _ORIGIN)
 
     def squared_magnitude(self) -> float:
-        """Return the scalar product of the vector with itself."""
         return self.dot(self)
 
     def __mul__(self, scale: float) -> Vector3:
-        """Return the vector scaled by a number."""
         _refuse_vector(scale)
         x, y, z = self._xyz
         return _of((x * scale, y * scale, z * scale))
@@ -95,71 +87,55 @@ class Vector3:
     __rmul__ = __mul__
 
     def __imul__(self, scale: float) -> Vector3:
-        """Become the vector scaled by a number."""
         return self._become(self * scale)
 
     def __truediv__(self, divisor: float) -> Vector3:
-        """Return the vector divided by a number, which floats refuse to be zero."""
         _refuse_vector(divisor)
         x, y, z = self._xyz
         return _of((x / divisor, y / divisor, z / divisor))
 
     def __itruediv__(self, divisor: float) -> Vector3:
-        """Become the vector divided by a number."""
         return self._become(self / divisor)
 
     def normalize(self) -> None:
-        """Become the unit vector of the same direction; stay zero where there is none."""
         self._become(self.normalized())
 
     def normalized(self) -> Vector3:
-        """Return the unit vector of the same direction, or zero where there is none."""
         return self / (self.magnitude() or 1.0)
 
     def __add__(self, v: Vector3) -> Vector3:
-        """Return the sum."""
         return _of(map(add, self._xyz, _require_vector(v)._xyz))
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Become the sum."""
         return self._become(self + v)
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Return the difference."""
         return _of(map(sub, self._xyz, _require_vector(v)._xyz))
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Become the difference."""
         return self._become(self - v)
 
     def add_scaled(self, v: Vector3, scale: float) -> None:
-        """Become the sum with v * scale."""
         self._become(self + _require_vector(v) * scale)
 
     def component_product(self, v: Vector3) -> Vector3:
-        """Return the products of the components."""
         return _of(map(mul, self._xyz, _require_vector(v)._xyz))
 
     def component_product_update(self, v: Vector3) -> None:
-        """Become the products of the components."""
         self._become(self.component_product(v))
 
     def dot(self, v: Vector3) -> float:
-        """Return the scalar product: the sum of the component product."""
         x, y, z = map(mul, self._xyz, _require_vector(v)._xyz)
         return z + y + x
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the scalar product."""
         return self.dot(v)
 
     def cross(self, v: Vector3) -> Vector3:
-        """Return the vector product, with the components as a ring: index -1 is that of Z."""
         a, b = self._xyz, _require_vector(v)._xyz
         return _of(a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3))
 
     def cross_update(self, v: Vector3) -> None:
-        """Become the vector product."""
         self._become(self.cross(v))
 
     def _become(self, v: Vector3) -> Vector3:
@@ -169,11 +145,6 @@ class Vector3:
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
-    """Return a right-handed basis: along a, then towards b, then at right angles to both.
-
-    The third vector comes from the first two, not straight from a x b, whose rounding errors count
-    where a and b are almost parallel.
-    """
     first = a.normalized()
     normal = first.cross(b.normalized())
     if not normal.magnitude() >= _PARALLEL_SINE:  # true of NaN too

@@ -11,7 +11,6 @@ from ch02_vectors.vector import Vector3
 def damp_per_frame(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Eq. 3.5: the frame keeps the share ``damping`` of the velocity, however long it lasts."""
     _check(velocity, acceleration, damping, duration)
     return velocity * damping + acceleration * duration
 
@@ -19,7 +18,6 @@ def damp_per_frame(
 def damp_per_second(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Eq. 3.6: every second keeps the share ``damping``; the gain of the frame is not damped."""
     _check(velocity, acceleration, damping, duration)
     kept = math.exp(duration * math.log(damping)) if damping else 0.0
     return velocity * kept + acceleration * duration

@@ -20,13 +20,11 @@ State = tuple[Vector3, Vector3]
 
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
-    """Exercise 3.1: equal impulses give speeds that are inverse to the masses."""
     _require_positive(first_mass=first_mass, second_mass=second_mass)
     return second_mass / first_mass
 
 
 def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
-    """Exercise 3.2: Newton's attraction G m1 m2 / r^2, in N."""
     _require_positive(first_mass=first_mass, second_mass=second_mass, distance=distance)
     # The square of this is m1 m2 / r^2, and it fits in a float wherever the force does.
     root = math.sqrt(first_mass) * math.sqrt(second_mass) / distance
@@ -36,7 +34,6 @@ def gravity_between(first_mass: float, second_mass: float, distance: float) -> f
 def position_by_equation(
     position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
 ) -> Vector3:
-    """Exercise 3.4a: start plus the mean velocity times the time."""
     _require_vectors(position=position, velocity=velocity, acceleration=acceleration)
     _require_positive(time=time)
     mean_velocity = velocity + acceleration * (time / 2)
@@ -46,7 +43,6 @@ def position_by_equation(
 def state_by_steps(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> State:
-    """Exercise 3.4b: position and velocity after so many undamped Euler steps."""
     _require_vectors(position=position, velocity=velocity, acceleration=acceleration)
     _require_positive(duration=duration)
 
@@ -60,7 +56,6 @@ def state_by_steps(
 def stepping_error(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> Vector3:
-    """Exercise 3.4d: stepped minus exact position, which depends on neither of the starts."""
     _require_vectors(position=position, velocity=velocity, acceleration=acceleration)
     _require_positive(duration=duration)
     total = duration * _count(steps)
@@ -68,7 +63,6 @@ def stepping_error(
 
 
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
-    """Exercise 3.5a: frames that differ from the mean by up to a share ``jitter``, in s."""
     _require_positive(mean=mean, total=total)
     if not 0 <= _number("jitter", jitter) < 1:
         raise ValueError(f"jitter should be at least 0 and less than 1; it is {jitter!r}")
@@ -80,10 +74,6 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Exercise 3.5b: mean distance in m/s between the velocities that Eq. 3.5 and 3.6 lead to.
-
-    Eq. 3.5 gets the factor that a frame of average length loses by Eq. 3.6.
-    """
     _require_vectors(velocity=velocity, acceleration=acceleration)
     if not 0 <= _number("damping", damping) < math.inf:
         raise ValueError(f"damping should be finite and at least 0; it is {damping!r}")

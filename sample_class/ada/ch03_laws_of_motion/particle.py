@@ -37,12 +37,7 @@ def _own_vector(name: str, value: object) -> Vector3:
 
 
 class Particle:
-    """A mass at a point, with a velocity and an acceleration that does not change by itself.
-
-    The three vectors are the particle's own: assigning one stores a copy, reading one hands out
-    the stored vector, so its components can be edited in place. With mass math.inf the particle
-    never moves.
-    """
+    """A mass at a point, with a velocity and an acceleration that does not change by itself."""
 
     def __init__(
         self,
@@ -88,7 +83,6 @@ class Particle:
 
     @property
     def mass(self) -> float:
-        """Kilograms; infinite when nothing can move the particle."""
         return self._kilograms
 
     @mass.setter
@@ -100,7 +94,6 @@ class Particle:
 
     @property
     def inverse_mass(self) -> float:
-        """The reciprocal of the mass, in 1/kg; zero for an infinite mass."""
         return 1 / self._kilograms
 
     @inverse_mass.setter
@@ -110,12 +103,10 @@ class Particle:
 
     @property
     def has_finite_mass(self) -> bool:
-        """False only for an immovable particle."""
         return not math.isinf(self._kilograms)
 
     @property
     def damping(self) -> float:
-        """What a second leaves of the velocity: 1 is all of it, 0 nothing."""
         return self._kept_per_second
 
     @damping.setter
@@ -124,21 +115,17 @@ class Particle:
 
     @property
     def last_acceleration(self) -> Vector3:
-        """A copy of the acceleration that a step applies, which is only the constant one so far."""
         return self._pull.copy()
 
     def kinetic_energy(self) -> float:
-        """Half the mass times the speed squared, in J; zero for an immovable particle."""
         if not self.has_finite_mass:
             return 0.0
         return 0.5 * self._kilograms * (self._motion @ self._motion)
 
     def momentum(self) -> Vector3:
-        """Mass times velocity, in kg m/s, as a fresh vector; zero for an immovable particle."""
         return self._motion * self._kilograms if self.has_finite_mass else Vector3()
 
     def drift(self, duration: float) -> None:
-        """Carry the position along with the velocity for so many seconds, backward if negative."""
         seconds = _as_number("duration", duration)
         if not math.isfinite(seconds):
             raise ValueError(f"duration: expected a finite number, got {duration!r}")
@@ -146,7 +133,6 @@ class Particle:
             self._place = self._place + self._motion * seconds
 
     def kick(self, duration: float) -> None:
-        """Accelerate the velocity for so many seconds, then damp it."""
         seconds = _as_number("duration", duration)
         if not math.isfinite(seconds):
             raise ValueError(f"duration: expected a finite number, got {duration!r}")
@@ -155,7 +141,6 @@ class Particle:
             self._motion = (self._motion + self._pull * seconds) * kept
 
     def integrate(self, duration: float) -> None:
-        """Take one explicit Euler step of so many seconds; an immovable particle stays put."""
         seconds = _as_number("duration", duration)
         if not 0 < seconds < math.inf:
             raise ValueError(f"duration: expected a finite number above 0, got {duration!r}")

@@ -56,20 +56,17 @@ class Shot:
 
 
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
-    """Turn a speed upwards in one complex plane, then what is level of it sideways in another."""
     steep = cmath.rect(not_negative("speed", speed), finite("elevation", elevation))
     level = cmath.rect(1.0, finite("azimuth", azimuth)) * steep.real
     return Vector3(level.imag, steep.imag, level.real)
 
 
 def is_spent(shot: Shot) -> bool:
-    """Whether a shot has sunk, outlived its time or left the range."""
     _, height, distance = shot.particle.position
     return height < 0 or distance > END_OF_RANGE or shot.age > LONGEST_FLIGHT
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """A bounce, a burst, or the loss of a grenade that a frame has just moved."""
     grenade.bounce(shot.particle)
     if shot.age >= grenade.FUSE:
         return [Shot("fragment", piece) for piece in grenade.fragments(shot.particle)]
@@ -89,7 +86,6 @@ class BallisticRange:
         return list(self._flying)
 
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
-        """Send a shot of the named type off from the muzzle."""
         try:
             kind = SHOT_TYPES[name]
         except KeyError:
@@ -107,7 +103,6 @@ class BallisticRange:
         self._flying.append(Shot(name, body))
 
     def update(self, duration: float) -> None:
-        """Let a frame pass for the blocks, and then for each shot."""
         seconds = positive("duration", duration)
         for target in self.targets:
             target.particle.integrate(seconds)

@@ -36,7 +36,6 @@ class CatherineWheel:
         self.thrown = 0
 
     def nozzle(self) -> Particle:
-        """A particle where the nozzle is, as fast as a spark that leaves it."""
         outwards = cmath.rect(1.0, self.angle)
         speed = self.rate * self.radius
         if self.rate:
@@ -46,7 +45,6 @@ class CatherineWheel:
         )
 
     def update(self, duration: float) -> None:
-        """Turn on for a frame, and throw what should have left by now and has not."""
         seconds = positive("duration", duration)
         by_now = math.floor(self.sparks_per_second * (self.time + seconds))
         self.time += seconds

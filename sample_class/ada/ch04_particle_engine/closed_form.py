@@ -14,7 +14,6 @@ _SHORT = 2.0**-6  # of the time that the drag takes to wear a speed down to 1 / 
 
 
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
-    """Return kept, gone and fallen, put together from spans that are short enough for a series."""
     not_negative("damping", damping)
     seconds = not_negative("time", time)
     kept = math.pow(damping, seconds)
@@ -28,7 +27,6 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 
 
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
-    """Return the position and the velocity that a particle will have."""
     kept, gone, fallen = drag_factors(particle.damping, time)
     if not particle.has_finite_mass:
         kept, gone, fallen = 1.0, 0.0, 0.0
@@ -42,7 +40,6 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
 def burst_positions(
     start: float, speeds: Sequence[float], acceleration: float, damping: float, time: float
 ) -> list[float]:
-    """Return the places along one axis: a middle that all share, and what each speed adds."""
     _, gone, fallen = drag_factors(damping, time)
     middle = finite("start", start) + finite("acceleration", acceleration) * fallen
     return [middle + gone * speed for speed in speeds]

@@ -24,8 +24,6 @@ class Display:
 
 
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
-    """Order the rockets that can be saved by their distance, and take the first one in reach."""
-
     def distance(rocket: Firework) -> float:
         place = rocket.particle.position
         return math.dist((place.x, place.y), (x, y))
@@ -35,7 +33,6 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 
 
 def click(display: Display, x: float, y: float) -> bool:
-    """Burst the rocket under a point, or count a miss."""
     if is_over(display):
         return False
     match find_rocket(display, x, y):
@@ -50,12 +47,10 @@ def click(display: Display, x: float, y: float) -> bool:
 
 
 def is_over(display: Display) -> bool:
-    """Whether the last rocket is gone or the misses are used up."""
     return display.misses > MISSES_ALLOWED or next(_rockets(display), None) is None
 
 
 def tick(display: Display, duration: float) -> None:
-    """Pass a frame, and count its time while the game goes on."""
     display.time += 0.0 if is_over(display) else duration
     display.show.update(duration)
 

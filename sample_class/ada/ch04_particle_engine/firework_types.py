@@ -18,7 +18,6 @@ FIREWORK_TYPES = (
 
 
 def own_types() -> list[FireworkRule]:
-    """A palm, which stands on a trunk of glitter, and the leaves that hang down from it."""
     palm = FireworkRule(
         10,
         min_age=1.8,

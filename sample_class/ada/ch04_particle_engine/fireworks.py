@@ -65,8 +65,6 @@ class Firework:
 
 
 def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
-    """Draw a firework of a rule, from a parent or from the ground."""
-
     def between(low: float, high: float) -> float:
         share = random.random()
         return low + (high - low) * share
@@ -82,10 +80,6 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 
 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
-    """Close the table of who lights whom (Warshall); who lights itself then is endless.
-
-    A row of the table is an int, whose bit n says that the type number n is lit sooner or later.
-    """
     payloads = {rule.type: rule.payloads for rule in rules}
     bit = {type: 1 << number for number, type in enumerate(payloads)}
     lit = {
@@ -99,12 +93,7 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A queue of burning fireworks, the oldest in front, that never gets longer than its capacity.
-
-    A deque with a length puts its oldest out by itself where there are too many. So both policies
-    are one rule: of all that are to be lit, those in a window are, and the window lies at the front
-    or at the end.
-    """
+    """A queue of burning fireworks, the oldest in front, of a limited length."""
 
     def __init__(
         self,
@@ -134,13 +123,11 @@ class FireworksShow:
         return list(self._burning)
 
     def launch(self, type: int) -> None:
-        """Light one from the ground."""
         if type not in self.rules:
             raise ValueError(f"no rule for type {type!r}, only for {[*self.rules]}")
         self.light([(type, 1, None)])
 
     def light(self, births: Sequence[Birth]) -> None:
-        """Line up all that are to be lit, and make those in the window of the policy."""
         for type, count, _ in births:
             if type not in self.rules or count < 0:
                 raise ValueError(f"births has {count!r} fireworks of type {type!r}")
@@ -161,7 +148,6 @@ class FireworksShow:
         self.dropped += before + total - len(self._burning)
 
     def update(self, duration: float) -> None:
-        """Burn on for a frame; then take out what has ended, and light what that leaves."""
         seconds = positive("duration", duration)
         for firework in self._burning:
             firework.particle.integrate(seconds)

@@ -18,7 +18,6 @@ _GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
 
 
 def bounce(particle: Particle) -> None:
-    """Lift a sunken particle back to the ground, and mirror its fall with a loss."""
     x, height, z = particle.position
     if height >= 0:
         return
@@ -28,7 +27,6 @@ def bounce(particle: Particle) -> None:
 
 
 def fragments(particle: Particle) -> list[Particle]:
-    """The pieces of a grenade, thrown in opposite pairs, so that the momentum stays."""
     return [
         Particle(
             particle.position,

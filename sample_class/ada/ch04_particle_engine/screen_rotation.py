@@ -11,13 +11,11 @@ Point = tuple[float, float]
 
 
 def screen_angle(start: float, rate: float, time: float) -> float:
-    """Return the angle of the direction that a spark has turned to, from -pi to pi."""
     turned = finite("start", start) + finite("rate", rate) * finite("time", time)
     return math.atan2(math.sin(turned), math.cos(turned))
 
 
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
-    """Turn one corner of a square to its angle, and then on by a quarter of a turn three times."""
     across, up = center
     middle = complex(finite("center", across), finite("center", up))
     arm = complex(1, 1) * (positive("size", size) / 2)

@@ -26,7 +26,6 @@ class TargetBlock:
 
 
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
-    """Cut off what lies outside of each face in turn; where what is left begins is the hit."""
     first, last = 0.0, 1.0
     for before, after in _distances(start, end, block):
         if before <= 0 and after <= 0:
@@ -43,7 +42,6 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
 def strike_first(
     start: Vector3, particle: Particle, targets: Sequence[TargetBlock]
 ) -> TargetBlock | None:
-    """Push the block that the shot meets first, count the hit and return the block."""
     meetings = {
         number: fraction
         for number, block in enumerate(targets)

@@ -11,13 +11,6 @@ from ch02_vectors.arguments import not_negative, positive
 
 
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
-    """Return the speed in m/s of a fall at which the drag is as large as the weight in N.
-
-    It solves k1 v + k2 v^2 = weight.
-
-    Raises ValueError where the weight is not positive, a coefficient is negative, one of them is
-    not finite, or both coefficients are 0: such a fall gains speed for ever.
-    """
     positive("weight", weight)
     if not_negative("k1", k1) + not_negative("k2", k2) == 0.0:
         raise ValueError("k1 and k2 must not both be 0")
@@ -27,13 +20,6 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
-    """Return the speed in m/s and the way in m after a fall from rest with quadratic drag alone.
-
-    With u = terminal speed and t = time: u tanh(g t / u), and (u^2 / g) ln cosh(g t / u).
-
-    Raises ValueError where mass, gravity or k2 is not positive, the time is negative, or one of
-    them is not finite.
-    """
     positive("mass", mass)
     positive("gravity", gravity)
     positive("k2", k2)
@@ -53,14 +39,6 @@ def _ln_cosh(x: float) -> float:
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
-    """Return what is left of a speed in m/s after a time in s in which nothing but drag acts.
-
-    With s = k1 t / m it is v e^-s / (1 + (k2 v t / m) (1 - e^-s) / s), where (1 - e^-s) / s goes
-    to 1 for s = 0.
-
-    Raises ValueError where the mass is not positive, another of them is negative, or one of them is
-    not finite.
-    """
     not_negative("speed", speed)
     not_negative("k1", k1)
     not_negative("k2", k2)
@@ -76,15 +54,6 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
-    """Return two lengths of a frame in s, beyond which a step with drag alone goes wrong.
-
-    In a frame longer than the first, the drag turns the motion round; in one longer than the
-    second, the particle is faster afterwards than it was. The step is v' = v + (f / m) h, with the
-    f of Eq. 5.1 at the speed at which the frame begins. Without drag both are math.inf.
-
-    Raises ValueError where the mass is not positive, another of them is negative, or one of them is
-    not finite.
-    """
     not_negative("k1", k1)
     not_negative("k2", k2)
     positive("mass", mass)

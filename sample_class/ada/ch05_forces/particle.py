@@ -13,11 +13,7 @@ Numbers = tuple[float, float, float]
 
 
 class Particle(particle.Particle):
-    """A particle of chapter 3 that adds up the forces of a frame until its next step uses them.
-
-    What is kept is ``_forces``, a list of two: the sum since the last step, and the sum that the
-    last step used. Each is three numbers, or None where no force was added.
-    """
+    """A particle of chapter 3 that adds up the forces of a frame until its next step uses them."""
 
     __slots__ = ("_forces",)
 
@@ -37,40 +33,20 @@ class Particle(particle.Particle):
 
     @property
     def force_accumulator(self) -> Vector3:
-        """The sum in N of the forces since the last step, as new; add_force is what changes it."""
         return _total(self._forces[0])
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum, for the next step alone (5.1). The force is only read.
-
-        Raises ValueError where a component of it, or of the sum, is not finite, and TypeError for
-        what is no Vector3; the sum is then as it was.
-        """
         total = self.force_accumulator + finite_vector("force", force)
         self._forces[0] = _numbers(finite_vector("sum of the forces", total))
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step (5.1)."""
         self._forces[0] = None
 
     @property
     def last_acceleration(self) -> Vector3:
-        """All of the acceleration of the last step, as new: the constant one, and f / m (Eq. 3.2).
-
-        It is worked out when it is asked for, from the mass and the constant acceleration of now.
-        """
         return self._acceleration_under(self._forces[1])
 
     def kick(self, duration: float) -> None:
-        """Change the velocity for a duration in s, by the acceleration and the forces.
-
-        v' = (v + (a + f / m) h) d^h, where a is the constant acceleration and f the sum of the
-        forces since the last kick. That sum is cleared, for an immovable particle too, and kept as
-        what the last step used.
-
-        Raises ValueError where the duration is not finite; the particle, and the sum of its forces,
-        are then as they were.
-        """
         gathered = self._forces[0]
         constant = self.acceleration
         # Chapter 3's kick knows one acceleration only, so it is lent the whole of it.

@@ -64,10 +64,6 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Project 4.2: add the drag at the particle's velocity relative to the air.
-
-        What moves with the air feels nothing; in still air this is Drag.
-        """
         through_the_air = particle.velocity - self.velocity
         particle.add_force(drag_force(through_the_air, self.k1, self.k2))
 
@@ -86,28 +82,14 @@ class SniperRange:
         self.change_wind()
 
     def is_over(self) -> bool:
-        """Say whether the last shot has been fired and has landed."""
         return self.shots_left == 0 and self.bullet is None
 
     def change_wind(self) -> None:
-        """Project 4.2: let the wind blow anew, level, as self.random draws it.
-
-        Its parts along X and along Z are drawn each from -STRONGEST_WIND to STRONGEST_WIND.
-        """
         along_x = self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND)
         along_z = self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND)
         self.wind.velocity = Vector3(along_x, 0.0, along_z)
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet, and say whether one was fired.
-
-        None is while one is in flight, or when no shots are left. The bullet starts at MUZZLE with
-        MUZZLE_SPEED; gravity is its acceleration, and the wind acts on it by self.forces. A shot is
-        taken off shots_left.
-
-        Raises ValueError where an angle is beyond SWING to either side, or not finite; nothing is
-        fired then.
-        """
         for name, angle in (("azimuth", azimuth), ("elevation", elevation)):
             if abs(finite(name, angle)) > SWING:
                 raise ValueError(f"{name} must be from {-SWING} to {SWING}, got {angle!r}")
@@ -124,16 +106,6 @@ class SniperRange:
         return True
 
     def update(self, duration: float) -> None:
-        """Project 4.2: let a frame in s pass for the bullet in flight, if there is one.
-
-        The forces are added up, the bullet moves, and a target that it has passed through on its
-        way is hit: hit_on_the_way tells. That adds the hole to holes and its points to the score.
-        The shot has landed when it has hit, when the bullet is below the ground (y < 0) or past
-        END_OF_RANGE in z. Then nothing acts on the bullet any more, there is none, and the wind
-        changes.
-
-        Raises ValueError where the duration is not positive and finite; nothing has moved then.
-        """
         positive("duration", duration)
         bullet = self.bullet
         if bullet is None:
@@ -152,11 +124,6 @@ class SniperRange:
 
 
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
-    """Project 4.2: return the first hole that the straight way from start to end makes, or None.
-
-    The way passes a target's plane where start.z < distance <= end.z. There it makes a hole in the
-    target if that brings any points.
-    """
     for target in sorted(TARGETS, key=lambda target: target.distance):
         if not start.z < target.distance <= end.z:
             continue
@@ -170,10 +137,6 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 
 
 def ring_points(x: float, y: float) -> int:
-    """Project 4.2: return the points of the smallest of the RINGS in which a point lies, or 0.
-
-    The point is in m from the middle of a target. One on the edge of a ring lies in it.
-    """
     off = math.hypot(x, y)
     around = [(radius, points) for radius, points in RINGS if off <= radius]
     return min(around)[1] if around else 0

@@ -11,11 +11,6 @@ from ch02_vectors.arguments import finite, not_negative, positive
 def damped_spring_state(
     x0: float, v0: float, stiffness: float, damping: float, mass: float, time: float
 ) -> tuple[float, float]:
-    """Return position in m and velocity in m/s after a time in s, for m x'' = -k x - c x'.
-
-    The two rates of decay, fast and slow, are half +- gamma with gamma^2 = half^2 - chi^2: complex
-    below the critical damping, real beyond it. One formula does for both of them.
-    """
     x0, v0, time = finite("x0", x0), finite("v0", v0), not_negative("time", time)
     chi = math.sqrt(not_negative("stiffness", stiffness)) / math.sqrt(positive("mass", mass))
     half = not_negative("damping", damping) / mass / 2.0

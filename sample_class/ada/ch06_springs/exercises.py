@@ -22,12 +22,6 @@ _CLOSE = 1.001  # the ratio of two stiffnesses between which nobody looks
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: say whether a spring of a stiffness in N/m makes a particle swing ever wider.
-
-    The state of the particle is a point (x, v). The area between the states of two frames that
-    follow one another does not care where in its swing the particle is, as its distance does: a
-    linear step multiplies it by the same factor in every frame.
-    """
     not_negative("stiffness", stiffness)
     positive("duration", duration)
     particle = Particle(Vector3(START), damping=not_negative("damping", damping))
@@ -53,7 +47,6 @@ def _area(one: tuple[float, float], other: tuple[float, float]) -> float:
 
 
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
-    """Exercise 6.5: measure the stiffness in N/m above which the particle swings ever wider."""
     not_negative("damping", damping)
     positive("duration", duration)
 

@@ -130,7 +130,6 @@ def _travel(
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step as the book does: the place by the old velocity."""
     positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
@@ -140,7 +139,6 @@ def explicit_euler(
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step the velocity first, and the place by the new velocity."""
     starts: list[Vector3] = [particle.position.copy() for particle in particles]
     explicit_euler(particles, apply_forces, duration)
     for particle, start in zip(particles, starts, strict=True):
@@ -150,7 +148,6 @@ def semi_implicit_euler(
 
 
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Take the forces in the middle of the way, then finish it with the new velocity."""
     positive("duration", duration)
     middles: list[Vector3] = []
     for particle in particles:
@@ -167,28 +164,24 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the accelerations of now, and of the place that they lead to."""
     _travel(_VERLET, particles, apply_forces, duration)
 
 
 def runge_kutta_4(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by Kutta's four rates."""
     _travel(_KUTTA, particles, apply_forces, duration)
 
 
 def backward_euler(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the state of a spring a frame later, by the rates of its end alone."""
     return _theta_step(1.0, x, v, stiffness, damping, mass, duration)
 
 
 def trapezoidal(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the state of a spring a frame later, by the mean of the rates of start and end."""
     return _theta_step(0.5, x, v, stiffness, damping, mass, duration)
 
 
@@ -247,5 +240,4 @@ class _Watch:
 
 
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
-    """Return the integrator's step with a look at every speed after it."""
     return _Watch(integrator, positive("speed_limit", speed_limit))

@@ -27,7 +27,6 @@ class Buoyancy:
         self.gravity = not_negative("gravity", gravity)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the weight of the water that is pushed aside, upwards."""
         depth = self.water_height - particle.position.y  # of the middle of the body
         if depth <= -self.max_depth:
             return
@@ -44,7 +43,6 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: add the lift at the particle's height, upwards."""
         share = min(1.0, math.exp(min(0.0, -particle.position.y / self.scale_height)))
         particle.add_force(Vector3(0.0, self.max_lift * share, 0.0))
 
@@ -60,7 +58,6 @@ class Overcrowding:
         self.stiffness = not_negative("stiffness", stiffness)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.3: add k (distance - l) away from each of the others with l < distance."""
         for other in self.particles:
             way = particle.position - other.position
             length = way.magnitude()
@@ -77,7 +74,6 @@ class HomingBullet:
         self.look_ahead = not_negative("look_ahead", look_ahead)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.4: add k times the way between the two places; it leaves the target alone."""
         way = self.target.position - particle.position
         way.add_scaled(self.target.velocity - particle.velocity, self.look_ahead)
         particle.add_force(way * self.stiffness)

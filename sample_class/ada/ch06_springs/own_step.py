@@ -12,7 +12,6 @@ from ch05_forces.particle import Particle
 def my_step(
     particles: Sequence[Particle], apply_forces: Callable[[float], None], duration: float
 ) -> None:
-    """Step particles by a duration in s."""
     rates = _rates(particles, apply_forces)
     parts = 1
     for particle, rate in zip(particles, rates, strict=True):

@@ -16,7 +16,6 @@ class PenaltyGround:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add k depth - c v_y upwards where that pushes, for a particle below the ground."""
         if (depth := self.height - particle.position.y) > 0.0:
             push = self.stiffness * depth - self.damping * particle.velocity.y
             particle.add_force(Vector3(0.0, max(push, 0.0), 0.0))

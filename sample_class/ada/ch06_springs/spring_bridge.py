@@ -19,7 +19,6 @@ def hang_bridge(
     stiffness: float,
     damping: float,
 ) -> None:
-    """Hang every plank on a spring of its own, and join each to the next one by another."""
     up = Vector3(0.0, positive("height", height), 0.0)
     not_negative("stiffness", stiffness)
     not_negative("damping", damping)
@@ -39,7 +38,6 @@ def hang_bridge(
 
 
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
-    """Add a walker's weight in N to the two planks between which he stands, at x in m."""
     finite("x", x)
     not_negative("weight", weight)
     if not planks:

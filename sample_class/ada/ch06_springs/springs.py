@@ -43,7 +43,6 @@ def _line_between(far: Particle, near: Particle) -> _Line:
 def spring_force(
     offset: Vector3, velocity: Vector3, stiffness: float, rest_length: float, damping: float = 0.0
 ) -> Vector3:
-    """Return the force in N of a spring on the end that has this offset from the other one."""
     line = _line(offset, velocity)
     return line.direction * -line.tension(stiffness, rest_length, damping)
 
@@ -60,7 +59,6 @@ class Spring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on the particle, seen from the other one."""
         _act(self, _line_between(self.other, particle), particle)
 
 
@@ -76,7 +74,6 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on the particle, seen from the anchor."""
         _act(self, _line(particle.position - self.anchor, particle.velocity), particle)
 
 
@@ -84,7 +81,6 @@ class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring where that pulls, and nothing where the rope is slack."""
         _act_as_rope(self, _line_between(self.other, particle), particle)
 
 
@@ -92,7 +88,6 @@ class AnchoredBungee(AnchoredSpring):
     """An elastic rope to an anchor, which only pulls."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring where that pulls, as a Bungee does."""
         _act_as_rope(self, _line(particle.position - self.anchor, particle.velocity), particle)
 
 
@@ -120,7 +115,6 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on a to a, and exactly its opposite to b."""
         line = _line_between(self.b, self.a)
         tension = line.tension(self.stiffness, self.rest_length, self.damping)
         self.a.add_force(line.direction * -tension)
@@ -135,7 +129,6 @@ def connect(
     rest_length: float,
     damping: float = 0.0,
 ) -> Connection:
-    """Join two particles by one spring that acts on both, and return it."""
     connection = Connection(a, b, stiffness, rest_length, damping)
     keeper = next((end for end in (a, b) if end.has_finite_mass), b)
     registry.add(keeper, connection)
@@ -151,10 +144,6 @@ class FakeStiffSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m ((T - x) / h^2 - v / h) on each axis, T being where the spring has it after h.
-
-        A spring is linear: T is a share of the place, and a time's worth of the velocity.
-        """
         h = positive("duration", duration)
         if not particle.has_finite_mass:
             return
@@ -181,7 +170,6 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force; at the limit itself there is no jump in it."""
         line = _line_between(self.other, particle)
         tension = line.tension(self.stiffness, self.rest_length, 0.0)
         if line.length > self.limit:  # two springs in a row of tensions: up to the limit, beyond it
@@ -191,7 +179,6 @@ class ElasticLimitSpring:
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
-    """Exercise 6.6b: return the stiffness in N/m above which a spring explodes."""
     d = not_negative("damping", damping)
     h, m = positive("duration", duration), positive("mass", mass)
     if d >= 1.0:

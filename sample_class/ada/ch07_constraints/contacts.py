@@ -41,16 +41,11 @@ class Contact:
         self.penetration = finite("penetration", penetration)
 
     def separating_velocity(self) -> float:
-        """Return how fast the two part along the normal, in m/s: negative while they close."""
         n = self.normal
         away = self.particle.velocity @ n
         return away if self.other is None else away - self.other.velocity @ n
 
     def velocity_after(self, duration: float = 0.0) -> float:
-        """Return the separating velocity in m/s that the contact should have once it is resolved.
-
-        Of what closes, a frame of ``duration`` s may have built up a part; only the rest bounces.
-        """
         duration = not_negative("duration", duration)
         closing = -self.separating_velocity()
         if closing <= 0.0:
@@ -61,7 +56,6 @@ class Contact:
         return self.restitution * max(0.0, closing + min(0.0, pulled * duration))
 
     def resolve_velocity(self, duration: float = 0.0) -> None:
-        """Give what closes the impulse that makes it part as velocity_after says."""
         after = self.velocity_after(duration)
         before = self.separating_velocity()
         if before < 0.0:
@@ -69,7 +63,6 @@ class Contact:
                 body.velocity.add_scaled(self.normal, share * (after - before))
 
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
-        """Move the two apart along the normal until they touch; return how each was moved."""
         shares = self._shares()
         if not shares or self.penetration <= 0.0:
             return Vector3(), Vector3()
@@ -80,7 +73,6 @@ class Contact:
         return moves.get(id(self.particle), Vector3()), moves.get(id(self.other), Vector3())
 
     def resolve(self, duration: float) -> None:
-        """Resolve the velocity, for a frame of a duration in s, and then the penetration."""
         positive("duration", duration)
         self.resolve_velocity(duration)
         self.resolve_penetration()
@@ -105,7 +97,6 @@ class Contact:
         ]
 
     def total_inverse_mass(self) -> float:
-        """Return 1 / ma + 1 / mb: 0 where nothing can be moved."""
         return sum(body.inverse_mass for body, _ in self._movable())
 
 
@@ -129,7 +120,6 @@ class ContactResolver:
         self.iterations_used = 0
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts of a frame of a duration in s: all velocities, then all depths."""
         positive("duration", duration)
         movable = [contact for contact in contacts if contact.total_inverse_mass()]
         limit = self.iterations or 2 * len(movable)
@@ -137,7 +127,6 @@ class ContactResolver:
         self.iterations_used = used + self.resolve_penetrations(movable, limit)
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
-        """Resolve the velocity of the contact that closes fastest, again and again."""
         used = 0
         while contacts and used < limit:
             # Of equals min takes the first; the place in the list is only how it is found again.
@@ -149,7 +138,6 @@ class ContactResolver:
         return used
 
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
-        """Resolve the penetration of the deepest contact, again and again."""
         used = 0
         while contacts and used < limit:
             worst = max(contacts, key=lambda contact: contact.penetration)  # of equals, the first
@@ -176,13 +164,11 @@ def a_particle(name: str, value: Particle) -> Particle:
 
 
 def a_restitution(name: str, value: float) -> float:
-    """Return a restitution; ValueError for a number that is not from 0 to 1."""
     if not_negative(name, value) > 1.0:
         raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
     return float(value)
 
 
 def direction_of(offset: Vector3) -> Vector3:
-    """Return the direction of an offset, as new, and +Y where it has none."""
     direction = offset.normalized()
     return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -54,11 +54,9 @@ class GroundPlane:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Exercise 7.5: return a contact for each particle that touches the ground, or is below."""
         return [self._contact(particle, 0.0 - gap) for particle, gap in self._gaps() if gap <= 0.0]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact on the ground within ``duration`` s: its time and its contact."""
         not_negative("duration", duration)
         times = [
             (time_to_close(gap, particle.velocity.y, particle.last_acceleration.y), i, particle)
@@ -89,7 +87,6 @@ class ParticlePairs:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact for each pair whose spheres touch or overlap."""
         found = []
         for i, j in self._near_pairs():
             a, b = self.particles[i], self.particles[j]
@@ -100,10 +97,6 @@ class ParticlePairs:
         return found
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact of two spheres within ``duration`` s: its time and its contact.
-
-        What is immovable stays where it is: it counts as one without velocity and acceleration.
-        """
         not_negative("duration", duration)
         self._refuse_different_accelerations()
         best: tuple[float, Particle, Particle] | None = None
@@ -194,24 +187,14 @@ class Detectors:
         self.detectors = detectors
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of all, in the order of the detectors."""
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact of all; of several at the same time that of the first detector.
-
-        Raises what one of them raises.
-        """
         impacts = [detector.next_impact(duration) for detector in self.detectors]
         return min((impact for impact in impacts if impact), key=lambda i: i[0], default=None)
 
 
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
-    """Return the first time in s at which a gap is closed, 0 or less, and closes on.
-
-    The speed at which it gets to 0 is the root of v^2 - s^2, or of v^2 + s^2 where the acceleration
-    helps; s is what the acceleration alone makes of the gap.
-    """
     if acceleration == 0.0 and velocity > -VELOCITY_TOLERANCE:
         return math.inf
     if velocity > 0.0 or (velocity == 0.0 and acceleration > 0.0):
@@ -234,7 +217,6 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return a list or tuple of particles; TypeError for anything else."""
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list, got {particles!r}")
     for i, particle in enumerate(particles):

@@ -12,11 +12,6 @@ Drop = tuple[str, float, float]
 
 
 def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
-    """Exercise 7.1: return the restitution of a ball that is dropped, and bounces so high.
-
-    >>> restitution_of_drop(1.0, 0.64)
-    0.8
-    """
     start = positive("initial_height", initial_height)
     end = not_negative("bounce_height", bounce_height)
     if end > start:
@@ -25,10 +20,6 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 
 
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
-    """Exercise 7.1: return a row for each material: its name, how many drops, mean, standard error.
-
-    The square of the standard error is the sum of (x - mean)^2 over n (n - 1).
-    """
     measured = [(material, restitution_of_drop(*heights)) for material, *heights in drops]
     rows: list[tuple[str, int, float, float | None]] = []
     for name in dict.fromkeys(material for material, _ in measured):
@@ -48,10 +39,6 @@ def top_ball_speed(
     pair_restitution: float,
     gravity: float = 10.0,
 ) -> float:
-    """Exercise 7.3: return how fast the upper one of two balls goes upwards, in m/s.
-
-    Seen from the middle of their masses both turn round, with the pair's restitution.
-    """
     fall = (
         math.sqrt(2.0)
         * math.sqrt(not_negative("gravity", gravity))
@@ -66,7 +53,6 @@ def top_ball_speed(
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: return the force in N that does in a frame what another does in a part."""
     result = finite_vector("force", force)
     frame = positive("frame", frame)
     if not_negative("contact_time", contact_time) > frame:

@@ -22,7 +22,6 @@ class Cable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact where the cable is taut: as long as it may be, or longer."""
         return _taut(self.a, self.b, self.b.position, self.max_length, self.restitution)
 
 
@@ -38,7 +37,6 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact with no other where the cable is taut; its normal is to the anchor."""
         return _taut(self.particle, None, self.anchor, self.max_length, self.restitution)
 
 
@@ -50,7 +48,6 @@ class Rod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact where the rod is too long or too short, and none where it is neither."""
         return _held(self.a, self.b, self.b.position, self.length)
 
 
@@ -63,7 +60,6 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact with no other, as a Rod does: to the anchor where it is too long."""
         return _held(self.particle, None, self.anchor, self.length)
 
 
@@ -87,7 +83,6 @@ class Limits:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Exercise 7.6: return a contact for each limit that is reached or passed."""
         a, b, c = self.a, self.b, self.restitution
         offset = b.position - a.position
         distance = offset.magnitude()
@@ -101,7 +96,6 @@ class TwoSidedRod(Rod):
     """Going further, G7.1: a rod that always pulls and pushes, whatever its length is just now."""
 
     def contacts(self) -> list[Contact]:
-        """G7.1: return two contacts, always: one that pulls the ends together, one that pushes."""
         a, b = self.a, self.b
         offset = b.position - a.position
         way, too_long = direction_of(offset), offset.magnitude() - self.length
@@ -109,7 +103,6 @@ class TwoSidedRod(Rod):
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
-    """Return both ends; TypeError for what is no Particle, ValueError where they are the same."""
     a_particle("a", a)
     if a_particle("b", b) is a:
         raise ValueError(f"b must be another particle than a, got {b!r} twice")

@@ -12,11 +12,7 @@ from ch07_constraints.detectors import Detector
 
 
 class TooManyImpacts(ArithmeticError):  # noqa: N818
-    """A frame had more impacts than it may: something has come to rest, where they never end.
-
-    ``impacts`` is how many were resolved, ``time`` when in the frame that was, in s, ``contact``
-    the next one.
-    """
+    """A frame had more impacts than it may: something has come to rest, where they never end."""
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
         super().__init__(
@@ -30,7 +26,6 @@ class TooManyImpacts(ArithmeticError):  # noqa: N818
 def time_division_step(
     particles: Sequence[Particle], detector: Detector, duration: float, max_impacts: int = 1000
 ) -> None:
-    """Move particles on by a frame of a duration in s, from impact to impact (7.3)."""
     positive("duration", duration)
     if isinstance(max_impacts, bool) or not isinstance(max_impacts, int):
         raise TypeError(f"max_impacts must be a whole number, got {max_impacts!r}")

@@ -26,10 +26,7 @@ TOUCH = 1e-6  # m: what is no higher above the ground lies on it, however that w
 
 
 class Rules:
-    """What counts: ``score``, ``lives`` and ``visited``, the rows that were landed on.
-
-    It knows nothing of particles, and is told what happens. ``rows`` is how many there are.
-    """
+    """What counts: ``score``, ``lives`` and ``visited``, the rows that were landed on."""
 
     def __init__(self, rows: int) -> None:
         self.rows = rows
@@ -39,19 +36,13 @@ class Rules:
 
     @property
     def won(self) -> bool:
-        """Whether every row has been landed on (P8.1a)."""
         return all(row in self.visited for row in range(self.rows))
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost: nothing counts any more."""
         return self.lives <= 0 or self.won
 
     def landed(self, row: int) -> None:
-        """Count a landing on a row: POINTS the first time, and BONUS a life where it wins.
-
-        Raises ValueError for a row that there is not, from 0 up.
-        """
         if row not in range(self.rows):
             raise ValueError(f"row must be from 0 to {self.rows - 1}, got {row!r}")
         if not self.over and row not in self.visited:
@@ -61,24 +52,18 @@ class Rules:
                 self.score += BONUS * self.lives
 
     def fell(self) -> None:
-        """Take a life: the ball has reached the ground."""
         if not self.over:
             self.lives -= 1
 
 
 class Landings:
-    """A contact generator that passes on a deck's contacts, and notes on which row the ball lands.
-
-    ``row`` is the nearest row where, in the last frame, the ball touched the deck on its way down,
-    and None where it did not. The world asks once a frame.
-    """
+    """Passes on a deck's contacts, and notes on which row the ball lands."""
 
     def __init__(self, deck: Deck) -> None:
         self.deck = deck
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the deck's contacts, and note the row."""
         found = self.deck.contacts()
         self.row = None
         if found and self.deck.ball.velocity.y < 0.0:
@@ -89,10 +74,7 @@ class Landings:
 
 
 class BallGame:
-    """The game: ``rules``, ``rows`` of planks, the ``ball``, and the ``world`` they are in.
-
-    ``direction`` is where the player steers to: -1 for left, 1 for right, 0 for neither.
-    """
+    """The game: ``rules``, ``rows`` of planks, the ``ball``, and the ``world`` they are in."""
 
     def __init__(self) -> None:
         self.rows = make_rows()
@@ -108,18 +90,10 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Put the ball over where the first row is, as high as at first, and at rest."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass; nothing happens any more when the game is over.
-
-        The ball is pushed by PUSH towards where the player steers. Where it lands on a row, that
-        counts, and it leaves upwards at JUMP. Otherwise, where its lowest point is no more than
-        TOUCH above the ground, that takes a life, and the ball starts anew, unless it was the last
-        one.
-        """
         if self.rules.over:
             return
         positive("duration", duration)

@@ -25,16 +25,7 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 class Bond:
-    """A soft spring between two particles with a limit of elasticity, which breaks and heals.
-
-    Up to a length of ``limit`` it is a spring of ``stiffness`` in N/m; beyond that the extra
-    extension counts with ``share`` of it (exercise 6.1). Longer than ``break_length`` it breaks: it
-    does nothing until its ends are ``rest_length`` or less apart, and then holds again. ``holds``
-    says whether it does. Lengths are in m. Register it for both particles.
-
-    Raises ValueError where rest_length <= limit <= break_length does not hold, and what
-    ElasticLimitSpring raises.
-    """
+    """A soft spring between two particles with a limit of elasticity, which breaks and heals."""
 
     def __init__(
         self,
@@ -57,7 +48,6 @@ class Bond:
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Break or catch, as the length asks for, and pull at one of the two where it holds."""
         length = (self.a.position - self.b.position).magnitude()
         if length > self.break_length:
             self.holds = False
@@ -72,10 +62,6 @@ class Bond:
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Return how far particles are from their common center of mass: the root of the mean square.
-
-    In m, and each counts by its mass. Raises ValueError where there are none, or one is immovable.
-    """
     if not particles:
         raise ValueError("particles must be one or more, got none")
     middle, total = Vector3(), 0.0
@@ -89,11 +75,7 @@ def spread(particles: Sequence[Particle]) -> float:
 
 
 class Blob:
-    """A blob that falls on the ground: ``particles``, ``bonds`` between all of them, and ``world``.
-
-    It is flat: all is at z = 0. With ``cables`` no bond gets longer than its break_length: a cable
-    holds it. Without them it breaks. ``push`` is the force in N on each particle, a vector.
-    """
+    """A blob that falls on the ground, with bonds between all of its particles."""
 
     def __init__(self, height: float = 2.0, cables: bool = False) -> None:
         middle = Vector3(0.0, positive("height", height))
@@ -117,7 +99,6 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass, with the push on every particle."""
         self.world.start_frame()
         for particle in self.particles:
             particle.add_force(self.push)

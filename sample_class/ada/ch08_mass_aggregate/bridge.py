@@ -33,12 +33,6 @@ ITERATIONS = 200  # a phase; with twice the contacts a bridge at 30 frames a sec
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
-    """Return what holds the rows, which are at their places at the start.
-
-    A rod of WIDTH joins both ends of each row; a cable of CABLE_LENGTH each end to that of the next
-    row on its side; and each end hangs on a cable of support_length(row) from anchor_of(it). No
-    cable bounces.
-    """
     links: list[ContactGenerator] = []
     before: Row | None = None
     for number, row in enumerate(rows):
@@ -63,13 +57,6 @@ class Deck:
         self.restitution = restitution
 
     def nearest(self) -> tuple[int, float] | None:
-        """Return the number of the row that is nearest to the ball along X, and the deck's height.
-
-        A row is where the middle of its ends is. The height in m is that below the ball, on the
-        straight line from row to row; before the first row and after the last it is that row's. Of
-        two rows that are equally near it is the first. None where the ball is further than half a
-        SPACING beyond the rows.
-        """
         middles = [(front.position + back.position) * 0.5 for front, back in self.rows]
         if not middles:
             return None
@@ -90,12 +77,6 @@ class Deck:
         return number, last.y
 
     def contacts(self) -> list[Contact]:
-        """Return a contact of the ball with each end of the nearest row, where it touches the deck.
-
-        The ball is the particle, the normal is +Y, and the penetration is how far the ball's lowest
-        point is below the deck. There is none where it is above, beyond the bridge, or deeper than
-        it is high: then it is below.
-        """
         below = self.nearest()
         if below is None:
             return []
@@ -112,11 +93,7 @@ class Deck:
 
 
 class Bridge:
-    """The bridge with its ball over the ground: ``rows`` of planks, ``ball`` and ``world``.
-
-    ``pace`` is how fast in m/s the ball walks along X. Raises ValueError where the ball's mass is
-    not positive and finite, or its place is not finite.
-    """
+    """The bridge with its ball over the ground: ``rows`` of planks, ``ball`` and ``world``."""
 
     def __init__(self, ball_mass: float = 5.0, x: float = 0.0) -> None:
         place = Vector3(finite("x", x), HEIGHT + RADIUS)
@@ -134,6 +111,5 @@ class Bridge:
         )
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass, with the ball at its pace."""
         self.ball.velocity.x = self.pace
         self.world.step(duration)

@@ -18,13 +18,6 @@ ITERATIONS = 200  # a phase
 
 
 def fewest_rods(count: int) -> int:
-    """Return how many rods ``count`` particles in space need at least to be rigid (8.2).
-
-    Each particle can move in three ways. What is rigid still moves in six: along three axes, and
-    about them. Two particles move in five, for a turn about their rod is none, and one in three.
-
-    Raises ValueError where count is below 1, and TypeError where it is no whole number.
-    """
     if not isinstance(count, int) or isinstance(count, bool):
         raise TypeError(f"count must be a whole number, got {count!r}")
     if count < 1:
@@ -33,11 +26,6 @@ def fewest_rods(count: int) -> int:
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Return the rods that make a cube rigid, as pairs of numbers of CORNERS (8.2).
-
-    Any set will do that leaves it no motion but those of a rigid body. As many as fewest_rods are
-    necessary, but not sufficient: it depends on where they are.
-    """
     rods = []
     for i in range(8):
         for bit in (1, 2, 4):
@@ -51,14 +39,7 @@ def cube_rods() -> list[tuple[int, int]]:
 
 
 class Cube:
-    """A cube that falls on one of its corners: ``particles``, ``rods`` and ``world``.
-
-    It is at rest at first, turned a little, with its lowest corner at the height in m. Rods are
-    given as pairs of numbers of its corners, or are those of cube_rods.
-
-    Raises ValueError where the height is not positive and finite, or a rod joins a corner to
-    itself, and IndexError where there is no such corner.
-    """
+    """A cube that falls on one of its corners: ``particles``, ``rods`` and ``world``."""
 
     def __init__(self, height: float = 1.0, rods: list[tuple[int, int]] | None = None) -> None:
         places = [_turned(*corner) for corner in CORNERS]
@@ -74,15 +55,10 @@ class Cube:
         self.world = ParticleWorld(self.particles, [*self.rods, ground], iterations=ITERATIONS)
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
         self.world.step(duration)
 
 
 def _turned(x: float, y: float, z: float) -> Vector3:
-    """Return a place turned by a quarter of a right angle about Z, and as much about X.
-
-    Without a turn two opposite corners of each face would fall at once, and nothing would tumble.
-    """
     c, s = 0.9238795325112867, 0.3826834323650898  # of pi / 8
     x, y = c * finite("x", x) - s * y, s * x + c * y
     return Vector3(x, c * y - s * z, s * y + c * z)

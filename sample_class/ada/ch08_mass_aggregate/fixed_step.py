@@ -16,17 +16,7 @@ SHARE = 1e-9  # of a step: what lacks so little of one is due, and only rounding
 
 
 class FixedStep:
-    """Makes a step of always the same duration as often as the time that has passed asks for.
-
-    ``step`` is what is called with the duration in s, such as ParticleWorld.step. ``left`` is the
-    time in s that has passed and is not simulated yet: less than a step, and no less than 0 but for
-    rounding. With ``max_steps`` there are at most so many steps in one call of advance, since a
-    machine that is too slow would fall behind more and more; ``dropped`` is the time in s that this
-    has cost so far. None means no limit.
-
-    Raises ValueError where the duration is not positive and finite, or max_steps is below 1, and
-    TypeError where step cannot be called, or max_steps is no whole number.
-    """
+    """Makes a step of always the same duration as often as the time that has passed asks for."""
 
     def __init__(
         self, step: Callable[[float], object], duration: float, max_steps: int | None = None
@@ -45,15 +35,6 @@ class FixedStep:
         self.dropped = 0.0
 
     def advance(self, elapsed: float) -> int:
-        """Let ``elapsed`` s pass: make the steps that are due, and return how many they were.
-
-        What is left of a step waits for the next call. What lacks less than SHARE of a step counts
-        as a whole one: sixty frames of 1/60 s are sixty steps. Where more than max_steps are due,
-        the others are not made, and their time is added to dropped; less than a step is still left.
-
-        Raises ValueError where elapsed is negative or not finite; nothing has passed then. What a
-        step raises comes out; that step, and those that were to follow, are still due.
-        """
         total = self.left + not_negative("elapsed", elapsed)
         self.left = total
         enough = self.duration * (1.0 - SHARE)

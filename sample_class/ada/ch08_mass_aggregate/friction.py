@@ -30,14 +30,12 @@ class FrictionContact(Contact):
         self._moves = Vector3()
 
     def sliding_velocity(self) -> Vector3:
-        """Return the relative velocity along the surface: n x (v x n), as n is a unit vector."""
         v = self.particle.velocity * 1.0
         if self.other is not None:
             v.add_scaled(self.other.velocity, -1.0)
         return self.normal.cross(v.cross(self.normal))
 
     def friction_impulse(self, normal_impulse: float) -> Vector3:
-        """Return the impulse that stops the sliding, made shorter if it is more than mu j."""
         most = self.friction * not_negative("normal_impulse", normal_impulse)
         heavy = self.total_inverse_mass()
         if not heavy:
@@ -47,7 +45,6 @@ class FrictionContact(Contact):
         return stop * (most / size) if size > most else stop
 
     def resolve_velocity(self, duration: float = 0.0) -> None:
-        """Bounce, and then rub."""
         closing = self.separating_velocity()
         super().resolve_velocity(duration)
         total = self.total_inverse_mass()
@@ -60,7 +57,6 @@ class FrictionContact(Contact):
                 self.other.velocity.add_scaled(impulse, -self.other.inverse_mass)
 
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
-        """Move both apart, and back along the surface as far as friction stopped them."""
         move, other_move = super().resolve_penetration()
         move.add_scaled(self._moves, self.particle.inverse_mass)
         self.particle.position.add_scaled(self._moves, self.particle.inverse_mass)
@@ -86,7 +82,6 @@ class FrictionGround(GroundPlane):
         self.friction = not_negative("friction", friction)
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of the ground, each with its friction."""
         rubbing: list[Contact] = []
         for c in super().contacts():
             rubbing.append(

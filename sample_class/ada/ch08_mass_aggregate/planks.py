@@ -12,7 +12,6 @@ from ch08_mass_aggregate.bridge_plan import Row
 
 
 def nearest_on_segment(point: Vector3, a: Vector3, b: Vector3) -> Vector3:
-    """Return the point between a and b, both included, that is nearest to the given point."""
     p, start, end = (finite_vector(name, v) for name, v in (("point", point), ("a", a), ("b", b)))
     way = end - start
     length = way.magnitude()
@@ -40,7 +39,6 @@ class Planks:
         self.restitution = restitution
 
     def contacts(self) -> list[Contact]:
-        """Return a contact of the ball with the nearer end of each plank that it touches."""
         found: list[Contact] = []
         for front, back in self.planks:
             touched = nearest_on_segment(self.ball.position, front.position, back.position)

@@ -32,16 +32,7 @@ class Sleep:
 
 
 class SleepingWorld(ParticleWorld):
-    """A ParticleWorld whose particles fall asleep when they, and all that they touch, are slow.
-
-    Slow is what had a kinetic energy of ``sleep_energy`` in J or less at the end of each of
-    ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of math.inf;
-    ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, or joins something
-    new to what sleeps, has to wake it.
-
-    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
-    TypeError where it is no whole number, and what ParticleWorld raises.
-    """
+    """A ParticleWorld whose particles fall asleep when they, and all that they touch, are slow."""
 
     def __init__(
         self,
@@ -68,12 +59,6 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbors, theirs, and so on: what fell asleep as one wakes as one.
-
-        The mass of each is what it was, unless it has been given another by hand. It has to be slow
-        again for all of sleep_frames. A particle that is awake stays awake, and begins to count
-        anew.
-        """
         known = {one: list(sleep.neighbors) for one, sleep in self.asleep.items()}
         for one in _reach(particle, known):
             self._slow.pop(one, None)
@@ -82,21 +67,10 @@ class SleepingWorld(ParticleWorld):
                 one.inverse_mass = sleep.inverse_mass
 
     def wake_moved(self) -> None:
-        """Wake what was moved by hand since it fell asleep.
-
-        That is what has a velocity, another place, a mass, or a force in its accumulator.
-        """
         for particle in [one for one, sleep in self.asleep.items() if _moved(one, sleep)]:
             self.wake(particle)  # which may have been woken with another one by now
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake what the generators of the registry push otherwise than when it fell asleep.
-
-        The acceleration of now, a + f / m with their forces, is compared with the one of then. A
-        change of more than SAME of what acts wakes: of |a| + |f / m|, or of what it was then. Only
-        generators that are registered for what sleeps are asked, and each has its own mass for that
-        time. The accumulators of what sleeps are empty before and afterwards.
-        """
         pushes: dict[Particle, Vector3] = {}
         for one, sleep in self.asleep.items():
             one.inverse_mass = sleep.inverse_mass
@@ -116,10 +90,6 @@ class SleepingWorld(ParticleWorld):
                 self.wake(one)
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
-        """Wake what sleeps and is in contact with a particle that can move.
-
-        Return whether there was any.
-        """
         pairs = _pairs(contacts)
         woken = False
         again = True
@@ -133,12 +103,6 @@ class SleepingWorld(ParticleWorld):
         return woken
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count a frame, and put to sleep what has been slow for long enough, if its group has.
-
-        A group is what is in contact, or joined by a generator of the registry, directly or through
-        others: all of it sleeps, or none. What is immovable joins nothing, and neither slows down
-        nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
-        """
         neighbors: dict[Particle, list[Particle]] = {}
         for pair in touching(contacts):
             self._touched[pair] = self._frame
@@ -169,15 +133,6 @@ class SleepingWorld(ParticleWorld):
                     member.inverse_mass = 0.0
 
     def run_physics(self, duration: float) -> None:
-        """Move all on that is awake by a frame of a duration in s.
-
-        First what was moved by hand wakes, and in every LOOK_EVERY-th frame what its generators
-        push otherwise. The integrator gets the particles that are awake, and no others. Then
-        contacts wake what sleeps, and are looked for again, until they wake nothing more. When they
-        are resolved, what has been slow for long enough falls asleep.
-
-        Raises ValueError where the duration is not positive and finite; all is then as it was.
-        """
         positive("duration", duration)
         self._frame += 1
         self.wake_moved()

@@ -32,11 +32,6 @@ ITERATIONS = 100  # a phase
 
 
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
-    """Return rods between particles at PLACES that leave the platform no motion but the tilt.
-
-    Each is as long as its ends are apart now. The pivot's two particles, the first ones, are
-    immovable. Which rods there are is yours to choose, and there may be more than are needed.
-    """
     rods = []
     pairs = [(end, pivot) for end in (2, 3, 4, 5) for pivot in (0, 1)]
     for i, j in [*pairs, (2, 4), (3, 5), (2, 5), (3, 4), (2, 3), (4, 5)]:
@@ -46,14 +41,6 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
-    """Return the mass in kg which, put at x, balances others on a pivot at 0.
-
-    ``masses`` are in kg, ``places`` where they are in m along the platform. What is left of 0 turns
-    it one way, what is right of 0 the other, each by mass times distance.
-
-    Raises ValueError where one of the numbers is not finite, a mass is negative, there are not as
-    many places as masses, or no mass that is 0 or more would do.
-    """
     if len(masses) != len(places):
         wanted = f"places must be as many as masses, {len(masses)}"
         raise ValueError(f"{wanted}, got {len(places)}")
@@ -69,10 +56,7 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 
 
 class TiltingPlatform:
-    """The platform over the ground, with an immovable pivot: ``particles``, ``rods``, ``world``.
-
-    The particles stand in the order of PLACES, where they are at first.
-    """
+    """The platform over the ground, with an immovable pivot: ``particles``, ``rods``, ``world``."""
 
     def __init__(self) -> None:
         self.particles = [
@@ -87,11 +71,6 @@ class TiltingPlatform:
         )
 
     def free_pivot(self) -> None:
-        """Free the pivot: its particles have MASS from now on, and only stand on the ground (8.1).
-
-        The platform stays rigid: what held the two apart was that they could not move. There is no
-        friction.
-        """
         one, two = self.particles[:2]
         one.mass = two.mass = MASS
         if any({id(rod.a), id(rod.b)} == {id(one), id(two)} for rod in self.rods):
@@ -101,14 +80,6 @@ class TiltingPlatform:
         self.world.contact_generators.append(axle)
 
     def put_weight(self, mass: float, x: float) -> None:
-        """Put a weight of a mass in kg on the platform, at x from LEFT to RIGHT, and no other.
-
-        It is carried by the ends, shared so that it turns the platform as much as it would at x;
-        both particles of an end carry half of its share, beside their own MASS.
-
-        Raises ValueError where the mass is negative or not finite, or x is not between the ends;
-        the weight that was there stays then.
-        """
         not_negative("mass", mass)
         if not LEFT <= finite("x", x) <= RIGHT:
             raise ValueError(f"x must be from {LEFT!r} to {RIGHT!r}, got {x!r}")
@@ -118,10 +89,8 @@ class TiltingPlatform:
                 particle.mass = MASS + 0.5 * part * mass
 
     def tilt(self) -> float:
-        """Return how far it is turned, in radians: 0 at first, positive with the right end up."""
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
         self.world.step(duration)

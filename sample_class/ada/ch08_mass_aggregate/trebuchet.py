@@ -32,12 +32,7 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg and m: what my_design may have, its
 
 @dataclass(frozen=True)
 class Design:
-    """What may be chosen of a trebuchet: kg, m and degrees.
-
-    The sling lets go when the projectile flies forwards at ``release_angle`` above the horizon, or
-    lower. Raises ValueError where a number is not finite, a mass or length is not positive, the
-    release angle is not above -90 and below 90, or the projectile would hang below the ground.
-    """
+    """What may be chosen of a trebuchet: kg, m and degrees."""
 
     counterweight: float
     short_arm: float
@@ -58,32 +53,18 @@ class Design:
 
 @dataclass(frozen=True)
 class Throw:
-    """What a throw came to: the range in m from below the pivot, and the share of the energy.
-
-    The share is the energy that the projectile gained, kinetic and by its height, divided by what
-    the counterweight lost by its height, both until the sling let go. Both numbers are 0 where it
-    never did.
-    """
+    """What a throw came to: the range in m from below the pivot, and the share of the energy."""
 
     range: float
     share: float
 
 
 def my_design() -> Design:
-    """Return a trebuchet of your own (P8.2b): at most MOST_WEIGHT, and arms of LONGEST_BEAM in all.
-
-    It is graded for its range, and for the share of the energy that reaches the projectile, both
-    from its numbers alone: 60 m and 40 % are good, 80 m and 50 % are better.
-    """
     return Design(400.0, 0.68, 4.24, 3.41, 25.0)  # found by many throws
 
 
 class Trebuchet:
-    """A trebuchet of a design: its particles, and the ``world`` in which they move.
-
-    ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile`` are at rest at first, and
-    ``flies`` is False until the sling has let go.
-    """
+    """A trebuchet of a design: its particles, and the ``world`` in which they move."""
 
     def __init__(self, design: Design) -> None:
         down = Vector3(0.0, -G, 0.0)
@@ -103,10 +84,6 @@ class Trebuchet:
         self.world = ParticleWorld(particles, [*self.beam(), self.sling], iterations=ITERATIONS)
 
     def beam(self) -> list[ContactGenerator]:
-        """Return rods that make pivot, counterweight and tip a rigid beam, as long as they are now.
-
-        Any that do will do.
-        """
         corners = (self.pivot, self.weight, self.tip)
         return [
             TwoSidedRod(a, b, (b.position - a.position).magnitude())
@@ -114,32 +91,18 @@ class Trebuchet:
         ]
 
     def lets_go(self) -> bool:
-        """Say whether the projectile flies forwards, at the release angle or lower by now.
-
-        It also has to be above the pivot, for it swings forwards once before it is thrown.
-        """
         v = self.projectile.velocity
         if v.x <= 0.0 or self.projectile.position.y <= self.pivot.position.y:
             return False
         return v.y <= v.x * math.tan(math.radians(self.design.release_angle))
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass; at its end the sling lets go, if it is to.
-
-        Then its cable is no longer a generator of the world's, and the projectile flies.
-        """
         self.world.step(duration)
         if not self.flies and self.lets_go():
             self.flies = True
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Throw, in frames of STEP, until the sling lets go, and return what that comes to (P8.2a).
-
-        From there the range is that of a shot without drag, down to the ground at a height of 0.
-        What reaches the ground on the sling, or has not let go within TIME_LIMIT, has not been
-        thrown. The trebuchet is to be a new one.
-        """
         ball = self.projectile
         first, weight_first = ball.position.y, self.weight.position.y
         frames = round(TIME_LIMIT / STEP)

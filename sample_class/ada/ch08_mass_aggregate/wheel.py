@@ -21,11 +21,6 @@ ITERATIONS = 200  # a phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
-    """Return the rods of a wheel: a spoke to each particle of the rim, and from each to the next.
-
-    The rim, of three or more, is given in order, and its last particle is joined to the first. Each
-    rod is as long as its ends are apart now (8.3a).
-    """
     rods: list[Rod] = []
     before = rim[-1]
     for particle in rim:
@@ -44,10 +39,6 @@ class RimDrive:
         self.force = finite("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force in N, at a right angle to the spoke, in the X-Y plane.
-
-        A positive force is one that turns the wheel counter-clockwise. At the hub there is none.
-        """
         spoke = particle.position - self.hub.position
         length = math.hypot(spoke.x, spoke.y)  # without z: the force is always of one size
         if length > 0.0:
@@ -56,11 +47,6 @@ class RimDrive:
 
 
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
-    """Return how fast a wheel turns about its hub, in rad/s: angular momentum by moment of inertia.
-
-    That is the sum of m (x v_y - y v_x), divided by that of m (x^2 + y^2), seen from the hub. 0
-    where the rim has no moment of inertia.
-    """
     turning = inertia = 0.0
     for particle in filter(lambda one: one.has_finite_mass, rim):
         p = particle.position - hub.position
@@ -73,10 +59,6 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Return by which share of its length the worst of some rods is too long or too short (8.3c).
-
-    0 where there are none.
-    """
     worst = 0.0
     for rod in rods:
         length = (rod.a.position - rod.b.position).magnitude()
@@ -85,10 +67,7 @@ def deformation(rods: Sequence[Rod]) -> float:
 
 
 class Wheel:
-    """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``.
-
-    The first ``driven`` particles of the rim are driven by a ``drive`` of a ``force`` in N each.
-    """
+    """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``."""
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
         self.hub = Particle(mass=math.inf)
@@ -104,5 +83,4 @@ class Wheel:
             self.world.registry.add(particle, self.drive)
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
         self.world.step(duration)

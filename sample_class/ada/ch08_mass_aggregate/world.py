@@ -16,16 +16,7 @@ from ch07_constraints.detectors import some_particles
 
 
 class ParticleWorld:
-    """Particles that a frame moves on: by forces, an integrator, and the contacts that follow.
-
-    ``particles``, each of which stands there once, and ``contact_generators`` are lists of its own,
-    which may be appended to. ``registry`` is an empty ForceRegistry, ``resolver`` a ContactResolver
-    of so many ``iterations``, and ``integrator`` any step of chapter 6. There may be any number of
-    contacts in a frame: the book's world has a maximum, and drops what is above it in silence.
-
-    TypeError names what is no Particle, has no contacts(), or cannot be called; ValueError a
-    particle that is there twice. The resolver raises what is wrong with ``iterations``.
-    """
+    """Particles that a frame moves on: by forces, an integrator, and the contacts that follow."""
 
     def __init__(
         self,
@@ -50,26 +41,16 @@ class ParticleWorld:
         self.integrator = integrator
 
     def start_frame(self) -> None:
-        """Clear the force accumulators of all particles: what is added from now on counts (8.1)."""
         for one in self.particles:
             one.clear_forces()
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of now, of one generator after the other; none is left out."""
         found: list[Contact] = []
         for generator in self.contact_generators:
             found.extend(generator.contacts())
         return found
 
     def run_physics(self, duration: float) -> None:
-        """Move all on by a frame of a duration in s (8.1).
-
-        The integrator moves the particles, by the forces of the registry and those that were added
-        by hand since start_frame. Then the contacts of their new places are resolved, all at once.
-        Where there are none, the resolver is not asked.
-
-        Raises ValueError where the duration is not positive and finite; all is then as it was.
-        """
         positive("duration", duration)
         self.integrator(self.particles, self.registry.update_forces, duration)
         touching = self.contacts()
@@ -77,21 +58,12 @@ class ParticleWorld:
             self.resolver.resolve_contacts(touching, duration)
 
     def step(self, duration: float) -> None:
-        """Start a frame and run its physics: forces that were added before it do not count.
-
-        Raises ValueError where the duration is not positive and finite; all is then as it was.
-        """
         positive("duration", duration)  # before the forces are cleared
         self.start_frame()
         self.run_physics(duration)
 
 
 def mechanical_energy(particles: Iterable[Particle]) -> float:
-    """Return the energy of particles in J: m v^2 / 2 - m a . p, where a is their own acceleration.
-
-    For a = (0, -g, 0) that is m v^2 / 2 + m g y. Forces have no part in it; immovable particles
-    have none.
-    """
     total = 0.0
     for one in particles:
         if one.has_finite_mass:

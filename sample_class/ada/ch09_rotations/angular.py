@@ -13,7 +13,6 @@ from ch09_rotations.quaternion import Quaternion
 def velocity_of_point(
     point: Vector3, position: Vector3, velocity: Vector3, angular_velocity: Vector3
 ) -> Vector3:
-    """Return the velocity of a point of an object that moves and turns, as new (Eq. 9.6)."""
     arm = finite_vector("point", point) - finite_vector("position", position)
     spin = finite_vector("angular_velocity", angular_velocity)
     return finite_vector("velocity", velocity) - arm.cross(spin)
@@ -25,7 +24,6 @@ def integrate_rotation(
     angular_acceleration: Vector3,
     duration: float,
 ) -> None:
-    """Move an orientation and an angular velocity on by one step, in place."""
     if not isinstance(orientation, Quaternion):
         raise TypeError(f"orientation must be a Quaternion, got {orientation!r}")
     duration = positive("duration", duration)
@@ -37,11 +35,6 @@ def integrate_rotation(
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Return what Eq. 9.5 does to a steady turn: its length, and the angle that it lacks.
-
-    About one axis a quaternion is a complex number, and a step multiplies it by 1 + x i, where x is
-    half of the angle of a step.
-    """
     angular_speed, duration = finite("angular_speed", angular_speed), positive("duration", duration)
     x = angular_speed * (duration / whole("steps", steps)) / 2.0
     step = cmath.log(complex(1.0, x))

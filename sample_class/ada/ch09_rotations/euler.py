@@ -10,7 +10,6 @@ from ch09_rotations.quaternion import Quaternion
 
 
 def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
-    """Return the orientation of three angles, of length 1."""
     orientation = Quaternion()
     for scaled_axis in (
         Vector3(finite("x", x), 0.0, 0.0),
@@ -23,16 +22,10 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 
 
 def rate_map(x: float, y: float, z: float) -> Matrix3:
-    """Return the matrix that takes the rates of the three angles to the angular velocity."""
     return _axes(x, y, z).transpose()
 
 
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
-    """Return how fast the three angles change, in rad/s, where an object turns so.
-
-    The inverse is that of the axes as rows, for these are of length 1 in the lock too, where a row
-    of the rate map may be no more than rounding, and pass for a short one.
-    """
     spin = finite_vector("angular_velocity", angular_velocity)
     try:
         return _axes(x, y, z).inverse().transpose().transform(spin)

@@ -19,7 +19,6 @@ _OVER = 1e-9  # m
 
 
 def two_other_turns() -> tuple[float, float]:
-    """Exercise 9.1: return the angles a and b, in degrees, from -180 to 180."""
     # Two turns are the same where they take X and Y to the same: of quarter turns, exactly.
     wanted = [_quarter_turned(_quarter_turned(axis, _X, 1), _Y, 1) for axis in (_X, _Y)]
     for a, b in product((-1, 0, 1, 2), repeat=2):
@@ -29,14 +28,12 @@ def two_other_turns() -> tuple[float, float]:
 
 
 def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
-    """Exercise 9.2: return the one turn, axis and angle, that undoes an orientation."""
     _must_be(Quaternion, orientation)
     axis, angle = orientation.to_axis_angle()
     return axis, -angle
 
 
 def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Exercise 9.3a: return a b, where j and k are zero in both, in four multiplications."""
     for q in (a, b):
         _must_be(Quaternion, q)
         if q.j != 0.0 or q.k != 0.0:
@@ -46,7 +43,6 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
-    """Exercise 9.4: return where a steady turn about the world's X ends, as new."""
     _must_be(Quaternion, orientation)
     turned = orientation.copy()
     turned.rotate_by(_X * (finite("rate", rate) * positive("duration", duration)))
@@ -56,7 +52,6 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 def turned_by_steps(
     orientation: Quaternion, rate: float, duration: float, steps: int = 1
 ) -> tuple[Quaternion, float]:
-    """Exercise 9.4: return the same by equal steps of Eq. 9.5, normalized, and its error."""
     _must_be(Quaternion, orientation)
     if not orientation.is_unit():
         raise ValueError(f"the orientation must have the length 1, got {orientation!r}")
@@ -71,7 +66,6 @@ def turned_by_steps(
 
 
 def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
-    """Exercise 9.5: return the rotation and the position that a 3x4 matrix is made of, as new."""
     _must_be(Matrix4, matrix)
     origin = matrix.transform(Vector3())
     columns = [part for axis in (_X, _Y, _Z) for part in matrix.transform(axis) - origin]
@@ -82,7 +76,6 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 
 
 def easy_inverse(matrix: Matrix4) -> Matrix4:
-    """Exercise 9.6: return the inverse of a rotation and a translation, without any division."""
     _must_be(Matrix4, matrix)
     moved = matrix.transform_inverse(Vector3())  # where the origin comes from
     entries: list[float] = []
@@ -93,7 +86,6 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 
 
 def center_of_stones(stones: Sequence[Stone]) -> Point:
-    """Exercise 9.7: return the center of mass of a box with stones, in m, by sums."""
     masses, positions = [], []
     for _, mass, x, y in stones:
         masses.append(mass)
@@ -102,12 +94,10 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 
 
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
-    """Exercise 9.7: return where a straight edge must lie below the box for it to balance, in m."""
     return _to_the_left(center_of_stones(stones), angle)
 
 
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
-    """Exercise 9.7: return the masses on the left and on the right of that edge, in kg."""
     edge = balance_offset(stones, angle)
     sides = {True: 0.0, False: 0.0}
     for _, mass, x, y in stones:

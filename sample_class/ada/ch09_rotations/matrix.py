@@ -31,11 +31,9 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Exact, number by number."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column. Raises IndexError where there is none."""
         row, column = place
         if row not in range(3) or column not in range(4):
             raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
@@ -46,17 +44,14 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Return m.transform(v) or m.product(n), by what is on the right."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.1)."""
         return self.transform_direction(v) + self._moved()
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
         _must_be(Matrix4, m)
         return Matrix4(
             *(
@@ -68,31 +63,25 @@ class Matrix4:
         )
 
     def determinant(self) -> float:
-        """Return the determinant, in which the translation has no part."""
         return self._turning().determinant()
 
     def inverse(self) -> Matrix4:
-        """Return the matrix that undoes this one: moves back, then turns back."""
         back = self._turning().inverse()
         return _beside(back, -back.transform(self._moved()))
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return what takes an object's own coordinates to the world's: turned by q, moved by p."""
         _must_be(Vector3, p)
         return _beside(Matrix3.from_quaternion(q), p)
 
     def transform_inverse(self, v: Vector3) -> Vector3:
-        """Return what transform() takes to v, without the inverse: moved back, then turned back."""
         _must_be(Vector3, v)
         return self.transform_inverse_direction(v - self._moved())
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a direction turned, as new: the translation has no part in it (9.4.6)."""
         return self._turning().transform(v)
 
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
-        """Return a direction turned back, as new: by the transpose, as transform_inverse does."""
         return self._turning().transpose().transform(v)
 
     def _turning(self) -> Matrix3:
@@ -103,7 +92,6 @@ class Matrix4:
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Return what m does, as it is told in other axes: basis m basis^-1 (9.4.6)."""
     if not any(isinstance(m, size) and isinstance(basis, size) for size in (Matrix3, Matrix4)):
         raise TypeError(f"m and basis must be matrices of one size, got {m!r} and {basis!r}")
     back = basis.inverse()

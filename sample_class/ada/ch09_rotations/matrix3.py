@@ -34,11 +34,9 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Exact, number by number."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column. Raises IndexError where there is none."""
         row, column = place
         if row not in range(3) or column not in range(3):
             raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
@@ -49,19 +47,16 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Return m.transform(v) or m.product(n), by what is on the right."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return m v, as new; also written m @ v (9.4.1)."""
         _must_be(Vector3, v)
         column = [*v]
         return Vector3(*(sum(self[row, n] * column[n] for n in range(3)) for row in range(3)))
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
         _must_be(Matrix3, m)
         return Matrix3(
             *(
@@ -72,11 +67,9 @@ class Matrix3:
         )
 
     def transpose(self) -> Matrix3:
-        """Return the matrix whose rows are the columns of this one: a rotation turned back."""
         return Matrix3(*(self[row, column] for column in range(3) for row in range(3)))
 
     def determinant(self) -> float:
-        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.2)."""
         total = 0.0
         for a, b, c in permutations(range(3)):
             sign = (b - a) * (c - a) * (c - b) // 2
@@ -84,10 +77,6 @@ class Matrix3:
         return total
 
     def inverse(self) -> Matrix3:
-        """Return the matrix that undoes this one, by Gauss and Jordan (9.4.2).
-
-        Raises ValueError where no matrix does, or nearly so.
-        """
         rows = _rows(self)
         lengths = [math.hypot(*row) for row in rows]
         largest = math.prod(lengths)
@@ -112,7 +101,6 @@ class Matrix3:
         return Matrix3(*(part for row in rows for part in row[3:]))
 
     def is_rotation(self) -> bool:
-        """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring."""
         rows = _rows(self)
         for n, first in enumerate(rows):
             for m, second in enumerate(rows):
@@ -123,13 +111,11 @@ class Matrix3:
 
     @staticmethod
     def from_quaternion(q: Quaternion) -> Matrix3:
-        """Return the rotation of a quaternion: its columns are the turned axes."""
         _must_be(Quaternion, q)
         turned = [part for axis in _AXES for part in q.rotate(axis)]
         return Matrix3(*turned).transpose()
 
     def to_quaternion(self) -> Quaternion:
-        """Return the quaternion of this rotation, of length 1; q and -q are equally right."""
         if not self.is_rotation():
             raise ValueError(f"only a rotation has a quaternion, got {self!r}")
         (a, b, c), (d, e, f), (g, h, i) = _rows(self)

@@ -12,23 +12,19 @@ Point = tuple[float, float]
 
 
 def wrap_angle(angle: float) -> float:
-    """Return the same direction's angle above -pi and up to pi (9.1.1)."""
     wrapped = cmath.phase(_direction(angle))
     return math.pi if wrapped == -math.pi else wrapped
 
 
 def angle_to_vector(angle: float) -> Point:
-    """Return the direction of an angle, a vector of length 1 (Eq. 9.1)."""
     return _pair(_direction(angle))
 
 
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
-    """Return where a point of an object is in the world (Eq. 9.2)."""
     return _pair(_number("point", point) * _direction(angle) + _number("origin", origin))
 
 
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
-    """Return the mean of the positions, each counted by its mass (9.1.3)."""
     if len(masses) == 0 or len(masses) != len(positions):
         raise ValueError(f"got {len(masses)} masses and {len(positions)} positions")
     weights = [positive("masses", mass) for mass in masses]

@@ -37,25 +37,20 @@ class Quaternion:
         yield self.k
 
     def __eq__(self, other: object) -> bool:
-        """Exact, component by component: q and -q differ, though they are one orientation."""
         if not isinstance(other, Quaternion):
             return NotImplemented
         return [*self] == [*other]
 
     def copy(self) -> Quaternion:
-        """Return a new quaternion with the same components."""
         return Quaternion(self.r, self.i, self.j, self.k)
 
     def magnitude(self) -> float:
-        """Return the length, the root of the sum of the four squares: 1 for an orientation."""
         return math.hypot(math.hypot(self.r, self.i), math.hypot(self.j, self.k))
 
     def is_unit(self) -> bool:
-        """Say whether the length is 1 to within UNIT_TOLERANCE; NaN is not."""
         return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
     def normalize(self) -> None:
-        """Make the length 1 and keep the proportions, in place; zero becomes (1, 0, 0, 0)."""
         if not any(self):
             self._set(1.0, 0.0, 0.0, 0.0)
             return
@@ -66,15 +61,9 @@ class Quaternion:
         self._set(*(part / length for part in near))
 
     def conjugate(self) -> Quaternion:
-        """Return (r, -i, -j, -k) as new: the opposite turn, where the length is 1."""
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the product, as new: the turn of q and then this one (9.4.8).
-
-        A quaternion is a + b j with two complex numbers, and j c is c* j: so (a + b j)(c + d j) is
-        (a c - b d*) + (a d + b c*) j.
-        """
         if not isinstance(q, Quaternion):
             return NotImplemented
         a, b = complex(self.r, self.i), complex(self.j, self.k)
@@ -85,14 +74,12 @@ class Quaternion:
 
     @staticmethod
     def from_axis_angle(axis: Vector3, angle: float) -> Quaternion:
-        """Return the turn by an angle in radians about an axis of any length but zero (Eq. 9.4)."""
         axis, angle = finite_vector("axis", axis), finite("angle", angle)
         if not any(axis):
             raise ValueError(f"axis must not be zero, got {axis!r}")
         return _half_turned(axis, angle / 2.0)
 
     def to_axis_angle(self) -> tuple[Vector3, float]:
-        """Return the axis, a new unit vector, and the angle in radians, from 0 to pi."""
         self._must_be_unit()
         if not (self.i or self.j or self.k):
             return Vector3(1.0, 0.0, 0.0), 0.0
@@ -102,7 +89,6 @@ class Quaternion:
         return axis, 2.0 * math.atan2(sine, sign * self.r)
 
     def rotate(self, v: Vector3) -> Vector3:
-        """Return the vector turned, as new: q (0, v) q*, which keeps its length."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         self._must_be_unit()
@@ -110,13 +96,11 @@ class Quaternion:
         return Vector3(*turned)
 
     def rotate_by(self, vector: Vector3) -> None:
-        """Turn on by a scaled axis of the world, in place: exp((0, vector)/2) times q."""
         half = finite_vector("vector", vector) * 0.5
         if any(half):
             self._set(*(_half_turned(half, half.magnitude()) * self))
 
     def add_scaled(self, vector: Vector3, scale: float) -> None:
-        """Add scale/2 times (0, vector) times q, in place (Eq. 9.5)."""
         rate = Quaternion(0.0, *finite_vector("vector", vector)) * self
         half = finite("scale", scale) / 2.0
         self._set(*(part + half * change for part, change in zip(self, rate, strict=True)))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import asyncio
 import contextlib
-import faulthandler
 import math
 import sys
 import webbrowser
@@ -16,7 +15,7 @@ from autograder.commands import find_engine, prepare, sentence
 from autograder.manifest import ROOT
 from lab.catalog import entries, find, load
 from scenes.engine import add_engine_options, use_engine
-from scenes.reason import reason, shown
+from scenes.reason import reason, shown, time_limit
 
 
 def main() -> int:
@@ -87,14 +86,12 @@ def _record(options: argparse.Namespace, settings: dict[str, str]) -> int:
     from lab.record import TIME_LIMIT, record
 
     use_engine(argparse.ArgumentParser(prog="python -m lab"), options.engine, options.given)
-    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
-        files = record(load(options.scene)(**settings), options.out, options.seconds)
+        with time_limit(TIME_LIMIT):
+            files = record(load(options.scene)(**settings), options.out, options.seconds)
     except (Exception, SystemExit) as error:
         print(f"{options.scene}: cannot be recorded, {reason(error)}")
         return 1
-    finally:
-        faulthandler.cancel_dump_traceback_later()
     print(f"{options.scene}: {', '.join(str(shown(file)) for file in files)}")
     return 0
 

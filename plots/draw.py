@@ -1,15 +1,13 @@
 """Draw the plots of a chapter with a student's engine, as PNG and CSV files in build/plots/.
 
 The plots of each chapter are functions in a module of plots/, which lists them as PLOTS. If a
-plot takes longer than TIME_LIMIT, the program ends with a stack trace, which shows where the engine
-was stuck.
+plot takes longer than TIME_LIMIT, the program ends, and says where the engine was then.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
-import faulthandler
 import importlib
 import importlib.util
 from collections.abc import Callable
@@ -20,7 +18,7 @@ from matplotlib import pyplot
 from autograder.manifest import ROOT, Chapter, select_chapters, split_given
 from plots.drawing import Picture
 from scenes.engine import add_engine_options, use_engine
-from scenes.reason import reason, shown
+from scenes.reason import reason, shown, time_limit
 
 TIME_LIMIT = 120.0  # s for one plot, which takes a few seconds, or longer with a slow resolver
 
@@ -50,14 +48,12 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
     if importlib.util.find_spec(f"plots.{chapter.name}") is None:
         print(f"chapter {chapter.number} has no plots")
         return True
-    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
-        plots = plots_of(chapter.name)
+        with time_limit(TIME_LIMIT):
+            plots = plots_of(chapter.name)
     except (Exception, SystemExit) as error:
         print(f"chapter {chapter.number} cannot be drawn: {reason(error)}")
         return False
-    finally:
-        faulthandler.cancel_dump_traceback_later()
     folder.mkdir(parents=True, exist_ok=True)
     drawn = [draw(plot, folder) for plot in plots.values()]
     return all(drawn)
@@ -78,17 +74,15 @@ def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
     for older in (png, table):  # so that nobody mistakes them for the new plot
         older.unlink(missing_ok=True)
-    faulthandler.dump_traceback_later(limit, exit=True)
     print(f"{name}: ", end="", flush=True)  # printed first, so that a plot that never ends is named
     try:
-        picture = plot()
-        picture.figure.savefig(png, dpi=110)
+        with time_limit(limit):
+            picture = plot()
+            picture.figure.savefig(png, dpi=110)
     except (Exception, SystemExit) as error:
         png.unlink(missing_ok=True)
         print(f"not drawn, {reason(error)}")
         return False
-    finally:
-        faulthandler.cancel_dump_traceback_later()
     with table.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([picture.columns, *picture.rows])
     print(f"{shown(png)} and {shown(table)}")

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import sys
+import threading
 import traceback
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from autograder.at_home.restrictions import LIBRARY
@@ -22,15 +27,41 @@ def reason(error: BaseException) -> str:
     if isinstance(error, SyntaxError) and error.filename:
         file, line, words = error.filename, error.lineno, error.msg
     else:
-        frames = traceback.extract_tb(error.__traceback__)
-        not_theirs = [*LIBRARY, ROOT / "autograder"]  # autograder itself rejects some imports
-        written = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
-        last = (written or frames)[-1]
+        last = _last_of_theirs(traceback.extract_tb(error.__traceback__))
         file, line, words = last.filename, last.lineno, str(error)
     told = f"{type(error).__name__}: {words}"
     likely = slip_of(told) or advice(error)
     where = f"{told} ({shown(Path(file))}, line {line})"
     return f"{where}\nlikely    {likely}" if likely else where
+
+
+@contextmanager
+def time_limit(seconds: float) -> Iterator[None]:
+    """End the program if the block takes longer, and say in which line it was then."""
+    timer = threading.Timer(seconds, _give_up, (seconds, threading.get_ident()))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
+def _give_up(seconds: float, thread: int) -> None:
+    last = _last_of_theirs(traceback.extract_stack(sys._current_frames()[thread]))
+    print(
+        f"not finished after {seconds:g} s, at {shown(Path(last.filename))}, line {last.lineno}. "
+        "Is there an endless loop, or is the computer busy with something else?",
+        flush=True,
+    )
+    os._exit(1)  # nothing else ends a loop in another thread
+
+
+def _last_of_theirs(frames: Sequence[traceback.FrameSummary]) -> traceback.FrameSummary:
+    """Return the innermost frame that is neither in a library nor in the autograder."""
+    not_theirs = [*LIBRARY, ROOT / "autograder"]  # autograder itself rejects some imports
+    theirs = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
+    return (theirs or frames)[-1]
 
 
 def shown(path: Path) -> Path:

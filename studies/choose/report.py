@@ -102,15 +102,15 @@ def _print_choice(
     told: Callable[[Point], str],
     none: tuple[str, str],
 ) -> Point | None:
-    """Print the cheapest accurate run and the next cheaper one, with texts for ``none``."""
+    """Print the cheapest accurate run and a cheaper one that fails, with texts for ``none``."""
     chosen, cheaper = cheapest(points, tolerance)
     _print_line(console, "cheapest", told(chosen) if chosen else none[0])
     if chosen and cheaper:
         fails = cheaper.error > tolerance
         why = "not accurate enough" if fails else "accurate only by chance"
-        _print_line(console, "next cheaper", f"{told(cheaper)}: {why}")
+        _print_line(console, "cheaper, but", f"{why}: {told(cheaper)}")
     elif chosen:
-        _print_line(console, "next cheaper", none[1])
+        _print_line(console, "cheaper", none[1])
     return chosen
 
 

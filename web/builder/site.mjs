@@ -69,6 +69,9 @@ function headings(tokens) {
 }
 
 await mkdir(out, {recursive: true});
+// How a chapter works is different on a page, which has editors and buttons and no terminal.
+const HOW = /^## How a chapter works\n[\s\S]*?(?=^## )/m;
+const onThisPage = await text("web/builder/how_a_chapter_works.md");
 for (const [number, chapter] of course.chapters.entries()) {
   const names = new Set(chapter.exercises.flatMap((exercise) => exercise.terms));
   await writePage(`chapters/${chapter.name}/README.md`, {
@@ -78,6 +81,7 @@ for (const [number, chapter] of course.chapters.entries()) {
     wanted: [...names].map(findTerm).filter(Boolean),
     after: chapterPanel(chapter, course.chapters[number + 1]),
     kind: "lesson",
+    change: (words) => words.replace(HOW, onThisPage),
   });
   const page = `${chapter.name}.html`;
   found.push(...chapter.exercises.map(({id, title}) => ({page, id: anchor(id), heading: `${id} ${title}`, text: ""})));

@@ -69,6 +69,6 @@ def _how_to_restore(
     if is_class_gone:
         return f"{module}.py no longer has a class {prefix.rstrip('.')}.{undo}"
     return (
-        f"The stub of {path} is gone: {module}.py no longer defines it.{undo} To restore the stub "
-        f"and keep your other work, run {command('reset', EX=exercise)}"
+        f"The stub of {path} is gone: {module}.py no longer defines it.{undo} Write its def again, "
+        f"or restore the whole file (a copy is kept): {command('reset', EX=exercise, WHOLE='1')}"
     )

@@ -10,7 +10,6 @@ from pathlib import Path
 from autograder.checks.asked import about, short_numbers
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
-from autograder.diagnosis.none_values import explain_none
 from autograder.diagnosis.slips import POWER, fact_of, guess_of, slip_of
 from autograder.diagnosis.undefined import file_of
 from autograder.message import ExpectationError, Kind, Message, Place
@@ -131,7 +130,7 @@ def _likely(
         return cause, ""
     if text.startswith("TypeError") and "^" in line:
         return POWER, ""
-    if fact := explain_none(fault.none) if fault.none else fact_of(text):
+    if fact := fact_of(text):
         return fact, cause
     return (cause, guess_of(text)) if cause else (guess_of(text), "")
 

@@ -7,7 +7,6 @@ import re
 from collections.abc import Collection
 
 from autograder.definitions import defined_name, scopes
-from autograder.handouts.bodies import first_line
 
 LINE = 100  # characters, as in pyproject.toml
 PRIVATE = re.compile(r"_(?!.*__$)")  # but no method of Python's own, such as __init__
@@ -83,7 +82,9 @@ def _changed(source: str, tree: ast.Module, texts: dict[ast.stmt, str]) -> str:
     for node, text in sorted(texts.items(), key=lambda item: -item[0].lineno):
         top, end = node.lineno - 1, node.end_lineno or 0
         if not text:
-            top = first_line(owners[node], node)
+            above = [other.end_lineno or 0 for other in owners[node].body if other.lineno <= top]
+            decorators = getattr(node, "decorator_list", [])
+            top = max(above, default=min([top, *(part.lineno - 1 for part in decorators)]))
             while lines[end].strip() and not lines[top].strip():
                 top += 1
         lines[top:end] = [text] if text else []

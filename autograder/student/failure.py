@@ -21,17 +21,13 @@ from autograder.text.wrapping import plain_console, print_rows, print_wrapped
 class Failure:
     """An explanation of a failed check for the student, with the next steps to take.
 
-    ``printed`` is the output of the student's code. ``place`` is the line to open in an editor, and
-    ``hints`` the exercise whose hints may help. Both are empty if the mistake is in an earlier
-    chapter.
+    ``printed`` is the output of the student's code.
     """
 
     heading: str
     diagnosis: list[Row]
     printed: str
     steps: list[str]
-    place: str = ""
-    hints: str = ""
 
 
 def failure_of(
@@ -66,10 +62,12 @@ def failure_of(
     heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
     if inherited:
         steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
-        return Failure(heading, rows, message.printed, steps)
-    place, hints = next_place(engine, chapter, exercise, failed), message.exercise or exercise.id
-    steps = [f"Next: open {place}", f"For a hint: {command('hint', EX=hints)}"]
-    return Failure(heading, rows, message.printed, steps, place, hints)
+    else:
+        steps = [
+            f"Next: open {next_place(engine, chapter, exercise, failed)}",
+            f"For a hint: {command('hint', EX=message.exercise or exercise.id)}",
+        ]
+    return Failure(heading, rows, message.printed, steps)
 
 
 def print_failure(chapter: Chapter, result: Result, engine: list[Path]) -> None:

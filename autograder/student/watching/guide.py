@@ -12,8 +12,8 @@ from autograder.scores import Result, result_of
 from autograder.student.chapter_results import (
     ChapterResults,
     Memory,
-    progress_bar,
     report_on,
+    show_progress,
     state_of,
 )
 from autograder.student.failure import failure_of
@@ -117,8 +117,7 @@ class Guide:
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> ChapterResults:
         """Check a chapter, or one exercise and its prerequisites, and remember the results."""
-        with progress_bar() as show:
-            report = report_on(chapter, exercise, self.folders, self.given, self.memory, show)
+        report = report_on(chapter, exercise, self.folders, self.given, self.memory, show_progress)
         last = self.last.setdefault(chapter.name, {})
         last.update({result.exercise.id: result for result in report.results})
         return report

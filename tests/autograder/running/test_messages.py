@@ -17,7 +17,6 @@ from autograder.checks.asked import about, short_numbers
 from autograder.checks.runner import run_checks
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.deleted import explain_deleted
-from autograder.diagnosis.none_values import none_in
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import ExpectationError, Message
@@ -291,22 +290,6 @@ def test_the_latest_chapter_that_defines_a_name_counts() -> None:
         ("Vector", "ch06_springs/springs.py", ""),
     ):
         assert module_that_defines(name, file, [ROOT / "chapters"]) == module
-
-
-@pytest.mark.parametrize(
-    ("code", "none"),
-    [
-        *((code, "v") for code in ("v.x", "v[0]", "2.0 * v", "v < 1.0", "1.0 < v", "-v", "v(1)")),
-        *(("v.other.x", "v.other"), ("v() + 1.0", "v()"), ("1.0 + 'v'", ""), ("[0][v]", "")),
-    ],
-)
-def test_the_expression_that_was_none(code: str, none: str, tmp_path: Path) -> None:
-    file = tmp_path / "code.py"
-    file.write_text(f"result = {code}\n", encoding="utf-8")
-    value = {"v.other.x": type("V", (), {"other": None}), "v() + 1.0": lambda: None}.get(code)
-    with pytest.raises((TypeError, AttributeError)) as caught:
-        exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), {"v": value})
-    assert none_in(caught.value, str(caught.value)) == none
 
 
 @pytest.mark.parametrize(

@@ -202,12 +202,8 @@ def test_written_code_that_fails_comes_before_code_that_is_not_written(vector: P
     assert "not written yet" not in screen.partition("Fix this first")[2]
 
 
-def test_a_class_with_another_name_is_named_and_not_made_twice(vector: Path) -> None:
-    text = edit(vector, "class Vector3:", "class Vector:")
+def test_a_class_with_another_name_is_named(vector: Path) -> None:
+    edit(vector, "class Vector3:", "class Vector:")
     screen = check(vector, "B2.1").stdout
     assert "vector.py no longer has a class Vector3" in screen
     assert "renamed it to Vector," in screen
-    done = autograder("reset", "B2.1", "--engine", vector.parents[1])
-    assert done.returncode == 2
-    assert "no class Vector3, but a class Vector" in done.stderr
-    assert vector.read_text(encoding="utf-8") == text

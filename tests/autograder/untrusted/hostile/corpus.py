@@ -261,8 +261,7 @@ def leaks(out: Path) -> list[tuple[str, str]]:
     for path in sorted(path for path in out.rglob("*") if path.is_file()):
         data = path.read_bytes().lower() + str(path.relative_to(out)).encode().lower()
         for place, token in TOKENS.items():
-            forms = (token.encode(), token.encode()[::-1], token.encode().hex().encode())
             own = place == "another submission" and NEIGHBOR in path.name
-            if not own and any(form.lower() in data for form in forms):
+            if not own and token.encode().lower() in data:
                 found.append((str(path.relative_to(out)), place))
     return found

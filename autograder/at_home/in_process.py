@@ -23,7 +23,6 @@ from autograder.checks.arrange import Config
 from autograder.checks.events import Event, Imported, Importing
 from autograder.checks.forked import CAN_FORK
 from autograder.checks.printed import CappedText
-from autograder.definitions import read_definitions
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import fault_of
 from autograder.diagnosis.undefined import MissingNameError, answer_for_missing, broken_module
@@ -94,10 +93,6 @@ class InProcess:
             sys.modules[module] = broken_module(module, message)
         finally:
             sys.dont_write_bytecode = False
-
-    def definitions(self, file: Path) -> set[str] | None:
-        """List the names that a student's file defines, or return None if it defines nothing."""
-        return read_definitions(file)
 
     def start(self, *, hidden: bool = False) -> None:  # noqa: ARG002 - nothing is hidden at home
         """Start the time limit of a check, and begin to capture what the student's code prints."""

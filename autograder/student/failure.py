@@ -19,15 +19,14 @@ from autograder.text.wrapping import plain_console, print_rows, print_wrapped
 
 @dataclass(frozen=True)
 class Failure:
-    """An explanation of a failed check for the student, with the next steps to take.
-
-    ``printed`` is the output of the student's code.
-    """
+    """An explanation of a failed check for the student, with the next steps to take."""
 
     heading: str
     diagnosis: list[Row]
-    printed: str
+    printed: str  # by the student's code
     steps: list[str]
+    place: str = ""  # the line to open in an editor, unless the mistake is in an earlier chapter
+    hints: str = ""  # the exercise whose hints may help
 
 
 def failure_of(
@@ -62,12 +61,10 @@ def failure_of(
     heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
     if inherited:
         steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
-    else:
-        steps = [
-            f"Next: open {next_place(engine, chapter, exercise, failed)}",
-            f"For a hint: {command('hint', EX=message.exercise or exercise.id)}",
-        ]
-    return Failure(heading, rows, message.printed, steps)
+        return Failure(heading, rows, message.printed, steps)
+    place, hints = next_place(engine, chapter, exercise, failed), message.exercise or exercise.id
+    steps = [f"Next: open {place}", f"For a hint: {command('hint', EX=hints)}"]
+    return Failure(heading, rows, message.printed, steps, place, hints)
 
 
 def print_failure(chapter: Chapter, result: Result, engine: list[Path]) -> None:

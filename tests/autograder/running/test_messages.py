@@ -16,7 +16,6 @@ import pytest
 from autograder.checks.asked import about, short_numbers
 from autograder.checks.runner import run_checks
 from autograder.definitions import module_that_defines
-from autograder.diagnosis.deleted import explain_deleted
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import ExpectationError, Message
@@ -255,23 +254,6 @@ def test_a_slip_is_explained(slip: dict[str, Any], where: str, tmp_path: Path) -
             assert re.search(pattern, "\n".join(messages), re.DOTALL), text
         assert all(text in said for text in slip.get("every", ()) for said in messages)
         assert not any(text in said for text in slip.get("never", ()) for said in messages)
-
-
-def test_a_deleted_function_and_a_deleted_class() -> None:
-    edits = {"B2.1": ["vector.Vector3.copy", "vector.Vector3.clear"], "B2.10": ["vector.basis"]}
-    says = "ch02_vectors/vector.py does not define {}"
-    there = {"Vector3", "Vector3.clear"}
-    for name, exercise, gone in (
-        ("basis", "B2.10", "vector.py no longer defines it"),
-        ("Vector3", "B2.1", "stub of Vector3.copy is gone"),
-    ):
-        message = explain_deleted(Message(says.format(name)), "B2.10", edits, lambda _: there)
-        assert gone in message.likely
-        assert exercise in message.likely
-    for defined in (None, {*there, "basis"}):
-        says_basis = Message(says.format("basis"))
-        same = explain_deleted(says_basis, "B2.10", edits, lambda _, is_=defined: is_)
-        assert same == says_basis
 
 
 def test_short_and_special_names_are_near_to_nothing() -> None:

@@ -205,5 +205,5 @@ def test_written_code_that_fails_comes_before_code_that_is_not_written(vector: P
 def test_a_class_with_another_name_is_named(vector: Path) -> None:
     edit(vector, "class Vector3:", "class Vector:")
     screen = check(vector, "B2.1").stdout
-    assert "vector.py no longer has a class Vector3" in screen
-    assert "renamed it to Vector," in screen
+    assert "vector.py does not define Vector3" in screen
+    assert "Did you mean Vector?" in screen

@@ -71,7 +71,7 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the student's code the same restrictions and environment as when it is graded."""
+        """Give the student's code the restrictions and the environment of the grader."""
         leave_home()
         self.memory_limit = limit_memory()
         restrict(StudentsCode(self.engine, self.config.graded))
@@ -114,11 +114,9 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Limit the time and the memory of a check.
-
-        When the time runs out, the process writes a stack trace and exits. A MemoryError ends the
-        check before the limit, where Python may not even be able to explain what happened.
-        """
+        """Limit the time and the memory of a check."""
+        # When the time runs out, the process writes a stack trace and exits. A MemoryError ends the
+        # check before the limit, where Python may not even be able to explain what happened.
         seconds = self.config.time_limit
         faulthandler.dump_traceback_later(seconds, exit=True, file=self.stack_file)
         if sys.platform != "win32" and self.memory_limit:

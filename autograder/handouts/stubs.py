@@ -100,10 +100,7 @@ def _read(file: Path) -> str | None:
 
 
 def stub_module(source: str, messages: dict[str, str]) -> str:
-    """Turn a solution into a stub, in which each function of ``messages`` raises its message.
-
-    What only the removed bodies used would give the solution away, so it is removed too.
-    """
+    """Turn a solution into a stub, in which each function of ``messages`` raises its message."""
     if missing := messages.keys() - functions(ast.parse(source)).keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
     return without_unused(without_bodies(source.encode(), messages).decode(), source)

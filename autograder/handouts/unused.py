@@ -73,10 +73,7 @@ def _import(node: ast.Import | ast.ImportFrom, names: list[ast.alias]) -> str:
 
 
 def _changed(source: str, tree: ast.Module, texts: dict[ast.stmt, str]) -> str:
-    """Replace statements by other texts, or remove those for which the text is empty.
-
-    With a statement, its comments go too. The blank lines above it stay if there are none below.
-    """
+    """Replace statements by other texts, or remove them, with the comments above, if it is ""."""
     lines = source.split("\n")
     owners = {node: owner for owner, _ in scopes(tree).values() for node in owner.body}
     for node, text in sorted(texts.items(), key=lambda item: -item[0].lineno):
@@ -85,7 +82,7 @@ def _changed(source: str, tree: ast.Module, texts: dict[ast.stmt, str]) -> str:
             above = [other.end_lineno or 0 for other in owners[node].body if other.lineno <= top]
             decorators = getattr(node, "decorator_list", [])
             top = max(above, default=min([top, *(part.lineno - 1 for part in decorators)]))
-            while lines[end].strip() and not lines[top].strip():
+            while lines[end].strip() and not lines[top].strip():  # keep a blank line
                 top += 1
         lines[top:end] = [text] if text else []
     return "\n".join(lines)

@@ -26,16 +26,12 @@ Show = Callable[[str, int, int], None]  # takes a title, and how many checks of 
 
 @dataclass(frozen=True)
 class ChapterResults:
-    """The results of checking a student's code for one chapter.
-
-    ``on_reference`` are the results with our solutions in the earlier chapters, if the checks ran
-    with them. ``suspects`` are earlier chapters whose mistakes may have caused failures.
-    """
+    """The results of checking a student's code for one chapter."""
 
     chapter: Chapter
     results: list[Result]
-    on_reference: list[Result]
-    suspects: list[Chapter]
+    on_reference: list[Result]  # with our solutions to the earlier chapters, if that has run
+    suspects: list[Chapter]  # earlier chapters whose mistakes may have caused failures
 
 
 def show_progress(title: str, done: int, of: int) -> None:

@@ -25,10 +25,9 @@ def end_of(
     engine: list[Path],
     given: list[Chapter],
 ) -> list[tuple[str, str]]:
-    """Return the lines, with styles, of a finished chapter, or a line that lists scenes to play.
+    """Return the lines, with styles, of the last finished chapter until another one is begun.
 
-    The closing screen is shown until the student begins another chapter. In an unfinished chapter,
-    the line is about ``exercise``, or else about the last working exercise that has scenes.
+    In an unfinished chapter, it is a line with the scenes that an exercise has made work.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]

@@ -18,9 +18,8 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Find the line that the student should open to fix a failed check, in the form path:line.
 
-    It is the line in the check's message, or else the start of the function that the check calls.
-    Lines in files that must not be edited are ignored, and so are most in other exercises. For data
-    that the student entered, it is the path of the data file.
+    It is the line in the check's message, unless it is in a file that students must not edit or in
+    another exercise, or else the start of the function that the check calls, or a data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where

@@ -60,7 +60,6 @@ def check(
 
     With ``exercise``, check only that exercise and its prerequisites. With ``only`` too, report
     only its own physics checks. The reference replaces the student's code in ``given`` chapters.
-    A written exercise has no checks, so its question is shown instead.
     """
     if exercise and exercise.kind == "written":
         print_written(chapters[0], exercise, engine)

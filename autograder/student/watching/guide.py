@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from autograder.checks.runner import GraderError
@@ -26,32 +27,25 @@ from autograder.student.written import all_pass
 TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows it and goes on
 
 
+@dataclass
 class Guide:
     """Keeps track of a student's current exercise and, once that is done, of the next one."""
 
-    def __init__(
-        self,
-        chapters: list[Chapter],
-        engine: list[Path],
-        folders: list[Path],
-        given: list[Chapter],
-        seed: str,
-        *,
-        has_keys: bool,
-    ) -> None:
-        self.chapters = chapters
-        self.engine = engine
-        self.folders = folders  # with the given chapters
-        self.given = given
-        self.memory = Memory(seed)
-        self.has_keys = has_keys
-        self.last: dict[str, dict[str, Result]] = {}  # the latest results by chapter and exercise
-        self.current: tuple[Chapter, Exercise] | None = None
-        self.next: tuple[Chapter, Exercise] | None = None
-        self.edits = Edits(engine[0], chapters)
-        self.edited: list[str] = []  # which functions of this exercise the last save has changed
-        self.page = Page()
-        self.seen = ""
+    chapters: list[Chapter]
+    engine: list[Path]
+    folders: list[Path]  # with the given chapters
+    given: list[Chapter]
+    memory: Memory
+    has_keys: bool
+    last: dict[str, dict[str, Result]] = field(default_factory=dict)  # by chapter and exercise
+    current: tuple[Chapter, Exercise] | None = None
+    next: tuple[Chapter, Exercise] | None = None
+    edited: list[str] = field(default_factory=list)  # what the last save has changed in it
+    page: Page = field(default_factory=Page)
+    seen: str = ""
+
+    def __post_init__(self) -> None:
+        self.edits = Edits(self.engine[0], self.chapters)
 
     @property
     def chapter(self) -> Chapter:
@@ -93,11 +87,9 @@ class Guide:
         self.page.draw(with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check and show the current exercise, and return True if it is done.
+        """Check and show an exercise, or a prerequisite that fails, and return True if it is done.
 
-        At first, an exercise is done as soon as its physics checks pass. Its robust checks count
-        only after all required physics checks of the chapter pass. If the physics checks of a
-        prerequisite no longer pass, the prerequisite becomes the current exercise.
+        Its robust checks count only after all required physics checks of the chapter pass.
         """
         worked = self.works(chapter, exercise)
         report = self.report(chapter, exercise)

@@ -12,7 +12,6 @@ import importlib
 import importlib.util
 import os
 import re
-import socket
 import sys
 import sysconfig
 import threading
@@ -129,6 +128,8 @@ def _refuse(paths: int, *arguments: Any) -> None:
 
 
 def _refuse_address(*_: Any) -> None:
+    import socket  # which takes a while, unless the student's code has imported it
+
     raise socket.gaierror(socket.EAI_AGAIN, "Temporary failure in name resolution")
 
 

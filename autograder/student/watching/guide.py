@@ -160,14 +160,12 @@ class Guide:
 
     def say_done(self, result: Result, *, wait: bool) -> None:
         """Tell the student that an exercise works, and how many of its robust checks are left."""
-        count, physics = len(result.checks), len(result.physics)
+        count = len(result.checks)
         words = f"{result.exercise.id} {result.exercise.title}"
         if left := sum(check.status != "passed" for check in result.robust):
-            checks, s = ("1 robust check", "s") if left == 1 else (f"{left} robust checks", "")
+            wait_for = "1 robust check waits" if left == 1 else f"{left} robust checks wait"
             until = "until the end of the chapter" if wait else "for you now"
-            passing = f"all {physics} physics checks pass"
-            passing = passing if physics > 1 else "its physics check passes"
-            words += f" works: {passing}. {checks} wait{s} {until}."
+            words += f" works: all its physics passes. {wait_for} {until}."
         else:
             words += f" is done: {count} of {count} checks pass."
         self.page.top += [(words, "bold green"), ("", "")]

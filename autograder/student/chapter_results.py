@@ -37,6 +37,7 @@ class ChapterResults:
 def show_progress(title: str, done: int, of: int) -> None:
     """Show on a terminal how many checks of a chapter have run so far, until all have run."""
     import rich.table  # noqa: F401 - this takes a while, in which the checks go on
+
     if sys.stdout.isatty():
         words = f"{title}: {done} of {of} checks" if done < of else ""
         print(f"\r{words:50}\r", end="", flush=True)

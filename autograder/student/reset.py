@@ -73,25 +73,24 @@ def planned(
     alone = replace(chapter, exercises=[exercise])
     changes = []
     for name in alone.edited_files:
-        file, stub = engine / chapter.name / name, pristine_stub(chapter, name)
+        file = engine / chapter.name / name
         before = file.read_bytes() if file.exists() else b""
         messages = messages_of(alone, name)
+        why = "" if whole else _problem(before, messages)
+        stub = pristine_stub(chapter, name) if whole or why else None
         if whole and stub is None:
             raise ValueError(
                 f"{name} cannot be restored, because this folder has neither the reference nor "
                 "the folder stubs. Copy the file from the handout again"
             )
-        if whole:
-            after = (stub or "").encode()
-        elif why := _problem(before, messages):
+        if why:
             way = "copy the file from the handout again"
             if stub:
                 variables = engine_variables([engine])
                 back = command("reset", EX=exercise.id, WHOLE="1", **variables)
                 way = f"restore the whole file (a copy is kept): {back}"
             raise ValueError(f"nothing was reset in {from_here(file)}: {why}. Fix that, or {way}")
-        else:
-            after = without_bodies(before, messages)
+        after = stub.encode() if stub else without_bodies(before, messages)
         changes.append(Change(file, before, after, [*messages]))
     return changes
 

@@ -24,7 +24,7 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py bodies.py stubs.lock stubs.py unused.py",
+    "autograder/handouts": "__init__.py stubs.lock stubs.py unused.py",
     "autograder/locks": "pictures.lock requirements.lock",
     "autograder/student": "*.py",
     "autograder/student/watching": "*.py",

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.__main__ import main
 from autograder.definitions import functions
-from autograder.handouts.bodies import with_bodies
+from autograder.handouts.stubs import with_bodies
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.student.reset import question, reset
 from copies import copy_tree

@@ -23,7 +23,7 @@ from contextlib import contextmanager
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from pdb import Pdb
-from types import CodeType, FrameType
+from types import CodeType, FrameType, TracebackType
 
 import pytest
 
@@ -36,6 +36,7 @@ from autograder.diagnosis.faults import is_inside, short
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.message import Kind
 
+CHECKS = ROOT / "tests"
 STOP = "__stop_at_this_call__"  # the name of a built-in function
 LOAD = SourceFileLoader.get_code
 KEYS = """\
@@ -145,7 +146,7 @@ class Debugging:
 
 
 class Debugger(Pdb):
-    """Python's debugger, which shows a function's arguments first."""
+    """Python's debugger, which shows a function's arguments first, and no calls above the check."""
 
     def preloop(self) -> None:
         """Show the arguments before the first prompt."""
@@ -153,6 +154,15 @@ class Debugger(Pdb):
             self.was_here = True
             self.do_args("")
         super().preloop()
+
+    def get_stack(
+        self, f: FrameType | None, t: TracebackType | None
+    ) -> tuple[list[tuple[FrameType, int]], int]:
+        """Return the calls that ``where`` shows, from the check to the student's line."""
+        calls, current = super().get_stack(f, t)
+        ours = [Path(frame.f_code.co_filename).is_relative_to(CHECKS) for frame, _ in calls]
+        above = ours.index(True) if True in ours else 0
+        return calls[above:], current - above
 
 
 def _stop_here(*_: object, **__: object) -> None:

@@ -43,6 +43,7 @@ def test_a_wrong_value_stops_at_the_call_again(start: Start) -> None:
     terminal.wait_for("got ", "wanted ", "cross()", "self = Vector3(", "v = Vector3(", "(Pdb)")
     terminal.press("w\r")
     terminal.wait_for("test_products.py", "v.cross(w)", "cross()", "(Pdb)")
+    assert "pluggy" not in terminal.text, "where begins with the check"
     terminal.press("p v.x * self.z + v.x\r")
     terminal.wait_for("(Pdb)")
     terminal.press("c\r")

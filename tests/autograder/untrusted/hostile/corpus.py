@@ -15,7 +15,7 @@ the grader in place of the answer that it is waiting for.
 
 A word such as @ROOT@ stands for a path that an attacker may well know. Many attacks end in a right
 answer only if they succeed: the score then shows that. Submissions that are not a single source are
-in odd_files.py and odd_zips.py.
+in odd_files.py.
 """
 
 from __future__ import annotations
@@ -158,7 +158,6 @@ def earned(words: str) -> frozenset[str]:
 
 def all_submissions() -> list[Submission]:
     """Return the whole corpus, honest controls first."""
-    import odd_zips  # noqa: F401 - adds its own
     from odd_files import ODD
 
     return [
@@ -254,8 +253,7 @@ def build_world(world: World, submissions: list[Submission], tests: Path) -> Non
     shutil.copyfile(tests.parent / "pyproject.toml", world.root / "pyproject.toml")
     write(world.home / "secret.txt", TOKENS["the home folder"] + "\n")
     write(world.home / f"{TOKENS['the name of a file']}.txt", "nothing\n")
-    for folder in (world.temporary, world.base / "kept"):
-        folder.mkdir()
+    world.temporary.mkdir()
     world.submissions.mkdir()
     for submission in submissions:
         submission.build(world.submissions / submission.student, world)

@@ -6,7 +6,7 @@ The file is parsed but never executed.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 
 Scope = ast.Module | ast.ClassDef
@@ -44,12 +44,6 @@ def read_module(file: Path) -> ast.Module | None:
         return None
 
 
-def read_definitions(file: Path) -> set[str] | None:
-    """List the names that a file defines, or return None if there are none or it is unreadable."""
-    tree = read_module(file)
-    return (bound_names(tree) or None) if tree else None
-
-
 def module_that_defines(name: str, file: str, folders: Iterable[Path]) -> str:
     """Find the latest module from which ``file`` can import ``name``, up to its chapter, or ""."""
     chapter = file.partition("/")[0]
@@ -72,31 +66,6 @@ def defined_name(node: ast.stmt) -> str:
         case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
             return name
     return ""
-
-
-def bound_names(tree: ast.Module) -> set[str]:
-    """List every name that a module or one of its classes defines with def, class, = or import.
-
-    A name assigned with = may be a property, so it is listed with ".setter" too.
-    """
-    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
-    return {*_bound(tree)} | {f"{own.name}.{name}" for own in classes for name in _bound(own)}
-
-
-def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or class defines, but not those inside its functions."""
-    for node in ast.iter_child_nodes(scope):
-        match node:
-            case ast.FunctionDef():
-                yield _name(node)
-            case ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
-                yield name
-            case ast.Name(id=name, ctx=ast.Store()):
-                yield from (name, f"{name}.setter")
-            case ast.alias(name=name, asname=other):
-                yield other or name
-            case _:
-                yield from _bound(node)
 
 
 def own_name(edited: str) -> str:

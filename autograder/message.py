@@ -18,7 +18,6 @@ class Kind(Enum):
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
-    GONE = "no longer defined"  # a student removed a stub
     HUNG = "did not finish"
     BROKEN = "cannot be imported"
     LEFT = "left the process"

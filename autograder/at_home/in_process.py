@@ -23,7 +23,6 @@ from autograder.checks.arrange import Config
 from autograder.checks.events import Event, Imported, Importing
 from autograder.checks.forked import CAN_FORK
 from autograder.checks.printed import CappedText
-from autograder.definitions import read_definitions
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import fault_of
 from autograder.diagnosis.undefined import MissingNameError, answer_for_missing, broken_module
@@ -72,7 +71,7 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the student's code the same restrictions and environment as when it is graded."""
+        """Give the student's code the restrictions and the environment of the grader."""
         leave_home()
         self.memory_limit = limit_memory()
         restrict(StudentsCode(self.engine, self.config.graded))
@@ -95,10 +94,6 @@ class InProcess:
         finally:
             sys.dont_write_bytecode = False
 
-    def definitions(self, file: Path) -> set[str] | None:
-        """List the names that a student's file defines, or return None if it defines nothing."""
-        return read_definitions(file)
-
     def start(self, *, hidden: bool = False) -> None:  # noqa: ARG002 - nothing is hidden at home
         """Start the time limit of a check, and begin to capture what the student's code prints."""
         if sys.getrecursionlimit() == self.recursion_limit:  # the student's code has not changed it
@@ -119,11 +114,9 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Limit the time and the memory of a check.
-
-        When the time runs out, the process writes a stack trace and exits. A MemoryError ends the
-        check before the limit, where Python may not even be able to explain what happened.
-        """
+        """Limit the time and the memory of a check."""
+        # When the time runs out, the process writes a stack trace and exits. A MemoryError ends the
+        # check before the limit, where Python may not even be able to explain what happened.
         seconds = self.config.time_limit
         faulthandler.dump_traceback_later(seconds, exit=True, file=self.stack_file)
         if sys.platform != "win32" and self.memory_limit:

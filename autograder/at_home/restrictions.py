@@ -12,7 +12,6 @@ import importlib
 import importlib.util
 import os
 import re
-import socket
 import sys
 import sysconfig
 import threading
@@ -55,11 +54,7 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 
 
 class StudentsCode:
-    """Recognizes a student's code by the folder that contains it.
-
-    ``graded`` maps a chapter's folder to the files that the grader will have too. Without an entry,
-    it will have all. ``ours`` lists files in ``folders`` that the student did not write.
-    """
+    """Recognizes a student's code by the folder that contains it."""
 
     def __init__(
         self,
@@ -68,8 +63,8 @@ class StudentsCode:
         ours: Collection[str] = (),
     ) -> None:
         self.folders = [folder.resolve() for folder in folders]
-        self.graded = graded
-        self.ours = ours
+        self.graded = graded  # by chapter, the files that the grader will have; without entry all
+        self.ours = ours  # files in the folders that the student did not write
         self._known: dict[str, bool | None] = {}
 
     change = __init__  # in a browser, one process runs the checks on one code after the other
@@ -133,6 +128,8 @@ def _refuse(paths: int, *arguments: Any) -> None:
 
 
 def _refuse_address(*_: Any) -> None:
+    import socket  # which takes a while, unless the student's code has imported it
+
     raise socket.gaierror(socket.EAI_AGAIN, "Temporary failure in name resolution")
 
 

@@ -62,7 +62,7 @@ class Config:
     root: str  # the folder from which pytest runs the checks
     engine: list[str]
     tests: list[str]  # the folders of checks, relative to the root
-    edits: dict[str, list[str]]  # the functions that students write, by exercise
+    known: list[str]  # the ids of the chapter's exercises
     modules: list[str]  # the student's modules to import before the checks
     complete: list[str]  # the files that students use but did not write
     graded: dict[str, list[str]]  # the files that the grader will have too, by chapter
@@ -95,7 +95,7 @@ def arrange(
         root=str(place),
         engine=[str(path) for path in request.engine],
         tests=tests,
-        edits={exercise.id: exercise.edit for exercise in chapter.exercises},
+        known=[exercise.id for exercise in chapter.exercises],
         modules=_modules(chapter, chapters, request),
         complete=[f"{c.name}/{file}" for c in chapters for file in c.complete],
         graded={

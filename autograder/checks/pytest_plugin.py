@@ -24,7 +24,6 @@ from autograder.checks.arrange import Config
 from autograder.checks.asked import about
 from autograder.checks.events import Check, Checks, Decided, Ended, Event, Started, write_event
 from autograder.checks.forked import run_forked
-from autograder.diagnosis.deleted import explain_deleted
 from autograder.diagnosis.explain import explain_exception
 from autograder.diagnosis.faults import CheckEnded, GraderFault, StudentLeft, fault_of
 from autograder.message import NOTHING, Message, with_texts
@@ -59,7 +58,6 @@ class Recorder:
             from autograder.isolation.in_worker import InWorker  # not in handouts
 
             self.engine = InWorker(config, config.worker)
-        self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
         """Import the student's modules before pytest collects the checks that use them."""
@@ -80,7 +78,7 @@ class Recorder:
         """Sort the checks into manifest order, announce them, and drop those with a verdict."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
-            if (exercise := exercise_of(item)) not in self.config.edits:
+            if (exercise := exercise_of(item)) not in self.config.known:
                 raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise, {exercise}")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
@@ -158,9 +156,6 @@ class Recorder:
                 message = Message(str(error))
             else:
                 message = explain_exception(error, self.engine.engine, self.config.complete)
-            if not ours:
-                edits = self.config.edits
-                message = explain_deleted(message, exercise_of(item), edits, self._defined)
         if report.when == "call":
             printed = self.engine.stop()
             if printed and message:
@@ -178,14 +173,6 @@ class Recorder:
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
-
-    def _defined(self, module: str) -> set[str] | None:
-        """Return the names that a student's module defines, or None if they are not known."""
-        if module not in self.definitions:
-            places = [Path(folder) / self.config.chapter for folder in self.config.engine]
-            files = [file for place in places if (file := place / f"{module}.py").is_file()]
-            self.definitions[module] = self.engine.definitions(files[0]) if files else None
-        return self.definitions[module]
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:
         code = pytest.ExitCode

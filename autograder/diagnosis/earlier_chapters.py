@@ -62,14 +62,10 @@ def run_on_given(
     run: Run,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Run a chapter's checks again, with our solutions in place of the student's earlier chapters.
-
-    Return no verdicts if our solutions are not available, or if a second run would reveal nothing
-    new: the student wrote no earlier chapter, only unwritten functions fail, or an endless loop in
-    this chapter would run again.
-    """
+    """Run a chapter's checks again, with our solutions to earlier chapters if that can help."""
     lost = [verdict for verdict in verdicts if _is_lost(verdict)]
     hung = [v.message.where for v in lost if v.message.kind is Kind.HUNG]
+    # An endless loop in this chapter would run again.
     hangs = any(where and where.file.startswith(f"{chapter.name}/") for where in hung)
     available = below and all(has_reference(other, root) for other in below)
     if hangs or not available or all(_is_unwritten(verdict) for verdict in lost):

@@ -10,7 +10,6 @@ from pathlib import Path
 from autograder.checks.asked import about, short_numbers
 from autograder.definitions import module_that_defines
 from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
-from autograder.diagnosis.none_values import explain_none
 from autograder.diagnosis.slips import POWER, fact_of, guess_of, slip_of
 from autograder.diagnosis.undefined import file_of
 from autograder.message import ExpectationError, Kind, Message, Place
@@ -23,11 +22,8 @@ STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})'
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message that explains to a student why an exception ended a check.
-
-    ``complete`` lists files that the student did not write, such as ch02_vectors/arguments.py. An
-    exception from a worker process has an attribute ``fault``, which describes the original error.
-    """
+    """Explain why an exception ended a check. The student did not write the ``complete`` files."""
+    # An exception from a worker process has an attribute that describes the original error.
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     # If code raised it that the student did not write, the mistake is in the line that called this
     # code. Students never write constructors.
@@ -60,7 +56,7 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message that explains to a student why a module cannot be imported."""
+    """Explain why a module cannot be imported. The student did not write ``complete`` files."""
     file = file_of(module)
     if fault.missing_module == module:
         title = f"{file} is missing: it was not handed in, was renamed, or is in another folder"
@@ -116,8 +112,7 @@ def _likely(
 ) -> tuple[str, str]:
     """Return the most likely mistake behind an exception, and a second possibility, or "".
 
-    A mistake that is clearly one in the use of Python stands alone. What Python's error proves
-    comes before ``cause``, the mistake that the check suggests, and a guess comes after it.
+    What the error proves comes before ``cause``, which the check suggests, and a guess after it.
     """
     text, line = fault.first_line, place.source if place else ""
     if place and fault.unknown and fault.type == "NameError":
@@ -131,7 +126,7 @@ def _likely(
         return cause, ""
     if text.startswith("TypeError") and "^" in line:
         return POWER, ""
-    if fact := explain_none(fault.none) if fault.none else fact_of(text):
+    if fact := fact_of(text):
         return fact, cause
     return (cause, guess_of(text)) if cause else (guess_of(text), "")
 

@@ -13,7 +13,6 @@ from functools import cache
 from pathlib import Path
 
 from autograder.diagnosis.misspelled import Unknown, unknown_of
-from autograder.diagnosis.none_values import none_in
 from autograder.message import Message, Place
 
 MOST_FRAMES = 50
@@ -48,7 +47,6 @@ class Fault:
     syntax: tuple[str, int, str] | None = None  # the file, line and text that cannot be parsed
     missing_module: str = ""
     unknown: Unknown | None = None  # the name that does not exist, if that is the cause
-    none: str = ""  # the expression that was None, if that is the cause
 
     @property
     def first_line(self) -> str:
@@ -76,8 +74,8 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         if is_inside(frame.f_code.co_filename, folders)
     ]
     missing = (error.name or "") if isinstance(error, ModuleNotFoundError) else ""
-    unknown, none = unknown_of(error), none_in(error, text)
-    return Fault(type(error).__name__, text, frames[-MOST_FRAMES:], syntax, missing, unknown, none)
+    kind, unknown = type(error).__name__, unknown_of(error)
+    return Fault(kind, text, frames[-MOST_FRAMES:], syntax, missing, unknown)
 
 
 def text_of(error: BaseException) -> str:

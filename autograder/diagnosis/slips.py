@@ -60,7 +60,7 @@ real number, not ': A number is needed here. Vector3 takes three numbers, so wri
 'tuple': A value on this line is a tuple, because a function with several results returns them as a
   tuple. Unpack the tuple into separate names before you use the results.
 NoneType: A value on this line is None. Either nothing was assigned to it yet, or it comes from a
-  function that has no return statement.
+  function without a return statement, or from a method that works in place, such as clear.
 values to unpack|cannot unpack: There are more or fewer values than names to store them in. Print
   the value that this line unpacks, and check in the docstring what it should be.
 'Vector3' object is not subscriptable: A Vector3 has no index. Read v.x, v.y and v.z.

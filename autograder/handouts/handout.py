@@ -24,7 +24,7 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py bodies.py stubs.lock stubs.py unused.py",
+    "autograder/handouts": "__init__.py stubs.lock stubs.py unused.py",
     "autograder/locks": "pictures.lock requirements.lock",
     "autograder/student": "*.py",
     "autograder/student/watching": "*.py",
@@ -53,8 +53,7 @@ def make_handout(
     """Write the folder that an instructor gives to students, and print a summary of its contents.
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
-    code without checks. Exercises in a manifest that are missing from ``chapters`` become optional.
-    The text ``about`` is the section of the README that describes the assignment.
+    code. Exercises that ``chapters`` lack become optional. The README contains ``about``.
     """
     if both := {c.name for c in chapters} & {c.name for c in given}:
         raise ValueError(f"{min(both)} cannot be handed out both as stubs and as given")

@@ -8,14 +8,16 @@ it, and it is never overwritten.
 from __future__ import annotations
 
 import ast
+import codecs
 import hashlib
 import json
+from collections.abc import Mapping
+from itertools import accumulate
 from pathlib import Path
 
 from autograder.answers import blank_answers
 from autograder.definitions import functions
 from autograder.files import replace_bytes
-from autograder.handouts.bodies import with_bodies
 from autograder.handouts.unused import without_unused
 from autograder.manifest import ROOT, Chapter, load_chapters
 
@@ -100,10 +102,7 @@ def _read(file: Path) -> str | None:
 
 
 def stub_module(source: str, messages: dict[str, str]) -> str:
-    """Turn a solution into a stub, in which each function of ``messages`` raises its message.
-
-    What only the removed bodies used would give the solution away, so it is removed too.
-    """
+    """Turn a solution into a stub, in which each function of ``messages`` raises its message."""
     if missing := messages.keys() - functions(ast.parse(source)).keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
     return without_unused(without_bodies(source.encode(), messages).decode(), source)
@@ -113,6 +112,32 @@ def without_bodies(source: bytes, messages: dict[str, str]) -> bytes:
     """Replace the body of each function in ``messages`` with an error that has this message."""
     bodies = {n: f"raise NotImplementedError({json.dumps(m)})" for n, m in messages.items()}
     return with_bodies(source, bodies)
+
+
+def with_bodies(source: bytes, bodies: Mapping[str, str]) -> bytes:
+    """Replace the bodies of some functions, keyed by names such as Vector3.dot, by other source.
+
+    All else stays byte for byte. The source may have a BOM or the line ends of Windows.
+    """
+    newline = b"\r\n" if source.partition(b"\n")[0].endswith(b"\r") else b"\n"
+    bom = codecs.BOM_UTF8 if source.startswith(codecs.BOM_UTF8) else b""
+    text = source.removeprefix(bom)  # positions in the syntax tree do not count it
+    lines = text.splitlines(keepends=True)
+    starts = [0, *accumulate(map(len, lines))]
+    for name, node in reversed(functions(ast.parse(source)).items()):
+        if name not in bodies:
+            continue
+        first, last = node.body[0], node.end_lineno or 0
+        before = lines[first.lineno - 1][: first.col_offset]
+        begin = starts[first.lineno - 1] + first.col_offset
+        end = starts[last - 1] + len(lines[last - 1].rstrip(b"\r\n"))
+        indent = b" " * (node.col_offset + 4) if before.strip() else before
+        body = bodies[name].strip().encode().splitlines()
+        if ast.get_docstring(node, clean=False) is not None:
+            ends = starts[(first.end_lineno or 0) - 1] + (first.end_col_offset or 0)
+            body.insert(0, text[begin:ends])
+        text = text[:begin].rstrip() + b"".join(newline + indent + b for b in body) + text[end:]
+    return bom + text
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:

@@ -7,7 +7,6 @@ import re
 from collections.abc import Collection
 
 from autograder.definitions import defined_name, scopes
-from autograder.handouts.bodies import first_line
 
 LINE = 100  # characters, as in pyproject.toml
 PRIVATE = re.compile(r"_(?!.*__$)")  # but no method of Python's own, such as __init__
@@ -74,17 +73,16 @@ def _import(node: ast.Import | ast.ImportFrom, names: list[ast.alias]) -> str:
 
 
 def _changed(source: str, tree: ast.Module, texts: dict[ast.stmt, str]) -> str:
-    """Replace statements by other texts, or remove those for which the text is empty.
-
-    With a statement, its comments go too. The blank lines above it stay if there are none below.
-    """
+    """Replace statements by other texts, or remove them, with the comments above, if it is ""."""
     lines = source.split("\n")
     owners = {node: owner for owner, _ in scopes(tree).values() for node in owner.body}
     for node, text in sorted(texts.items(), key=lambda item: -item[0].lineno):
         top, end = node.lineno - 1, node.end_lineno or 0
         if not text:
-            top = first_line(owners[node], node)
-            while lines[end].strip() and not lines[top].strip():
+            above = [other.end_lineno or 0 for other in owners[node].body if other.lineno <= top]
+            decorators = getattr(node, "decorator_list", [])
+            top = max(above, default=min([top, *(part.lineno - 1 for part in decorators)]))
+            while lines[end].strip() and not lines[top].strip():  # keep a blank line
                 top += 1
         lines[top:end] = [text] if text else []
     return "\n".join(lines)

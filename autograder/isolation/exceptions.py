@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import builtins
 import re
 from dataclasses import replace
@@ -11,7 +10,6 @@ from typing import Any, TypeVar
 import msgspec
 
 from autograder.diagnosis.faults import GOING_FURTHER, MOST_FRAMES, Fault, StudentLeft
-from autograder.diagnosis.none_values import LONGEST as MOST_OF_AN_EXPRESSION
 from autograder.isolation.wire import KNOWN_ERRORS, LONGEST_TEXT, BrokenProtocolError
 from autograder.message import Place, with_texts
 from autograder.text.clean import clean
@@ -43,12 +41,6 @@ def exception_of(name: Any, data: Any) -> BaseException:
     of Exception, as in the case of SystemExit. Its attribute ``fault`` describes the original.
     """
     fault = read(data, Fault)
-    none = fault.none[:MOST_OF_AN_EXPRESSION]
-    try:
-        if none:
-            ast.parse(none, mode="eval")
-    except (SyntaxError, ValueError) as error:
-        raise BrokenProtocolError("a value of None that is not an expression") from error
     frames = [
         Place(frame.file, frame.line, frame.function)
         for frame in fault.frames[-MOST_FRAMES:]
@@ -56,7 +48,7 @@ def exception_of(name: Any, data: Any) -> BaseException:
     ]
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
     exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
-    exception.fault = replace(fault, frames=frames, none=none)  # type: ignore[attr-defined]
+    exception.fault = replace(fault, frames=frames)  # type: ignore[attr-defined]
     return exception
 
 

@@ -147,17 +147,6 @@ class InWorker:
         self.send(Broken(module, message))
         self.stop()  # the next worker starts with this module marked as broken
 
-    def definitions(self, file: Path) -> set[str] | None:
-        """Ask the worker for the names that a file defines. Return None without a valid answer."""
-        if self.session is None or self.session.dead:
-            return None
-        try:
-            found = self.session.ask("definitions", str(file))
-        except (Exception, WorkerFailure, StudentLeft):  # the code may have damaged its process
-            return None
-        names = found if type(found) is list else []
-        return {name for name in names if type(name) is str} or None
-
     def _worker(self, new: bool = False) -> Session:
         """Return the session with a ``new`` or the current worker, with all of its time left."""
         session = self.session

@@ -21,7 +21,6 @@ from pathlib import Path
 from typing import Any
 
 from autograder.checks.printed import CappedText
-from autograder.definitions import read_definitions
 from autograder.diagnosis.faults import fault_of
 from autograder.diagnosis.undefined import MissingNameError, answer_for_missing, broken_module
 from autograder.isolation.wire import (
@@ -129,10 +128,6 @@ class StudentSide:
         except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
             return None  # the import will raise the error
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
-
-    def do_definitions(self, file: str) -> list[str] | None:
-        found = read_definitions(Path(file))
-        return None if found is None else sorted(found)
 
     def do_import(self, module: str) -> None:
         """Import a student's module, and discard what it prints outside of a check."""

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict, with_needs
@@ -21,47 +20,27 @@ from autograder.diagnosis.earlier_chapters import (
 )
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result, results_of
-from autograder.text.wrapping import plain_console
-
-if TYPE_CHECKING:
-    from rich.progress import Progress
 
 Show = Callable[[str, int, int], None]  # takes a title, and how many checks of how many have run
 
 
 @dataclass(frozen=True)
 class ChapterResults:
-    """The results of checking a student's code for one chapter.
-
-    ``on_reference`` are the results with our solutions in the earlier chapters, if the checks ran
-    with them. ``suspects`` are earlier chapters whose mistakes may have caused failures.
-    """
+    """The results of checking a student's code for one chapter."""
 
     chapter: Chapter
     results: list[Result]
-    on_reference: list[Result]
-    suspects: list[Chapter]
+    on_reference: list[Result]  # with our solutions to the earlier chapters, if that has run
+    suspects: list[Chapter]  # earlier chapters whose mistakes may have caused failures
 
 
-@contextmanager
-def progress_bar() -> Iterator[Show]:
-    """Yield a function that shows on a terminal how many checks of a chapter have run so far."""
-    bars: list[Progress] = []
+def show_progress(title: str, done: int, of: int) -> None:
+    """Show on a terminal how many checks of a chapter have run so far, until all have run."""
+    import rich.table  # noqa: F401 - this takes a while, in which the checks go on
 
-    def show(title: str, done: int, of: int) -> None:
-        from rich.progress import Progress
-
-        if not bars:
-            bars.append(Progress(console=plain_console(), transient=True))
-            bars[0].add_task(title)
-            bars[0].start()
-        bars[0].update(bars[0].task_ids[0], description=title, completed=done, total=of)
-
-    try:
-        yield show
-    finally:
-        for bar in bars:
-            bar.stop()
+    if sys.stdout.isatty():
+        words = f"{title}: {done} of {of} checks" if done < of else ""
+        print(f"\r{words:50}\r", end="", flush=True)
 
 
 def report_on(

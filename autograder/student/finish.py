@@ -6,18 +6,17 @@ projects and going-further exercises may still be open, and the screen lists the
 
 from __future__ import annotations
 
-import re
-import textwrap
 from pathlib import Path
 
 from autograder.commands import command, engine_variables
 from autograder.manifest import Chapter, Exercise, load_chapters
+from autograder.message import Row
 from autograder.scores import Result
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.written import listed, open_questions
+from autograder.text.wrapping import wrapped, wrapped_rows
 
 WIDTH = 79
-LABEL = 10  # width of the column with the labels
 
 
 def end_of(
@@ -26,10 +25,9 @@ def end_of(
     engine: list[Path],
     given: list[Chapter],
 ) -> list[tuple[str, str]]:
-    """Return the lines, with styles, of a finished chapter, or a line that lists scenes to play.
+    """Return the lines, with styles, of the last finished chapter until another one is begun.
 
-    The closing screen is shown until the student begins another chapter. In an unfinished chapter,
-    the line is about ``exercise``, or else about the last working exercise that has scenes.
+    In an unfinished chapter, it is a line with the scenes that an exercise has made work.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -39,7 +37,7 @@ def end_of(
         return [(lines[0], "bold green"), *((line, "") for line in lines[1:])]
     for report in reversed(begun):
         for result in reversed(report.results):
-            if exercise in (None, result.exercise) and _can_play(report, result, engine):
+            if exercise in (None, result.exercise) and _can_play(report, result):
                 play = [_command("lab", engine, given, SCENE=s) for s in result.exercise.play]
                 return [(f"{result.exercise.id} works. Try it: {listed(play)}", "green")]
     return []
@@ -56,59 +54,35 @@ def finish_lines(report: ChapterResults, engine: list[Path], given: list[Chapter
     """Return the screen for a finished chapter, which fits on a terminal of 20 lines."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
-    lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
-    entries = []
+    lines += [*wrapped(" ".join(chapter.you_can), WIDTH), ""]
+    entries: list[Row] = []
     if chapter.picture:
         draw = _command("plot", engine, given, CH=str(chapter.number))
         entries.append(("Picture", f"{draw} draws it with your own functions"))
     if scenes := [name for r in report.results if r.works for name in r.exercise.play]:
         others = f" (or {listed(scenes[1:], 'or')})" if scenes[1:] else ""
         entries.append(("Play", _command("lab", engine, given, SCENE=scenes[0]) + others))
-    first, *others_open = _open(report, engine) or ["nothing"]
-    entries += [("Open", first), *(("", words) for words in others_open)]
+    entries.append(("Open", "\n".join(_open(report, engine) or ["nothing"])))
     after = next((other for other in load_chapters() if other.number > chapter.number), None)
     if after:
         entries.append(("Next", f"chapter {after.number}, {after.title}. {after.summary}"))
-    for label, words in entries:
-        lines += textwrap.wrap(
-            words,
-            WIDTH,
-            initial_indent=f"{label:{LABEL}}",
-            subsequent_indent=" " * LABEL,
-            break_long_words=False,
-            break_on_hyphens=False,
-        )
-    return lines
+    return lines + wrapped_rows(entries, WIDTH)
 
 
-def _can_play(report: ChapterResults, result: Result, engine: list[Path]) -> bool:
-    """Return True if the scenes of an exercise work, and with all exercises before it."""
-    if not (result.exercise.play and result.works):
-        return False
-    if any(check.status == "inherited" for other in report.results for check in other.checks):
-        return False
-    failing = {other.exercise.id for other in report.results if not other.works}
-    before = report.chapter.exercises[: report.chapter.exercises.index(result.exercise)]
-    return not any(
-        other.edit and (other.id in failing or _is_stub(other, report.chapter, engine))
-        for other in before
+def _can_play(report: ChapterResults, result: Result) -> bool:
+    """Return True if the scenes of an exercise work, as far as the checks that ran can tell."""
+    before = report.results[: report.results.index(result)]
+    checks = [check for other in report.results for check in other.checks]
+    return (
+        bool(result.exercise.play and result.works)
+        and all(other.works or not other.exercise.edit for other in before)
+        and not any(check.status == "inherited" for check in checks)
     )
 
 
 def _is_extra(exercise: Exercise) -> bool:
     """Return True for projects and going-further exercises, whose ids start with G."""
     return exercise.kind == "project" or exercise.id.startswith("G")
-
-
-def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return True if a function of an exercise is not written yet, or its file is missing."""
-    stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
-    for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
-        paths = [folder / chapter.name / file for folder in engine]
-        path = next((path for path in paths if path.is_file()), None)
-        if path is None or stub.search(path.read_text(encoding="utf-8", errors="replace")):
-            return True
-    return False
 
 
 def _open(report: ChapterResults, engine: list[Path]) -> list[str]:

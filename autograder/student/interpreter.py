@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import code
 import importlib
-import inspect
 import re
 import sys
 from contextlib import suppress
@@ -34,7 +33,7 @@ def interact(chapters: list[Chapter], folders: list[Path]) -> None:
     names |= {"show": show, "reload": reload}
     print(f"Python {sys.version.split()[0]} with your engine:")
     for chapter, found in import_engine(chapters, folders).items():
-        print(f"  chapter {chapter}: {listed(found)}")
+        print(f"  chapter {chapter}: {', '.join(found) or 'nothing yet'}")
         names |= found
     print("After you save a file: reload(). A picture: show(v, w) or show(particle). End: exit()")
     if sys.platform != "win32":  # where there is no readline
@@ -66,21 +65,12 @@ def import_engine(chapters: list[Chapter], folders: list[Path]) -> dict[int, dic
     return engine
 
 
-def listed(found: dict[str, Any]) -> str:
-    """Say what a chapter defines: the classes by name, and how many functions."""
-    words = [name for name, value in found.items() if isinstance(value, type)]
-    functions = [name for name, value in found.items() if inspect.isfunction(value)]
-    rest = f" and {len(functions) - 1} more functions" if functions[1:] else ""
-    return ", ".join([*words, *(f"{name}{rest}" for name in functions[:1])]) or "nothing yet"
-
-
 def reason(error: BaseException, folders: list[Path]) -> str:
     """Say why a student's module could not be imported, with the line of the mistake."""
     fault = fault_of(error, [folder.resolve() for folder in folders])
-    place = f" ({fault.frames[-1]})" if fault.frames else ""
     if fault.syntax:
-        place = f" (line {fault.syntax[1]}: {fault.syntax[2]})"
-    return f"{fault.first_line}{place}"
+        return f"{fault.first_line} (line {fault.syntax[1]}: {fault.syntax[2]})"
+    return f"{fault.first_line} ({fault.frames[-1]})" if fault.frames else fault.first_line
 
 
 def public(module: ModuleType) -> dict[str, Any]:

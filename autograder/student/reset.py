@@ -11,9 +11,8 @@ from itertools import count
 from pathlib import Path
 
 from autograder.commands import command, engine_variables
-from autograder.definitions import bound_names, functions
+from autograder.definitions import functions
 from autograder.files import from_here, replace_bytes
-from autograder.handouts.bodies import put_back
 from autograder.handouts.stubs import messages_of, pristine_stub, without_bodies
 from autograder.manifest import ROOT, Chapter, Exercise
 
@@ -22,16 +21,12 @@ KEPT = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """A planned change to one of a student's files, which restores the functions in ``names``.
-
-    ``gone`` is True if the student has deleted these functions.
-    """
+    """A planned change to one of a student's files, which restores the functions in ``names``."""
 
     file: Path
     before: bytes
     after: bytes
     names: list[str]
-    gone: bool = False
 
 
 def reset(
@@ -39,8 +34,7 @@ def reset(
 ) -> str:
     """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
 
-    If the student has deleted some of its functions, only those are restored. If ``whole`` is
-    true, entire files are restored. Each file is first copied to the folder ``copies``.
+    If ``whole`` is true, entire files are restored. Each file is first copied to ``copies``.
     """
     done = []
     for change in planned(chapter, exercise, engine, whole=whole):
@@ -51,10 +45,7 @@ def reset(
         copy = _keep(change.file, change.before, copies / chapter.name)
         replace_bytes(change.file, change.after)
         names = "the whole file" if whole else ", ".join(change.names)
-        what = "restored the missing stub" if change.gone else "restored the stub"
-        done.append(f"{exercise.id} {exercise.title}: {what} in {file} ({names}).")
-        if change.gone:
-            done.append("The other functions are unchanged.")
+        done.append(f"{exercise.id} {exercise.title}: restored the stub in {file} ({names}).")
         if change.before:
             done.append(f"A copy of your previous file: {from_here(copy)}")
     return "\n".join(done)
@@ -67,13 +58,9 @@ def question(
     changes = planned(chapter, exercise, engine, whole=whole)
     names = "all exercises" if whole else ", ".join(n for change in changes for n in change.names)
     files = " and ".join(str(from_here(change.file)) for change in changes)
-    does = f"This replaces your code for {names} in {files} with the stub."
-    if any(change.gone for change in changes):
-        does = f"This restores the missing stub of {names} in {files}. "
-        does += "Your other code stays as it is."
     return (
-        f"Reset {exercise.id} {exercise.title}? {does} A copy of the file is kept in "
-        f"{from_here(copies / chapter.name)}."
+        f"Reset {exercise.id} {exercise.title}? This replaces your code for {names} in {files} "
+        f"with the stub. A copy of the file is kept in {from_here(copies / chapter.name)}."
     )
 
 
@@ -87,53 +74,36 @@ def planned(
     changes = []
     for name in alone.edited_files:
         file = engine / chapter.name / name
+        before = file.read_bytes() if file.exists() else b""
         messages = messages_of(alone, name)
-        if not whole:
-            changes.append(_change(chapter, exercise, file, messages))
-            continue
-        if (stub := pristine_stub(chapter, name)) is None:
+        why = "" if whole else _problem(before, messages)
+        stub = pristine_stub(chapter, name) if whole or why else None
+        if whole and stub is None:
             raise ValueError(
                 f"{name} cannot be restored, because this folder has neither the reference nor "
                 "the folder stubs. Copy the file from the handout again"
             )
-        before = file.read_bytes() if file.exists() else b""
-        changes.append(Change(file, before, stub.encode(), [*messages]))
-    return [change for change in changes if change.gone] or changes
+        if why:
+            way = "copy the file from the handout again"
+            if stub:
+                variables = engine_variables([engine])
+                back = command("reset", EX=exercise.id, WHOLE="1", **variables)
+                way = f"restore the whole file (a copy is kept): {back}"
+            raise ValueError(f"nothing was reset in {from_here(file)}: {why}. Fix that, or {way}")
+        after = stub.encode() if stub else without_bodies(before, messages)
+        changes.append(Change(file, before, after, [*messages]))
+    return changes
 
 
-def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Plan the change of one file. If functions of the exercise are gone, restore only those."""
-    stub = pristine_stub(chapter, file.name)
+def _problem(source: bytes, messages: dict[str, str]) -> str:
+    """Say why the stubs cannot be restored in a file, or return "" if they can."""
     try:
-        before = file.read_bytes()
-        tree = ast.parse(before)
-        missing = [name for name in messages if name not in functions(tree)]
-        if not missing:
-            return Change(file, before, without_bodies(before, messages), [*messages])
-        if stub:
-            classes = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
-            lost = {name.partition(".")[0] for name in missing if "." in name} - classes
-            if lost and classes:  # probably renamed, so do not add a second class
-                raise ValueError(
-                    f"it has no class {min(lost)}, but a class {min(classes)}. If you renamed it, "
-                    "change the name back"
-                )
-            if bound := [name for name in missing if name in bound_names(tree)]:
-                raise ValueError(f"it defines {', '.join(bound)} without a def")
-            return Change(file, before, put_back(before, stub.encode(), missing), missing, True)
-        why = f"it does not define {', '.join(missing)}"
-    except FileNotFoundError:
-        why = "it does not exist"
+        missing = messages.keys() - functions(ast.parse(source)).keys()
     except SyntaxError as error:
-        why = f"it cannot be read: line {error.lineno}: {error.msg}"
-    except ValueError as error:
-        why = str(error)
-    way = "copy the file from the handout again"
-    if stub:
-        elsewhere = engine_variables([file.parent.parent])
-        back = command("reset", EX=exercise.id, WHOLE="1", **elsewhere)
-        way = f"restore the whole file (a copy is kept): {back}"
-    raise ValueError(f"nothing was reset in {from_here(file)}: {why}. Fix that, or {way}")
+        return f"it cannot be read: line {error.lineno}: {error.msg}"
+    except ValueError as error:  # such as a null byte
+        return str(error)
+    return f"it does not define {', '.join(sorted(missing))}" if missing else ""
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:

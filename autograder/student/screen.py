@@ -28,7 +28,7 @@ from autograder.scores import (
     shown,
     total,
 )
-from autograder.student.chapter_results import ChapterResults, progress_bar, report_on
+from autograder.student.chapter_results import ChapterResults, report_on, show_progress
 from autograder.student.failure import print_failure
 from autograder.student.finish import end_of
 from autograder.student.written import all_pass, print_written
@@ -60,16 +60,15 @@ def check(
 
     With ``exercise``, check only that exercise and its prerequisites. With ``only`` too, report
     only its own physics checks. The reference replaces the student's code in ``given`` chapters.
-    A written exercise has no checks, so its question is shown instead.
     """
     if exercise and exercise.kind == "written":
         print_written(chapters[0], exercise, engine)
         return True
     reports = []
     run = partial(run_checks, seed=seed)
-    with with_given(given, engine) as folders, progress_bar() as show:
+    with with_given(given, engine) as folders:
         for chapter in chapters:
-            report = report_on(chapter, exercise, folders, given, run, show)
+            report = report_on(chapter, exercise, folders, given, run, show_progress)
             if exercise and only:
                 own, better = (
                     [result_of(exercise, r.physics) for r in results if r.exercise == exercise]

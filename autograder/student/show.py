@@ -17,10 +17,7 @@ _paths: dict[int, tuple[Any, deque[Place]]] = {}  # keyed by id, with the partic
 
 
 def show(*things: Any) -> None:
-    """Draw vectors as arrows from the origin, and particles with the path of their last steps.
-
-    X points to the right and Y up. If everything has x = 0, Z points to the right instead.
-    """
+    """Draw vectors as arrows from the origin, and particles with the path of their last steps."""
     lines: list[list[Place]] = []
     labels = []
     for letter, thing in zip(ascii_lowercase, things, strict=False):
@@ -34,6 +31,7 @@ def show(*things: Any) -> None:
             labels.append(f"{letter}: {thing}")
         else:
             raise TypeError(f"show draws vectors and particles, got {thing!r}")
+    # X points to the right and Y up. If everything has x = 0, Z points to the right instead.
     across = 0 if any(place[0] for line in lines for place in line) else 2
     print(picture([[(place[across], place[1]) for place in line] for line in lines]))
     print(f"to the right: {'XYZ'[across]}, up: Y", *labels, sep="\n")

@@ -69,10 +69,7 @@ def listed(words: list[str], last: str = "and") -> str:
 
 
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph or list item, and remove Markdown's quote markers (>).
-
-    Indented lines, such as formulas, and texts that contain code blocks stay as they are.
-    """
+    """Join the lines of each paragraph or list item, but not of formulas and texts with code."""
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:
         return text

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 
 SHORTEST = 3  # letters; a shorter name would be similar to too many others
@@ -16,5 +15,7 @@ def nearest(name: str, names: Iterable[str], cutoff: float = 0.6) -> str:
     """
     if not SHORTEST <= len(name) <= LONGEST:
         return ""
+    import difflib  # which takes a while
+
     usual = [other for other in names if not (other.startswith("__") and other.endswith("__"))]
     return next(iter(difflib.get_close_matches(name, usual, 1, cutoff)), "")[:LONGEST]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from typing import IO, TYPE_CHECKING
 
@@ -13,8 +12,6 @@ if TYPE_CHECKING:
 
 MOST_PRINTED_LINES = 5
 MOST_PRINTED = 300  # characters
-LONGEST_PRINTED = 4000  # characters; anything longer has already been cut while it was captured
-MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
@@ -52,24 +49,10 @@ def print_rows(console: Console, rows: list[Row]) -> None:
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
-
-    The note includes the lines of an earlier note. It says "at least" if a part was never captured.
-    """
-    cut_before = len(text) >= LONGEST_PRINTED
-    text = text[:LONGEST_PRINTED].strip("\n")
-    every = text.split("\n")
-    if len(every) <= lines and len(text) <= characters and not cut_before:
-        return text
-    count = len(every)
-    if earlier := MORE.fullmatch(every[-1]):
-        count += int(earlier[2]) - 1
-        cut_before = bool(earlier[1])
-    kept = "\n".join(every[:lines])[:characters].rstrip("\n")
-    left = count - len(kept.split("\n"))
-    least = "at least " if cut_before else ""
-    more = f"{least}{left} more line{'' if left == 1 else 's'}" if left else "more"
-    return f"{kept}\n... and {more}"
+    """Shorten a student's long output to its beginning."""
+    text = text.strip("\n")
+    kept = "\n".join(text.split("\n", lines)[:lines])[:characters].rstrip("\n")
+    return text if kept == text else f"{kept}\n... and more"
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:

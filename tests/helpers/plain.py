@@ -10,7 +10,7 @@ import ast
 import shutil
 from pathlib import Path
 
-from autograder.handouts.bodies import with_bodies
+from autograder.handouts.stubs import with_bodies
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 # Replaces arguments.py. Every function returns its argument without checking it.

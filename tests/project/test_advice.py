@@ -23,7 +23,7 @@ from autograder.diagnosis.faults import Fault
 from autograder.handouts.handout import STUDENT_TOOLS
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.message import Message, Place
-from autograder.student.places import next_place
+from autograder.student.failure import next_place
 
 CHAPTERS = load_chapters()
 FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")

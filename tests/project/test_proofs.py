@@ -18,7 +18,7 @@ from autograder.commands import TUNED, find_engine
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import results_of, total
-from autograder.student.places import next_place
+from autograder.student.failure import next_place
 from copies import copy_tree
 from made import made_stubs
 from ready import ready

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from autograder.checks.runner import GraderError
@@ -12,8 +13,8 @@ from autograder.scores import Result, result_of
 from autograder.student.chapter_results import (
     ChapterResults,
     Memory,
-    progress_bar,
     report_on,
+    show_progress,
     state_of,
 )
 from autograder.student.failure import failure_of
@@ -26,32 +27,25 @@ from autograder.student.written import all_pass
 TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows it and goes on
 
 
+@dataclass
 class Guide:
     """Keeps track of a student's current exercise and, once that is done, of the next one."""
 
-    def __init__(
-        self,
-        chapters: list[Chapter],
-        engine: list[Path],
-        folders: list[Path],
-        given: list[Chapter],
-        seed: str,
-        *,
-        has_keys: bool,
-    ) -> None:
-        self.chapters = chapters
-        self.engine = engine
-        self.folders = folders  # with the given chapters
-        self.given = given
-        self.memory = Memory(seed)
-        self.has_keys = has_keys
-        self.last: dict[str, dict[str, Result]] = {}  # the latest results by chapter and exercise
-        self.current: tuple[Chapter, Exercise] | None = None
-        self.next: tuple[Chapter, Exercise] | None = None
-        self.edits = Edits(engine[0], chapters)
-        self.edited: list[str] = []  # which functions of this exercise the last save has changed
-        self.page = Page()
-        self.seen = ""
+    chapters: list[Chapter]
+    engine: list[Path]
+    folders: list[Path]  # with the given chapters
+    given: list[Chapter]
+    memory: Memory
+    has_keys: bool
+    last: dict[str, dict[str, Result]] = field(default_factory=dict)  # by chapter and exercise
+    current: tuple[Chapter, Exercise] | None = None
+    next: tuple[Chapter, Exercise] | None = None
+    edited: list[str] = field(default_factory=list)  # what the last save has changed in it
+    page: Page = field(default_factory=Page)
+    seen: str = ""
+
+    def __post_init__(self) -> None:
+        self.edits = Edits(self.engine[0], self.chapters)
 
     @property
     def chapter(self) -> Chapter:
@@ -93,11 +87,9 @@ class Guide:
         self.page.draw(with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check and show the current exercise, and return True if it is done.
+        """Check and show an exercise, or a prerequisite that fails, and return True if it is done.
 
-        At first, an exercise is done as soon as its physics checks pass. Its robust checks count
-        only after all required physics checks of the chapter pass. If the physics checks of a
-        prerequisite no longer pass, the prerequisite becomes the current exercise.
+        Its robust checks count only after all required physics checks of the chapter pass.
         """
         worked = self.works(chapter, exercise)
         report = self.report(chapter, exercise)
@@ -117,8 +109,7 @@ class Guide:
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> ChapterResults:
         """Check a chapter, or one exercise and its prerequisites, and remember the results."""
-        with progress_bar() as show:
-            report = report_on(chapter, exercise, self.folders, self.given, self.memory, show)
+        report = report_on(chapter, exercise, self.folders, self.given, self.memory, show_progress)
         last = self.last.setdefault(chapter.name, {})
         last.update({result.exercise.id: result for result in report.results})
         return report
@@ -169,14 +160,12 @@ class Guide:
 
     def say_done(self, result: Result, *, wait: bool) -> None:
         """Tell the student that an exercise works, and how many of its robust checks are left."""
-        count, physics = len(result.checks), len(result.physics)
+        count = len(result.checks)
         words = f"{result.exercise.id} {result.exercise.title}"
         if left := sum(check.status != "passed" for check in result.robust):
-            checks, s = ("1 robust check", "s") if left == 1 else (f"{left} robust checks", "")
+            wait_for = "1 robust check waits" if left == 1 else f"{left} robust checks wait"
             until = "until the end of the chapter" if wait else "for you now"
-            passing = f"all {physics} physics checks pass"
-            passing = passing if physics > 1 else "its physics check passes"
-            words += f" works: {passing}. {checks} wait{s} {until}."
+            words += f" works: all its physics passes. {wait_for} {until}."
         else:
             words += f" is done: {count} of {count} checks pass."
         self.page.top += [(words, "bold green"), ("", "")]

@@ -1,7 +1,4 @@
-"""Read single keys from the terminal, so that students need not press Enter after each one.
-
-This uses msvcrt on Windows, and termios everywhere else.
-"""
+"""Read single keys from the terminal, so that students need not press Enter after each one."""
 
 from __future__ import annotations
 

@@ -22,17 +22,13 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """The content of the `watch` page.
-
-    The explanation of a failed check, if any, is between the lines ``top`` and ``bottom``.
-    ``whole`` is the command that prints it in full. ``note`` is a short message at the end.
-    """
+    """The content of the `watch` page."""
 
     top: list[Line] = field(default_factory=list)
     failure: Failure | None = None
     bottom: list[Line] = field(default_factory=list)
-    whole: str = ""
-    note: list[Line] = field(default_factory=list)
+    whole: str = ""  # the command that prints the failure in full
+    note: list[Line] = field(default_factory=list)  # a short message at the end
 
     def say(self, words: str, style: str = "") -> None:
         """Add a line below the explanation of the failed check."""

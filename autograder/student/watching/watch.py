@@ -1,7 +1,4 @@
-"""The `watch` command, which checks the student's current exercise after every save.
-
-While the command runs, the student can also press keys, such as h for a hint.
-"""
+"""The `watch` command, which checks the current exercise after every save and reacts to keys."""
 
 from __future__ import annotations
 
@@ -14,6 +11,7 @@ from watchfiles import watch as changes_in
 
 from autograder.diagnosis.earlier_chapters import with_given
 from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.student.chapter_results import Memory
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.watching import keys
@@ -30,7 +28,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     The current exercise is the one that the student edited last, at first the first open one.
     """
     with with_given(given, engine) as folders, keys.single_keys():
-        guide = Guide(chapters, engine, folders, given, seed, has_keys=keys.available())
+        guide = Guide(chapters, engine, folders, given, Memory(seed), keys.available())
         board = Keyboard(guide)
         if not guide.has_keys:
             say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")

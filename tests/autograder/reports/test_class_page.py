@@ -23,7 +23,7 @@ from autograder.reports.report import StudentReport
 from graded import CHAPTERS, SHOUT, check, class_of, failed_run, hostile, report_of, with_exercise
 
 browser = pytest.fixture(browsers.browser, scope="module")
-GONE = Message(wanted="1", likely="The stub is gone.", kind=Kind.GONE)
+LEFT = Message(wanted="1", likely="Remove os._exit.", kind=Kind.LEFT)
 SQUARED = "This is the squared length. Take its square root."
 
 
@@ -84,12 +84,12 @@ def test_each_student_counts_once_for_each_mistake() -> None:
         with_lost("dan", wrong(SQUARED, hidden=True), wrong("")),
         with_lost("eve", replace(wrong(SQUARED), status="blocked")),
         with_lost("fay", check("test_angle", "failed", Message(likely="x", kind=Kind.UNWRITTEN))),
-        *(with_lost(name, check("test_it", "failed", GONE)) for name in "ghij"),
+        *(with_lost(name, check("test_it", "failed", LEFT)) for name in "ghij"),
     ]
     found, unexplained = mistakes_of(reports)
     counted = {one.words: len(one.students) for one in found}
     assert [*counted.values()] == [4, 3, 2, 1]
-    assert counted["The stub is gone."] == 4, "a mistake, but not a wrong result"
+    assert counted["Remove os._exit."] == 4, "a mistake, but not a wrong result"
     assert counted["Raise TypeError."] == 2
     assert counted[SQUARED] == 1
     assert unexplained == 2

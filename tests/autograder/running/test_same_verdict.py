@@ -36,7 +36,8 @@ OURS += " tests chapters solutions expect draw lever conftest sitecustomize nowh
 NOT_GRADED = ("ch90_small.helper", "ch90_small.test_small")
 
 BothWays = tuple[dict[str, Verdict], dict[str, Verdict]]
-ATTEMPTS = tomllib.loads(Path(__file__).with_name("attempts.toml").read_text(encoding="utf-8"))
+ROWS = tomllib.loads(Path(__file__).with_name("attempts.toml").read_text(encoding="utf-8"))
+ATTEMPTS = ROWS["attempts"] | ROWS["again"]
 MODULE = """
 import os
 
@@ -108,8 +109,8 @@ def with_attempts(tmp_path_factory: pytest.TempPathFactory) -> Path:
     manifest = root / "chapters/ch90_small/chapter.toml"
     edit(manifest, 'edit = ["small.double"]', 'files = ["drops.csv"]\nedit = ["small.double"]')
     checks = ["import pytest", "from ch90_small.small import imports, try_"]
-    for name, attempt in ATTEMPTS.items():
-        exercise = "90.1" if attempt.get("again") else "B90.1"
+    for name in ATTEMPTS:
+        exercise = "90.1" if name in ROWS["again"] else "B90.1"
         checks += [f"@pytest.mark.exercise('{exercise}')", f"def test_{name}():"]
         checks += [f"    pytest.fail(try_({name!r}))"]
     checks += ["@pytest.mark.exercise('B90.1')", "def test_imports():"]
@@ -124,15 +125,15 @@ def verdicts(with_attempts: Path) -> BothWays:
     if not behind_walls().level["seccomp"]:
         pytest.skip("there are no walls here that refuse all of it")
     code = MODULE
-    for name, attempt in ATTEMPTS.items():
-        code += f"\n\ndef try_{name}():\n" + textwrap.indent(attempt["code"], "    ") + "\n"
+    for name, (body, _) in ATTEMPTS.items():
+        code += f"\n\ndef try_{name}():\n" + textwrap.indent(body, "    ") + "\n"
     return both_ways(with_attempts, code)
 
 
-@pytest.mark.parametrize("name", ATTEMPTS)
-def test_an_attempt_comes_to_the_same(name: str, verdicts: BothWays) -> None:
+@pytest.mark.parametrize(("name", "says"), [(name, says) for name, (_, says) in ATTEMPTS.items()])
+def test_an_attempt_comes_to_the_same(name: str, says: str, verdicts: BothWays) -> None:
     home, graded = (verdicts_of[f"test_{name}"] for verdicts_of in verdicts)
-    assert ATTEMPTS[name]["says"] in str(graded.message)
+    assert says in str(graded.message)
     assert told(home) == told(graded)
 
 
@@ -213,12 +214,9 @@ def test_check_rejects_what_the_grader_rejects(change: str, root: Path) -> None:
         assert verdict.message.title == why
 
 
-@pytest.mark.parametrize("change", ["latin-1", "large"])
-def test_scenes_plots_and_recordings_reject_what_the_grader_rejects(
-    change: str, tmp_path: Path
-) -> None:
+def test_scenes_plots_and_recordings_reject_what_the_grader_rejects(tmp_path: Path) -> None:
     copy_tree(ROOT / "solutions", tmp_path / "ann")
-    changed(change, tmp_path / "ann" / VECTOR)
+    changed("latin-1", tmp_path / "ann" / VECTOR)
     why = stage(tmp_path / "ann", load_chapters()[:1], tmp_path / "box").rejected[
         "ch02_vectors.vector"
     ]

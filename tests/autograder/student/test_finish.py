@@ -13,7 +13,6 @@ from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import result_of
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.finish import end_of, finish_lines, is_finished
-from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
 CH03 = CHAPTERS[3]
@@ -108,18 +107,6 @@ def test_a_scene_is_offered_by_the_exercise_that_unlocks_it() -> None:
     assert shown([broken], for_demo) == ""
     robust = report_of(CH03, "3.5b", robust=ids(CH03))
     assert told in shown([robust], for_demo)
-
-
-def test_a_scene_is_not_offered_while_an_exercise_before_it_is_a_stub(tmp_path: Path) -> None:
-    """Of one exercise and what it needs the rest is not checked: B6.6 does not need B6.3."""
-    ch06 = CHAPTERS[6]
-    exercise = ch06.exercise("B6.6")
-    whole = report_of(ch06)
-    alone = ChapterResults(ch06, [r for r in whole.results if r.exercise == exercise], [], [])
-    assert "SCENE=cloth" in shown([alone], exercise)
-    stub = "raise NotImplementedError('Exercise B6.3: One spring for both ends')"
-    write_all(ch06, stub, tmp_path, but=[e.id for e in ch06.exercises if e.id != "B6.3"])
-    assert shown([alone], exercise, [tmp_path]) == ""
 
 
 def test_without_make_the_commands_are_pythons(monkeypatch: pytest.MonkeyPatch) -> None:

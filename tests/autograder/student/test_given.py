@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 from functools import partial
 from pathlib import Path
 from subprocess import CompletedProcess
@@ -154,10 +153,8 @@ def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(
     ("old", "new", "words"),
     [
         ("class Vector3:", "class Vector3(:", "ch02_vectors/vector.py cannot be read"),
-        ("class Vector3:", "import nothing_of_that_name\n\n\nclass Vector3:", "cannot be imported"),
         ("return Vector3(self.x + v.x", "raise NotImplementedError('Exercise B2.5')  # ", "B2.5"),
         ("self.x + v.x, self.y", "self.x + v.x, self.x", ""),
-        ("    def squared_magnitude", "    def square", "has no attribute 'squared_magnitude'"),
     ],
 )
 def test_whatever_is_wrong_below_is_inherited(
@@ -225,17 +222,6 @@ def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
     assert done.stderr == f"check: {wanted}\n"
 
 
-def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: Path) -> None:
-    make_handout([CH03], [], tmp_path / "out")
-    own = tmp_path / "out/chapters/ch02_vectors"
-    copy_tree(ROOT / "sample_class/dina/ch02_vectors", own)
-    shutil.copy(ROOT / "chapters/ch02_vectors/arguments.py", own)  # each student's folder has it
-    done = check("chapters", "--chapter", "3", root=tmp_path / "out")
-    assert done.returncode == 1
-    assert "'(' was never closed" in done.stdout
-    assert "Next: open chapters/ch02_vectors/vector.py:11\n" in done.stdout
-
-
 def test_a_helper_that_is_not_handed_in_is_named(engine: Path) -> None:
     (engine / "ch03_laws_of_motion/my_helper.py").touch()
     done = check(engine, "--exercise", "B3.1")
@@ -271,7 +257,6 @@ def test_plots_and_scenes_are_made_on_what_is_given(
     command: str, given: str, made: str, on_nothing: Path, tmp_path: Path
 ) -> None:
     words = [*command.split(), "--engine", on_nothing, "--out", tmp_path / "out"]
-    assert typed(*words, MPLBACKEND="Agg").returncode == 1
     after = typed(*words, "--given", given, MPLBACKEND="Agg")
     assert after.returncode == 0, after.stdout + after.stderr
     assert (tmp_path / "out" / made).exists()
@@ -281,8 +266,6 @@ def test_plots_and_scenes_are_made_on_what_is_given(
     ("command", "says"),
     [
         ("autograder hint 2.5 --given 2-3", "exercise 2.5 is in chapter 2, which is given"),
-        ("autograder reset 2.5 --given 2-3", "exercise 2.5 is in chapter 2, which is given"),
-        ("plots draw --given 19", "no chapter 19"),
         ("lab record ballistics --given 19", "no chapter 19"),
     ],
 )
@@ -292,8 +275,3 @@ def test_what_cannot_be_given_or_is_given_is_one_sentence(command: str, says: st
     assert says in refused.stderr
     assert "Traceback" not in refused.stderr
     assert refused.stdout == ""
-
-
-def test_an_exercise_above_what_is_given_has_its_hints() -> None:
-    given, alone = (typed("autograder", "hint", "3.1", *more) for more in (("--given", "2"), ()))
-    assert given.stdout == alone.stdout

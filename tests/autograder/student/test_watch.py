@@ -230,7 +230,7 @@ def test_the_physics_of_all_comes_first_and_then_the_robust_checks(
 ) -> None:
     tiers.wait_for("Current exercise (0 of 2 physics checks pass): B90.1 Two and three", KEYS)
     save(root, TIERS)
-    tiers.wait_for("B90.1 Two and three works: all 2 physics checks pass.", "1 robust check")
+    tiers.wait_for("B90.1 Two and three works: all its physics passes.", "1 robust check")
     tiers.wait_for("until", "to go on to 90.1 Quadruple", KEYS)
     right = TIERS.replace(QUADRUPLE, "return 4 * x")
     save(root, right)
@@ -296,13 +296,12 @@ def test_what_code_prints_cannot_look_like_a_label() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "kept", "more"),
+    ("text", "cut"),
     [
-        ("1\n2\n3\n4", "1\n2\n3", "... and 1 more line"),
-        ("1\n2\n3\n4\n... and 10 more lines", "1\n2\n3", "... and 11 more lines"),
-        ("x" * 30, "x" * 20, "... and more"),
-        ("1\n" * 3000, "1\n1\n1", "... and at least 1997 more lines"),
+        ("1\n2\n3\n4\n", "1\n2\n3\n... and more"),
+        ("x" * 30, f"{'x' * 20}\n... and more"),
+        ("1\n2\n3\n", "1\n2\n3"),
     ],
 )
-def test_what_is_printed_is_cut_to_a_few_lines(text: str, kept: str, more: str) -> None:
-    assert few_lines(text, 3, 20) == (f"{kept}\n{more}" if more else kept)
+def test_what_is_printed_is_cut_to_a_few_lines(text: str, cut: str) -> None:
+    assert few_lines(text, 3, 20) == cut

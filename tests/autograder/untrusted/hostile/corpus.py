@@ -10,11 +10,12 @@ Most are a table in a TOML file in the folder of their kind. The table has the n
 
 A source may leave out add, Counter and total_of. They are then added at the end, solved if the
 exercise is earned and idle if it is not. Idle code returns the value that the source calls RIGHT,
-or the result of its attack(), or None if it has neither.
+or the result of its attack(), or None if it has neither. A source may call send, which writes to
+the grader in place of the answer that it is waiting for.
 
 A word such as @ROOT@ stands for a path that an attacker may well know. Many attacks end in a right
 answer only if they succeed: the score then shows that. Submissions that are not a single source are
-in odd_files.py and odd_zips.py.
+in odd_files.py.
 """
 
 from __future__ import annotations
@@ -75,6 +76,25 @@ class Counter:
 
 def total_of(f, n):
     return None
+"""
+SEND = """
+import json
+import os
+import sys
+
+
+def send(line=b"", **answer):
+    frame = sys._getframe()
+    while "request" not in frame.f_locals:
+        frame = frame.f_back
+    answer["id"] = frame.f_locals["request"]["id"]
+    for file in range(3, 64):
+        left = line or json.dumps(answer).encode() + b"\\n"
+        try:
+            while left:
+                left = left[os.write(file, left) :]
+        except OSError:
+            pass
 """
 # Where each token is planted; none may reach a report on anybody but the neighbor itself.
 TOKENS = {
@@ -138,7 +158,6 @@ def earned(words: str) -> frozenset[str]:
 
 def all_submissions() -> list[Submission]:
     """Return the whole corpus, honest controls first."""
-    import odd_zips  # noqa: F401 - adds its own
     from odd_files import ODD
 
     return [
@@ -170,7 +189,8 @@ def completed(source: str, earns: frozenset[str]) -> str:
     answers = {"\nRIGHT = ": "RIGHT", "\ndef attack():": "attack()"}
     answer = next((answers[words] for words in answers if words in source), "None")
     idle = IDLE.replace("None", answer)
-    return source + _only(RIGHT, solved) + _only(idle, missing - solved)
+    helper = SEND if " send(" in source else ""
+    return helper + source + _only(RIGHT, solved) + _only(idle, missing - solved)
 
 
 def _only(source: str, names: set[str]) -> str:
@@ -233,8 +253,7 @@ def build_world(world: World, submissions: list[Submission], tests: Path) -> Non
     shutil.copyfile(tests.parent / "pyproject.toml", world.root / "pyproject.toml")
     write(world.home / "secret.txt", TOKENS["the home folder"] + "\n")
     write(world.home / f"{TOKENS['the name of a file']}.txt", "nothing\n")
-    for folder in (world.temporary, world.base / "kept"):
-        folder.mkdir()
+    world.temporary.mkdir()
     world.submissions.mkdir()
     for submission in submissions:
         submission.build(world.submissions / submission.student, world)
@@ -261,8 +280,7 @@ def leaks(out: Path) -> list[tuple[str, str]]:
     for path in sorted(path for path in out.rglob("*") if path.is_file()):
         data = path.read_bytes().lower() + str(path.relative_to(out)).encode().lower()
         for place, token in TOKENS.items():
-            forms = (token.encode(), token.encode()[::-1], token.encode().hex().encode())
             own = place == "another submission" and NEIGHBOR in path.name
-            if not own and any(form.lower() in data for form in forms):
+            if not own and token.encode().lower() in data:
                 found.append((str(path.relative_to(out)), place))
     return found

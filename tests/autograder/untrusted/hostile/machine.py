@@ -56,7 +56,7 @@ class Services:
 def snapshot(world: World) -> dict[str, str]:
     """Return what every file outside the box is like, and what lies in folders open to all."""
     found = {}
-    for place in (world.root, world.submissions, world.home, world.base / "kept"):
+    for place in (world.root, world.submissions, world.home):
         for path in (place, *place.rglob("*")) if place.exists() else ():
             if {"__pycache__", ".pytest_cache"} & {*path.parts}:
                 continue

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import socket
 import stat
 import sys
-from collections.abc import Callable
+import zipfile
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -40,7 +40,6 @@ OTHERS = ("pytest", "math", "random", "json", "os", "expect", "draw", "autograde
 CHECKS = "import pytest\n\n\n" + "".join(CHECK.format(n) for n in (1, 2, 3))
 PYC = f"ch90_sums/__pycache__/sums.{sys.implementation.cache_tag}.pyc"
 ODD_NAMES = ("\x1b[2J", "new\nline", "-rf", "=cmd()", os.fsdecode(b"\xff\xfe"))
-RIGHT_BYTES = RIGHT.encode()
 
 
 Files = dict[str, str | bytes]
@@ -86,40 +85,27 @@ odd("slow_coding", "nothing", {SUMS: CODING}, kind="not_ending")
 # Files beside the module, which take the place of others where pytest or Python look for them
 
 beside_checks = partial(in_folders, folders=("ch90_sums", "tests/ch90_sums"))
-for name, files in {
-    "conftest_beside": in_folders(PASS_ALL, "conftest.py", "tests/conftest.py")
-    | beside_checks(PASS_ALL, "conftest.py"),
-    "settings_beside": in_folders(f"{INI} -p sums\n", "pytest.ini")
-    | in_folders(f"{INI}\n", "tox.ini")
-    | in_folders("[tool.pytest.ini_options]\naddopts = '--co'\n", "pyproject.toml"),
-    "site_customised": in_folders(LEAVE, *PYTHONS),
-    "shadows": in_folders(LENIENT, *(f"{name}.py" for name in OTHERS)),
-    "own_checks": beside_checks(CHECKS, "test_sums.py") | beside_checks(PROBES, "probes.py"),
-    "compiled_beside": {
-        "ch90_sums/sums/__init__.py": RIGHT,
-        PYC: bytes(16) + b"not code",
-        "ch90_sums/sums.so": b"\x7fELF",
-    },
-}.items():
-    odd(name, "nothing", {SUMS: IDLE} | files, kind="forging")
+BESIDE = {
+    **in_folders(PASS_ALL, "conftest.py", "tests/conftest.py"),
+    **beside_checks(PASS_ALL, "conftest.py"),
+    **in_folders(f"{INI} -p sums\n", "pytest.ini"),
+    **in_folders(f"{INI}\n", "tox.ini"),
+    **in_folders("[tool.pytest.ini_options]\naddopts = '--co'\n", "pyproject.toml"),
+    **in_folders(LEAVE, *PYTHONS),
+    **in_folders(LENIENT, *(f"{name}.py" for name in OTHERS)),
+    **beside_checks(CHECKS, "test_sums.py"),
+    **beside_checks(PROBES, "probes.py"),
+    "ch90_sums/sums/__init__.py": RIGHT,
+    PYC: bytes(16) + b"not code",
+    "ch90_sums/sums.so": b"\x7fELF",
+}
+odd("files_beside", "nothing", BESIDE | {SUMS: IDLE}, kind="forging")
 
-# What stands in the place of the file
-
-
-def link(place: str, target: str) -> Build:
-    return lambda at, world: within(at / place).symlink_to(world.root / "solutions" / target)
+# What stands in the place of the file (tests/autograder/submissions has more, without grading it)
 
 
-def hard_link(at: Path, world: World) -> None:
-    """A second name of another file, which is no different from a copy."""
-    write(world.base / "kept/sums.py", RIGHT)
-    within(at / SUMS).hardlink_to(world.base / "kept/sums.py")
-
-
-def unix_socket(at: Path, world: World) -> None:
-    with socket.socket(socket.AF_UNIX) as server:  # its path must be short
-        server.bind(str(world.base / "s"))
-    (world.base / "s").rename(within(at / SUMS))
+def link(place: str) -> Build:
+    return lambda at, world: within(at / place).symlink_to(world.root / "solutions" / place)
 
 
 def device(at: Path, _: World) -> None:
@@ -131,45 +117,53 @@ def device(at: Path, _: World) -> None:
 
 
 for name, then in {
-    "link": link(SUMS, SUMS),
-    "linked_folder": link("ch90_sums", "ch90_sums"),
-    "linked_above": link("work", ""),
+    "link": link(SUMS),
+    "linked_folder": link("ch90_sums"),
     "pipe": lambda at, _: os.mkfifo(within(at / SUMS)),
-    "unix_socket": unix_socket,
     "device": device,
-    "empty_folder": lambda at, _: at.mkdir(),
 }.items():
     odd(name, "nothing", {}, then)
-odd("hard_link", "all", {}, hard_link)
-odd("linked_in_a_ring", "all", {SUMS: RIGHT}, lambda at, _: (at / "again").symlink_to(at))
 deep = "/".join("x" * 200)
 odd("deep_folders", "all", {SUMS: RIGHT}, lambda at, _: (at / deep).mkdir(parents=True))
-for name, place in (("unreadable_file", SUMS), ("unreadable_folder", "ch90_sums")):
-    odd(name, "nothing", {SUMS: IDLE}, lambda at, _, place=place: (at / place).chmod(0))
 
-for name, files in {
-    "folder": {f"{SUMS}/__init__.py": RIGHT},
-    "file_for_a_folder": {"ch90_sums": RIGHT},
-    "empty_file": {SUMS: ""},
-    "big_file": {SUMS: RIGHT + "# filler\n" * 5_800_000},
-    "nul_bytes": {SUMS: RIGHT_BYTES + bytes(3)},
-    "not_utf8": {SUMS: b"# caf\xe9\n" + RIGHT_BYTES},
-    "utf16": {SUMS: RIGHT.encode("utf-16")},
-    "deep_source": {SUMS: f"{RIGHT}\n\nx = {'(' * 5000}{')' * 5000}\n"},
-    "long_expression": {SUMS: f"{RIGHT}\n\nx = {'-' * 400_000}1\n"},
-    "in_many_folders": {f"a/b/c/d/e/f/{SUMS}": RIGHT},
+for name, text in {
+    "deep_source": f"{RIGHT}\n\nx = {'(' * 5000}{')' * 5000}\n",
+    "long_expression": f"{RIGHT}\n\nx = {'-' * 400_000}1\n",
 }.items():
-    odd(name, "nothing", files)
+    odd(name, "nothing", {SUMS: text})
 odd("broken_off", "nothing", {SUMS: f"{RIGHT}\n\nx = (1,\n"}, says="cannot be read")
+odd("windows", "all", {SUMS: b"\xef\xbb\xbf" + RIGHT.replace("\n", "\r\n").encode()})
+odd("names_of_files", "all", {SUMS: RIGHT} | in_folders("nothing", *ODD_NAMES))
 
-for name, files in {
-    "byte_order_mark": {SUMS: b"\xef\xbb\xbf" + RIGHT_BYTES},
-    "windows_lines": {SUMS: RIGHT.replace("\n", "\r\n")},
-    "many_files": {SUMS: RIGHT} | {f"note{number}.txt": "" for number in range(3000)},
-    "in_a_folder": {f"my work/{SUMS}": RIGHT},
-    "names_of_files": {SUMS: RIGHT} | in_folders("nothing", *ODD_NAMES),
-}.items():
-    odd(name, "all", files)
+# Zips (tests/autograder/submissions/test_stage_zips.py has more)
+
+CLIMBING = ["../" * depth + "hostile-climbed" for depth in range(1, 6)]
+CLIMBING += [f"../../root/solutions/{SUMS}", "..\\..\\hostile-climbed"]
+
+
+def write_zip(at: Path, entries: Mapping[str | zipfile.ZipInfo, str | bytes]) -> None:
+    with zipfile.ZipFile(at.with_name(at.name + ".zip"), "w", zipfile.ZIP_DEFLATED) as file:
+        for name, content in entries.items():
+            file.writestr(name, content)
+
+
+def zip_climbs(at: Path, world: World) -> None:
+    paths = world.home / "hostile-climbed", world.root / "tests/shared/expect.py", world.root / SUMS
+    write_zip(at, dict.fromkeys([*CLIMBING, *map(str, paths)], "climbed") | {SUMS: IDLE})
+
+
+def zip_linked(place: str, more: Files) -> Build:
+    """A zip with a link to the solution, and perhaps a file below the link."""
+    entry = zipfile.ZipInfo(place)
+    entry.create_system, entry.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
+    return lambda at, world: write_zip(at, {entry: f"{world.root}/solutions/{place}", **more})
+
+
+odd("zip_right", "all", {}, lambda at, _: write_zip(at, {f"work/{SUMS}": RIGHT}))
+odd("zip_bomb", "nothing", {}, lambda at, _: write_zip(at, {SUMS: b"\n" * 200_000_000}))
+odd("zip_climbs", "nothing", {}, zip_climbs)
+odd("zip_link", "nothing", {}, zip_linked(SUMS, {}))
+odd("zip_linked_folder", "nothing", {}, zip_linked("ch90_sums", {SUMS: IDLE}))
 
 # Names of students
 
@@ -177,14 +171,10 @@ for name, student in {
     "name_formula": "=1+cmd()!{}",
     "name_option": "--exec={}",
     "name_line": "{}\nstudent,graded,7",
-    "name_color": "\x1b[2J\x1b]0;owned\x07{}",
-    "name_markup": "<script>alert(1)<br>[red]{}",
+    "name_control": "\x1b[2J\x1b]0;owned\x07\u202e{}",
+    "name_markup": "<script>alert(1)<br>[red]{{{{ 7 * 7 }}}}\"';,`$(id){}",
     "name_long": "{:g<200}",
-    "name_quotes": "\"';,`$(id){}",
     "name_bytes": os.fsdecode(b"{}-\xff\xfe\x80"),
-    "name_turned": "\u202e{}",
-    "name_space": " {} .. ",
-    "name_template": "{{{{ 7 * 7 }}}}{}",
-    "name_dots": "up\\..\\..\\{}",
+    "name_dots": " up\\..\\..\\{} .. ",
 }.items():
     odd(name, "all", {SUMS: RIGHT}, student=student.format(f"odd_files-{name}"))

@@ -1,4 +1,4 @@
-"""The integrators: their orders, conservation by symplectic steps, and known losses of others."""
+"""The integrators: conservation by symplectic steps, and known losses of others."""
 
 from __future__ import annotations
 
@@ -24,15 +24,14 @@ from ch06_springs.springs import AnchoredSpring
 
 FRAME = 1.0 / 60.0
 STEPS = [explicit_euler, semi_implicit_euler, leapfrog, velocity_verlet, runge_kutta_4]
-ORDERS = list(zip(STEPS, (1, 1, 2, 2, 4), strict=True))
 SYMPLECTIC = (semi_implicit_euler, leapfrog, velocity_verlet)
 
 
-def swinging(damping: float = 0.0) -> tuple[Particle, ApplyForces]:
+def swinging() -> tuple[Particle, ApplyForces]:
     """Return 2 kg that swing in the plane on a spring of 1 m, which is not linear."""
     particle = Particle(Vector3(1.4, 0.2), Vector3(-0.5, 2.0), Vector3(0.0, -3.0), mass=2.0)
     registry = ForceRegistry()
-    registry.add(particle, AnchoredSpring(Vector3(), 30.0, 1.0, damping))
+    registry.add(particle, AnchoredSpring(Vector3(), 30.0, 1.0))
     return particle, registry.update_forces
 
 
@@ -53,28 +52,6 @@ def state(particle: Particle) -> Any:
     return numpy.array([p.x, p.y, v.x, v.y])
 
 
-# Orders
-
-
-@pytest.mark.parametrize("damping", [0.0, 4.0])
-@pytest.mark.parametrize(("step", "order"), ORDERS)
-def test_halved_frames_show_the_order(step: Integrator, order: int, damping: float) -> None:
-    """Differences between the states after 1 s in steps h, h / 2 and h / 4 have ratio 2^order."""
-    if step is leapfrog and damping:
-        order = 1  # it evaluates velocity-dependent forces with the old velocity
-    ends = []
-    n = 100 if order == 4 else 800
-    for frames in (n, 2 * n, 4 * n):
-        particle, apply_forces = swinging(damping)
-        for _ in range(frames):
-            step([particle], apply_forces, 1.0 / frames)
-        ends.append(state(particle))
-    first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
-    assert first > 1e-9  # far above rounding
-    # The next term of the error is smaller by a factor h and changes the order by some hundredths.
-    assert math.log2(first / second) == pytest.approx(order, abs=0.1)
-
-
 @pytest.mark.parametrize("step", STEPS)
 def test_a_particle_s_own_damping_makes_every_order_1(step: Integrator) -> None:
     ends = []
@@ -86,9 +63,6 @@ def test_a_particle_s_own_damping_makes_every_order_1(step: Integrator) -> None:
         ends.append(state(particle))
     first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
     assert math.log2(first / second) == pytest.approx(1.0, abs=0.1)
-
-
-# Symplectic or not
 
 
 @pytest.mark.parametrize("step", STEPS)
@@ -161,9 +135,6 @@ def test_ten_orbits_end_with_the_known_energy(
         step([particle], registry.update_forces, 0.005)
     ended = particle.kinetic_energy() - 1.0 / particle.position.magnitude()
     assert ended == pytest.approx(energy, abs=digit)
-
-
-# Implicit steps
 
 
 @pytest.mark.parametrize("step", STEPS)

@@ -1,4 +1,4 @@
-"""Cables, rods and limits against geometry and pendulums; chains, and direct solves."""
+"""Pendulums on rods and cables against elliptic integrals, and chains by a direct solve."""
 
 from __future__ import annotations
 
@@ -11,19 +11,15 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
-from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.going_further.direct_chain import DirectChain
-from ch07_constraints.links import AnchoredCable, AnchoredRod, Rod, TwoSidedRod
-from studies.models.heap_resolver import HeapResolver
+from ch07_constraints.links import AnchoredCable, AnchoredRod
 
 GRAVITY = Vector3(0.0, -10.0, 0.0)
 
 
 def no_forces(_: float) -> None:
     """Add no forces. Gravity is each particle's own acceleration."""
-
-
-# Pendulums
 
 
 def swing(kind: type[AnchoredRod] | type[AnchoredCable], degrees: float, rate: int) -> float:
@@ -64,66 +60,11 @@ def test_a_pendulum_s_period_is_that_of_the_elliptic_integral(
     assert 2.0 * errors[2] - errors[1] == pytest.approx(0.0, abs=0.03 * off)
 
 
-# Chains
-
-
-def straight(
-    n: int, degrees: float, length: float = 1.0, mass: float = 1.0
-) -> tuple[list[Particle], Vector3]:
-    angle = math.radians(degrees)
-    way = Vector3(math.sin(angle), -math.cos(angle)) * length
-    return [Particle(way * (i + 1), acceleration=GRAVITY, mass=mass) for i in range(n)], way
-
-
-def held(
-    kind: type[Rod], n: int, rate: int, iterations: int | None = None, degrees: float = 0.0
-) -> float:
-    """Return the largest error in 5 s of a link of 1 m in a chain."""
-    bodies, _ = straight(n, degrees)
-    ends = pairwise([Particle(mass=math.inf), *bodies])
-    links, worst = [kind(a, b, 1.0) for a, b in ends], 0.0
-    resolver = HeapResolver(iterations)
-    for _ in range(5 * rate):
-        semi_implicit_euler(bodies, no_forces, 1.0 / rate)
-        contacts: list[Contact] = [contact for link in links for contact in link.contacts()]
-        resolver.resolve_contacts(contacts, 1.0 / rate)
-        lengths = [(link.a.position - link.b.position).magnitude() for link in links]
-        worst = max(worst, *(abs(length - 1.0) for length in lengths))
-    return worst
-
-
-def test_book_rods_hold_a_hanging_chain_of_three_links_and_not_of_ten() -> None:
-    """At 60 Hz, 2.8 cm and 61 cm of a link of 1 m were measured."""
-    assert held(Rod, 3, 60) == pytest.approx(0.0277, rel=0.05)
-    assert held(Rod, 10, 60) == pytest.approx(0.606, rel=0.05)
-
-
-@pytest.mark.parametrize("n", [3, 10])
-@pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0])
-def test_rods_with_two_sides_hold_better(n: int, degrees: float) -> None:
-    """At least three times better was measured, hanging or released at an angle."""
-    two = held(TwoSidedRod, n, 60, None, degrees)
-    assert two < held(Rod, n, 60, None, degrees) / 3.0
-    assert two < 0.2
-
-
-def test_ten_frames_for_one_hold_book_rods_where_iterations_alone_do_not() -> None:
-    """Measured: 61 cm with 20 iterations, 7.7 cm with 1000, and 7 mm with 20 in ten substeps.
-
-    For two-sided rods 1000 iterations are enough: 0.06 mm.
-    """
-    alone = held(Rod, 10, 60, 1000)
-    assert alone > 0.05
-    assert held(Rod, 10, 600) < 0.01
-    assert held(TwoSidedRod, 10, 60, 1000) < 1e-4
-
-
-# Chains by a direct solve
-
-
 def let_go(n: int, degrees: float, rate: int, time: float, length: float) -> tuple[Vector3, float]:
     """Return the tip of a released chain after a time, and the largest stretch until then."""
-    bodies, _ = straight(n, degrees, length)
+    angle = math.radians(degrees)
+    way = Vector3(math.sin(angle), -math.cos(angle)) * length
+    bodies = [Particle(way * (i + 1), acceleration=GRAVITY) for i in range(n)]
     chain, worst = DirectChain(bodies, Vector3()), 0.0
     for _ in range(round(time * rate)):
         chain.step(1.0 / rate)

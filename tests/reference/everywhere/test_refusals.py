@@ -124,6 +124,7 @@ VALID: dict[str, Callable[[], Any]] = {
     "[float]": lambda: [1.0, 2.0],
     "[Sequence[float]]": lambda: [[0.5]],
     "[Stone]": lambda: [("A", 1.0, 1.0, 1.0)],
+    "target": lambda: Vector3(4.0),
     "normal": lambda: Vector3(0.0, 1.0),
     "max_length": lambda: 1.0,
     "max_age": lambda: 1.0,

@@ -47,12 +47,6 @@ def test_the_factors_are_right_next_to_a_damping_of_1(sign: float, exponent: int
         expect_factors(1.0 + sign * 10.0**-exponent, time)
 
 
-@pytest.mark.parametrize("side", [0.499999, 0.5, 0.500001])
-def test_both_forms_meet_where_one_gives_way_to_the_other(side: float) -> None:
-    expect_factors(math.exp(-side), 1.0)
-    expect_factors(math.exp(side), 1.0)
-
-
 @pytest.mark.parametrize("flight", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=str)
 def test_a_flight_s_exact_path_is_found(flight: Flight) -> None:
     start = flight.particle(Particle)

@@ -12,7 +12,6 @@ import math
 import pickle
 import re
 from collections.abc import Callable, Iterator, Sequence
-from itertools import chain
 from typing import Any
 
 import pytest
@@ -36,11 +35,9 @@ from ch09_rotations.matrix import Matrix3, Matrix4
 from ch09_rotations.quaternion import Quaternion
 from studies.models.angle_chain import AngleChain
 
-NAN, INF, HUGE = math.nan, math.inf, 10**400  # no float is as large as the last one
+NAN, INF = math.nan, math.inf
 FRAME = 1.0 / 60.0
-FILES = chain(
-    (ROOT / "solutions").glob("ch0[3-9]*/*.py"), (ROOT / "chapters").glob("ch0[3-9]*/**/*.py")
-)
+FILES = [*ROOT.glob("solutions/ch0[3-9]*/*.py"), *ROOT.glob("chapters/ch0[3-9]*/**/*.py")]
 MODULES = {".".join(path.relative_to(ROOT).with_suffix("").parts[1:]) for path in FILES}
 MODELS = "angle_chain angle_rope direct_net exact_frames heap_resolver rod_tensions smooth_net"
 
@@ -124,12 +121,12 @@ VALID: dict[str, Callable[[], Any]] = {
     "[float]": lambda: [1.0, 2.0],
     "[Sequence[float]]": lambda: [[0.5]],
     "[Stone]": lambda: [("A", 1.0, 1.0, 1.0)],
-    "target": lambda: Vector3(4.0),
-    "normal": lambda: Vector3(0.0, 1.0),
-    "max_length": lambda: 1.0,
-    "max_age": lambda: 1.0,
-    "max_impacts": lambda: 100,
-    "when_full": lambda: "keep_old",
+    "target: Vector3": lambda: Vector3(4.0),
+    "normal: Vector3": lambda: Vector3(0.0, 1.0),
+    "max_length: float": lambda: 1.0,
+    "max_age: float": lambda: 1.0,
+    "max_impacts: int": lambda: 100,
+    "when_full: str": lambda: "keep_old",
 }
 VALID["ContactGenerator"] = VALID["Detector"]
 
@@ -137,7 +134,7 @@ VALID["ContactGenerator"] = VALID["Detector"]
 def valid(parameter: inspect.Parameter) -> Any:
     kind = str(parameter.annotation).removesuffix(" | None")
     kind = re.sub(r"^(?:Sequence|Iterable|list)(?=\[)", "", kind)
-    for name in (parameter.name, kind):
+    for name in (f"{parameter.name}: {kind}", kind):
         if name in VALID:
             return VALID[name]()
     return parameter.default

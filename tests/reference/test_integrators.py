@@ -44,19 +44,6 @@ def state(particle: Particle) -> Any:
 
 
 @pytest.mark.parametrize("step", STEPS)
-def test_a_particle_s_own_damping_makes_every_order_1(step: Integrator) -> None:
-    ends = []
-    for frames in (800, 1600, 3200):
-        particle, apply_forces = swinging()
-        particle.damping = 0.3
-        for _ in range(frames):
-            step([particle], apply_forces, 1.0 / frames)
-        ends.append(state(particle))
-    first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
-    assert math.log2(first / second) == pytest.approx(1.0, abs=0.1)
-
-
-@pytest.mark.parametrize("step", STEPS)
 def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator) -> None:
     """J' W J = W, which implies a determinant of 1: areas in the space of states are conserved."""
     columns = []

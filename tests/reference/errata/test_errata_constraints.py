@@ -1,8 +1,4 @@
-"""The errata of chapter 7: the printed form fails, and the correct form next to it does not.
-
-The name of each test starts with the number of its entry in errata.md. The page says which entries
-are certain, and which are only advice because a mark may be missing in our scan.
-"""
+"""The errata of chapter 7: the printed form fails, and the correct form next to it does not."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """The reference refuses bad numbers and vectors everywhere, by name, and then nothing has changed.
 
 Only one exercise of each chapter checks that students refuse bad arguments. These tests read the
-signatures of all public functions, constructors and methods, so new ones are tested too.
+signatures of all public functions, constructors and methods, so new ones are tested too. If a new
+one doesn't check its arguments, list it in UNCHECKED.
 """
 
 from __future__ import annotations

@@ -58,6 +58,9 @@ def rule(**values: Any) -> FireworkRule:
     return FireworkRule(1, **(right | {"max_velocity": (1.0, 1.0, 1.0)} | values))
 
 
+SHOW = FireworksShow([rule()], 5, 1)
+
+
 def masses(*values: float) -> list[Particle]:
     """Return particles along X, the last of which is immovable if its mass is infinite."""
     return [Particle(Vector3(float(i)), mass=mass) for i, mass in enumerate(values, 1)]
@@ -111,11 +114,7 @@ WRONG_VALUES: dict[str, list[Row]] = {
         ("capacity", 0, lambda x: FireworksShow([rule()], x, 1)),
         ("payload", 7, lambda x: FireworksShow([rule(payloads=(Payload(x, 1),))], 5, 1)),
         ("when_full", "wait", lambda x: FireworksShow([rule()], 5, 1, x)),
-        (
-            "spark_type",
-            2,
-            lambda x: CatherineWheel(FireworksShow([rule()], 5, 1), x, UP, 1.0, 3.0, 9.0),
-        ),
+        ("spark_type", 2, lambda x: CatherineWheel(SHOW, x, UP, 1.0, 3.0, 9.0)),
         ("size", 0.0, lambda x: TargetBlock(Vector3(), (1.0, x, 1.0), mass=1.0)),
     ],
     "ch06_springs": [

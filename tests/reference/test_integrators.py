@@ -1,4 +1,4 @@
-"""The integrators: their orders, conservation by symplectic steps, and known losses of others."""
+"""The integrators: conservation by symplectic steps, and known losses of others."""
 
 from __future__ import annotations
 
@@ -24,71 +24,23 @@ from ch06_springs.springs import AnchoredSpring
 
 FRAME = 1.0 / 60.0
 STEPS = [explicit_euler, semi_implicit_euler, leapfrog, velocity_verlet, runge_kutta_4]
-ORDERS = list(zip(STEPS, (1, 1, 2, 2, 4), strict=True))
 SYMPLECTIC = (semi_implicit_euler, leapfrog, velocity_verlet)
 
 
-def swinging(damping: float = 0.0) -> tuple[Particle, ApplyForces]:
+def swinging() -> tuple[Particle, ApplyForces]:
     """Return 2 kg that swing in the plane on a spring of 1 m, which is not linear."""
     particle = Particle(Vector3(1.4, 0.2), Vector3(-0.5, 2.0), Vector3(0.0, -3.0), mass=2.0)
     registry = ForceRegistry()
-    registry.add(particle, AnchoredSpring(Vector3(), 30.0, 1.0, damping))
+    registry.add(particle, AnchoredSpring(Vector3(), 30.0, 1.0))
     return particle, registry.update_forces
 
 
-def plain_spring(particle: Particle, k: float, length: float) -> ApplyForces:
-    """Return the force of an anchored spring in plain floats, fast enough for 100,000 steps."""
-
-    def apply_forces(_: float) -> None:
-        p = particle.position
-        distance = math.hypot(p.x, p.y)
-        pull = k * (length / distance - 1.0)
-        particle.add_force(Vector3(pull * p.x, pull * p.y))
-
-    return apply_forces
+START = 4.25 + 15.0 * (math.sqrt(2.0) - 1.0) ** 2 + 1.2  # J, of this particle
 
 
 def state(particle: Particle) -> Any:
     p, v = particle.position, particle.velocity
     return numpy.array([p.x, p.y, v.x, v.y])
-
-
-# Orders
-
-
-@pytest.mark.parametrize("damping", [0.0, 4.0])
-@pytest.mark.parametrize(("step", "order"), ORDERS)
-def test_halved_frames_show_the_order(step: Integrator, order: int, damping: float) -> None:
-    """Differences between the states after 1 s in steps h, h / 2 and h / 4 have ratio 2^order."""
-    if step is leapfrog and damping:
-        order = 1  # it evaluates velocity-dependent forces with the old velocity
-    ends = []
-    n = 100 if order == 4 else 800
-    for frames in (n, 2 * n, 4 * n):
-        particle, apply_forces = swinging(damping)
-        for _ in range(frames):
-            step([particle], apply_forces, 1.0 / frames)
-        ends.append(state(particle))
-    first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
-    assert first > 1e-9  # far above rounding
-    # The next term of the error is smaller by a factor h and changes the order by some hundredths.
-    assert math.log2(first / second) == pytest.approx(order, abs=0.1)
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_a_particle_s_own_damping_makes_every_order_1(step: Integrator) -> None:
-    ends = []
-    for frames in (800, 1600, 3200):
-        particle, apply_forces = swinging()
-        particle.damping = 0.3
-        for _ in range(frames):
-            step([particle], apply_forces, 1.0 / frames)
-        ends.append(state(particle))
-    first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
-    assert math.log2(first / second) == pytest.approx(1.0, abs=0.1)
-
-
-# Symplectic or not
 
 
 @pytest.mark.parametrize("step", STEPS)
@@ -116,29 +68,23 @@ def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator
         assert min(off, volume) > 1e-3
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("step", "swing"), [(semi_implicit_euler, 0.25), (leapfrog, 0.02), (velocity_verlet, 0.02)]
 )
-def test_symplectic_steps_keep_the_energy_within_bounds_for_100_000_steps(
+def test_symplectic_steps_keep_the_energy_within_bounds_for_20_000_steps(
     step: Integrator, swing: float
 ) -> None:
-    particle = Particle(Vector3(1.4, 0.2), Vector3(-0.5, 2.0), mass=2.0)
-    apply_forces = plain_spring(particle, 30.0, 1.0)
-
-    def energy() -> float:
-        p = particle.position
-        return particle.kinetic_energy() + 15.0 * (math.hypot(p.x, p.y) - 1.0) ** 2
-
-    start, shares = energy(), []
-    for _ in range(100_000):
+    particle, apply_forces = swinging()
+    shares = []
+    for _ in range(20_000):
         step([particle], apply_forces, 0.04)
-        shares.append(energy() / start)
+        p = particle.position
+        energy = particle.kinetic_energy() + 15.0 * (p.magnitude() - 1.0) ** 2 + 6.0 * p.y
+        shares.append(energy / START)
     # w h is 0.15. The energy oscillates by about w h (or its square over 4).
     assert max(abs(share - 1.0) for share in shares) < swing
-    early, late = sum(shares[:10_000]) / 10_000, sum(shares[-10_000:]) / 10_000
-    # The mean of 10,000 values does not drift, to a tenth of the oscillation.
-    assert late == pytest.approx(early, abs=swing / 10.0)
+    # The mean of 2,000 values does not drift, to a tenth of the oscillation.
+    assert sum(shares[-2000:]) == pytest.approx(sum(shares[:2000]), rel=swing / 10.0)
 
 
 @pytest.mark.parametrize(
@@ -161,9 +107,6 @@ def test_ten_orbits_end_with_the_known_energy(
         step([particle], registry.update_forces, 0.005)
     ended = particle.kinetic_energy() - 1.0 / particle.position.magnitude()
     assert ended == pytest.approx(energy, abs=digit)
-
-
-# Implicit steps
 
 
 @pytest.mark.parametrize("step", STEPS)

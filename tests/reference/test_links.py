@@ -1,9 +1,8 @@
-"""Cables, rods and limits against geometry and pendulums; chains, and direct solves."""
+"""Pendulums on rods against elliptic integrals, and chains by a direct solve."""
 
 from __future__ import annotations
 
 import math
-import random
 from itertools import pairwise
 
 import pytest
@@ -11,10 +10,9 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
-from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.going_further.direct_chain import DirectChain
-from ch07_constraints.links import AnchoredCable, AnchoredRod, Rod, TwoSidedRod
-from studies.models.heap_resolver import HeapResolver
+from ch07_constraints.links import AnchoredRod
 
 GRAVITY = Vector3(0.0, -10.0, 0.0)
 
@@ -23,10 +21,7 @@ def no_forces(_: float) -> None:
     """Add no forces. Gravity is each particle's own acceleration."""
 
 
-# Pendulums
-
-
-def swing(kind: type[AnchoredRod] | type[AnchoredCable], degrees: float, rate: int) -> float:
+def swing(degrees: float, rate: int) -> float:
     """Return the time of a 1 m pendulum from its first to its third passage through the bottom.
 
     It starts at the bottom with the speed that takes it to this angle.
@@ -34,11 +29,11 @@ def swing(kind: type[AnchoredRod] | type[AnchoredCable], degrees: float, rate: i
     h, angle = 1.0 / rate, math.radians(degrees)
     speed = math.sqrt(20.0 * (1.0 - math.cos(angle)))
     bob = Particle(Vector3(0.0, -1.0), Vector3(speed), GRAVITY)
-    link, resolver = kind(bob, Vector3(), 1.0), ContactResolver()
+    rod, resolver = AnchoredRod(bob, Vector3(), 1.0), ContactResolver()
     crossings, time, before = 0, 0.0, 0.0
     while crossings < 2:
         semi_implicit_euler([bob], no_forces, h)
-        resolver.resolve_contacts(link.contacts(), h)
+        resolver.resolve_contacts(rod.contacts(), h)
         time, x = time + h, bob.position.x
         if before and (x < 0.0) != (before < 0.0):
             crossings += 1
@@ -47,15 +42,14 @@ def swing(kind: type[AnchoredRod] | type[AnchoredCable], degrees: float, rate: i
     return time - late
 
 
-@pytest.mark.parametrize("kind", [AnchoredRod, AnchoredCable])
 @pytest.mark.parametrize(
     ("degrees", "period", "off"), [(10.0, 1.99070708, 2e-4), (90.0, 2.34523957, 0.02)]
 )
 def test_a_pendulum_s_period_is_that_of_the_elliptic_integral(
-    kind: type[AnchoredRod], degrees: float, period: float, off: float
+    degrees: float, period: float, off: float
 ) -> None:
     """The period is 4 sqrt(L / g) K(sin^2(angle / 2)) with L 1 and g 10. The error has order 1."""
-    errors = [swing(kind, degrees, rate) - period for rate in (960, 1920, 3840)]
+    errors = [swing(degrees, rate) - period for rate in (960, 1920, 3840)]
     assert max(map(abs, errors)) < off
     # The impulse along the rod removes a fraction w h of the energy, so it swings less and faster.
     assert all(error < 0.0 for error in errors)
@@ -64,66 +58,11 @@ def test_a_pendulum_s_period_is_that_of_the_elliptic_integral(
     assert 2.0 * errors[2] - errors[1] == pytest.approx(0.0, abs=0.03 * off)
 
 
-# Chains
-
-
-def straight(
-    n: int, degrees: float, length: float = 1.0, mass: float = 1.0
-) -> tuple[list[Particle], Vector3]:
-    angle = math.radians(degrees)
-    way = Vector3(math.sin(angle), -math.cos(angle)) * length
-    return [Particle(way * (i + 1), acceleration=GRAVITY, mass=mass) for i in range(n)], way
-
-
-def held(
-    kind: type[Rod], n: int, rate: int, iterations: int | None = None, degrees: float = 0.0
-) -> float:
-    """Return the largest error in 5 s of a link of 1 m in a chain."""
-    bodies, _ = straight(n, degrees)
-    ends = pairwise([Particle(mass=math.inf), *bodies])
-    links, worst = [kind(a, b, 1.0) for a, b in ends], 0.0
-    resolver = HeapResolver(iterations)
-    for _ in range(5 * rate):
-        semi_implicit_euler(bodies, no_forces, 1.0 / rate)
-        contacts: list[Contact] = [contact for link in links for contact in link.contacts()]
-        resolver.resolve_contacts(contacts, 1.0 / rate)
-        lengths = [(link.a.position - link.b.position).magnitude() for link in links]
-        worst = max(worst, *(abs(length - 1.0) for length in lengths))
-    return worst
-
-
-def test_book_rods_hold_a_hanging_chain_of_three_links_and_not_of_ten() -> None:
-    """At 60 Hz, 2.8 cm and 61 cm of a link of 1 m were measured."""
-    assert held(Rod, 3, 60) == pytest.approx(0.0277, rel=0.05)
-    assert held(Rod, 10, 60) == pytest.approx(0.606, rel=0.05)
-
-
-@pytest.mark.parametrize("n", [3, 10])
-@pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0])
-def test_rods_with_two_sides_hold_better(n: int, degrees: float) -> None:
-    """At least three times better was measured, hanging or released at an angle."""
-    two = held(TwoSidedRod, n, 60, None, degrees)
-    assert two < held(Rod, n, 60, None, degrees) / 3.0
-    assert two < 0.2
-
-
-def test_ten_frames_for_one_hold_book_rods_where_iterations_alone_do_not() -> None:
-    """Measured: 61 cm with 20 iterations, 7.7 cm with 1000, and 7 mm with 20 in ten substeps.
-
-    For two-sided rods 1000 iterations are enough: 0.06 mm.
-    """
-    alone = held(Rod, 10, 60, 1000)
-    assert alone > 0.05
-    assert held(Rod, 10, 600) < 0.01
-    assert held(TwoSidedRod, 10, 60, 1000) < 1e-4
-
-
-# Chains by a direct solve
-
-
 def let_go(n: int, degrees: float, rate: int, time: float, length: float) -> tuple[Vector3, float]:
     """Return the tip of a released chain after a time, and the largest stretch until then."""
-    bodies, _ = straight(n, degrees, length)
+    angle = math.radians(degrees)
+    way = Vector3(math.sin(angle), -math.cos(angle)) * length
+    bodies = [Particle(way * (i + 1), acceleration=GRAVITY) for i in range(n)]
     chain, worst = DirectChain(bodies, Vector3()), 0.0
     for _ in range(round(time * rate)):
         chain.step(1.0 / rate)
@@ -172,18 +111,3 @@ def test_a_chain_from_horizontal_blows_up_in_long_frames_and_not_in_short_ones()
         let_go(30, 90.0, 60, 3.0, 0.1)
     _, stretch = let_go(30, 90.0, 240, 1.0, 0.1)
     assert stretch < 1e-2
-
-
-def test_a_direct_chain_s_pulls_are_what_hangs_below_each_rod() -> None:
-    """At rest, straight down, a pull is m g times the particles below, also with forces by hand."""
-    draw = random.Random(73)
-    masses = [draw.uniform(0.5, 2.0) for _ in range(8)]
-    bodies = [Particle(Vector3(0.0, -(i + 1.0)), mass=m) for i, m in enumerate(masses)]
-    chain = DirectChain(bodies, Vector3())
-    for _ in range(50):
-        for body in bodies:
-            body.add_force(GRAVITY * body.mass)
-        chain.step(1.0 / 60.0)
-    wanted = [10.0 * math.fsum(masses[i:]) for i in range(8)]
-    # Roundings of 8 m over h^2 for 2 kg, 1e-15 * 3600 * 10, and a few of the solve.
-    assert chain.tensions == pytest.approx(wanted, abs=1e-9)

@@ -23,24 +23,17 @@ from ch07_constraints.time_division import time_division_step
 FRAME = 1.0 / 60.0
 
 
-def disc(space: pymunk.Space, m: float, x: float, y: float, v: float, c: float) -> pymunk.Body:
-    body = pymunk.Body(m, math.inf)
-    body.position, body.velocity = (x, y), (v, 0.0)
-    shape = pymunk.Circle(body, 0.5)
-    shape.elasticity = c
-    space.add(body, shape)
-    return body
-
-
 def bounces(c: float, rate: int, time: float, how: str) -> float:
     """Return the largest height in the last third of a 0.5 m ball dropped from 2 m, with g = 10."""
     h, top, n = 1.0 / rate, 0.0, round(time * rate)
     space = pymunk.Space()
     space.gravity = (0.0, -10.0)
-    theirs = disc(space, 1.0, 0.0, 2.5, 0.0, c)
+    theirs = pymunk.Body(1.0, math.inf)
+    theirs.position = (0.0, 2.5)
+    shape = pymunk.Circle(theirs, 0.5)
     ground = pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0)
-    ground.elasticity = 1.0
-    space.add(ground)
+    shape.elasticity, ground.elasticity = c, 1.0
+    space.add(theirs, shape, ground)
     ours = Particle(Vector3(0.0, 2.5), acceleration=Vector3(0.0, -10.0))
     plane, resolver = GroundPlane([ours], 0.0, 0.5, c), ContactResolver()
     for i in range(n):

@@ -1,8 +1,9 @@
-"""The closed form compared with decimals of 80 digits and with the exact paths of flights."""
+"""Closed forms of flights against decimals of 80 digits, and a shell against known figures."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from decimal import Decimal, localcontext
 
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange
 from ch04_particle_engine.closed_form import drag_factors, state_after
 from scenes.flight import DAMPED_FALL, FREE_FALL, PROJECTILE, Flight
 
@@ -47,12 +49,6 @@ def test_the_factors_are_right_next_to_a_damping_of_1(sign: float, exponent: int
         expect_factors(1.0 + sign * 10.0**-exponent, time)
 
 
-@pytest.mark.parametrize("side", [0.499999, 0.5, 0.500001])
-def test_both_forms_meet_where_one_gives_way_to_the_other(side: float) -> None:
-    expect_factors(math.exp(-side), 1.0)
-    expect_factors(math.exp(side), 1.0)
-
-
 @pytest.mark.parametrize("flight", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=str)
 def test_a_flight_s_exact_path_is_found(flight: Flight) -> None:
     start = flight.particle(Particle)
@@ -74,3 +70,29 @@ def test_what_fits_in_no_float_is_refused_and_no_nan() -> None:
     kept, gone, fallen = drag_factors(0.5, 1e300)
     assert (kept, gone) == (0.0, pytest.approx(1.0 / math.log(2.0), rel=1e-15))
     assert fallen == pytest.approx(1e300 / math.log(2.0), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("damping", "time", "reach"), [(1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)]
+)
+def test_flight_time_and_range_reach_the_known_figures(
+    monkeypatch: pytest.MonkeyPatch, damping: float, time: float, reach: float
+) -> None:
+    shell = replace(SHOT_TYPES["artillery"], damping=damping)
+    monkeypatch.setitem(SHOT_TYPES, "artillery", shell)
+    landings = []
+    for h in (1.0 / 1000.0, 1.0 / 2000.0):
+        at = BallisticRange()
+        at.fire("artillery")
+        p = at.shots[0].particle
+        now = 0.0
+        while at.shots:
+            before = (now, p.position.y, p.position.z)
+            at.update(h)
+            now += h
+        share = before[1] / (before[1] - p.position.y)
+        landings.append((before[0] + share * h, before[2] + share * (p.position.z - before[2])))
+    coarse, fine = landings
+    # With order 1, twice the finer result minus the coarser one has an error of h^2: 1e-6 of 120.
+    assert 2.0 * fine[0] - coarse[0] == pytest.approx(time, abs=2e-6)
+    assert 2.0 * fine[1] - coarse[1] == pytest.approx(reach, abs=1e-4)

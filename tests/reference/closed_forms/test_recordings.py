@@ -8,7 +8,6 @@ from collections.abc import Callable
 import pytest
 
 from ch02_vectors import recordings
-from ch02_vectors.calculus import add_up_accelerations, difference_quotients
 from ch02_vectors.vector import Vector3
 
 G = 9.81
@@ -71,12 +70,3 @@ def test_the_formulas_solve_the_equations_of_motion(
         # Second differences of numbers up to 2 have rounding errors of about 2e-16 * 4 / h^2 =
         # 8e-8, and the truncation errors are a h^2 / 12 of the fourth derivative, below 1e-4.
         assert abs(mass * a - force) < 1e-5
-
-
-def test_the_two_functions_undo_each_other() -> None:
-    times, positions = recordings.thrown_ball()
-    middles, velocities = difference_quotients(times, positions)
-    _, accelerations = difference_quotients(middles, velocities)
-    _, again = add_up_accelerations(middles, accelerations, positions[0], velocities[0])
-    for one, other in zip(again, velocities, strict=True):
-        assert (one - other).magnitude() < 1e-12

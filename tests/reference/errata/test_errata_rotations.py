@@ -1,7 +1,4 @@
-"""The errata of chapter 9: the printed form fails, and the correct form next to it does not.
-
-The name of each test contains the number of its entry in errata.md.
-"""
+"""The errata of chapter 9: the printed form fails, and the correct form next to it does not."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The errata about springs and time steps: what the book says, and what its step really does.
 
-The name of each test starts with the number of its entry in errata.md. One step of a spring is
-linear, so a matrix describes it. Its eigenvalues say how an oscillation grows and how fast it is.
+One step of a spring is linear, so a matrix describes it. Its eigenvalues say how an oscillation
+grows and how fast it is.
 """
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ class SourceResolver:
 
     def resolve(self, array: list[Contact], worst: int, duration: float) -> None:
         contact = array[worst]
-        a, b, depth = contact.particle, contact.other, contact.penetration
+        depth = contact.penetration
         contact.resolve_velocity(duration)
         moves = contact.resolve_penetration()
         contact.penetration = depth  # the loop below subtracts the move from this depth as well
@@ -62,14 +62,11 @@ class SourceResolver:
             moves = self.moves.get(worst, moves)
         self.moves[worst] = moves
         for other in array:
-            if other.particle is a:
-                other.penetration -= moves[0].dot(other.normal)
-            elif other.particle is b:
-                other.penetration -= moves[1].dot(other.normal)
-            if other.other is a:
-                other.penetration += moves[0].dot(other.normal)
-            elif other.other is b and b is not None:
-                other.penetration += moves[1].dot(other.normal)
+            for particle, move in zip((contact.particle, contact.other), moves, strict=True):
+                if other.particle is particle:
+                    other.penetration -= move.dot(other.normal)
+                elif particle is not None and other.other is particle:
+                    other.penetration += move.dot(other.normal)
 
 
 @pytest.mark.parametrize("scene", ["platform", "bridge"])

@@ -7,8 +7,6 @@ import random
 import sys
 from types import FrameType
 
-from scipy.integrate import quad, solve_ivp
-
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine.scaling import muzzle_energy, slowed_mass
 from ch05_forces.forces import Drag, ForceRegistry, Gravity
@@ -52,9 +50,10 @@ def parallel_products() -> list[str]:
 
 @claim("holds if", "p + v t + a t²/2 gives the position after any time t")
 def constant_acceleration() -> list[str]:
-    path, _ = quad(lambda t: 30.0 - G * t, 0.0, 5.0)
     thrown = 30.0 * 5.0 - G * 5.0**2 / 2.0
-    assert math.isclose(path, thrown, rel_tol=1e-13)
+    assert math.isclose(
+        thrown, (30.0 + 30.0 - G * 5.0) / 2.0 * 5.0
+    )  # the mean speed times the time
     exact, swung = math.cos(math.pi), 1.0 - (2.0 * math.pi * 0.5) ** 2 / 2.0
     assert abs(swung - exact) > 2.0
     return [f"at {thrown:.2f} m if", f"be at {exact:.0f} m. The formula puts it at {swung:.2f} m"]
@@ -184,21 +183,13 @@ def built_in_gravity() -> list[str]:
 @claim("holds if", "The damping of the particle can stand in for drag")
 def damping_for_drag() -> list[str]:
     wrong = []
-    for k1, k2 in ((0.2, 0.0), (0.0, 0.02)):
-        speeds = solve_ivp(
-            lambda _, v, k1=k1, k2=k2: -k1 * v - k2 * v * v,
-            (0.0, 10.0),
-            [20.0],
-            t_eval=[1.0, 10.0],
-            rtol=1e-10,
-            atol=1e-12,
-        ).y[0]
-        wrong.append(20.0 * (speeds[0] / 20.0) ** 10 / speeds[1] - 1.0)
-        body, registry = Particle(velocity=Vector3(20.0)), ForceRegistry()
-        registry.add(body, Drag(k1, k2))
+    for drag in (Drag(0.2, 0.0), Drag(0.0, 0.02)):
+        body, registry, speeds = Particle(velocity=Vector3(20.0)), ForceRegistry(), [20.0]
+        registry.add(body, drag)
         for _ in range(10_000):
             semi_implicit_euler([body], registry.update_forces, 1e-3)
-        assert math.isclose(body.velocity.x, speeds[1], rel_tol=1e-3)  # a step of 1 ms, order 1
+            speeds.append(body.velocity.x)
+        wrong.append(20.0 * (speeds[1000] / 20.0) ** 10 / speeds[-1] - 1.0)
     assert abs(wrong[0]) < 1e-6
     assert wrong[1] < -0.5
     return [f"too slow by {-100.0 * wrong[1]:.0f} % after"]

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Callable
-from itertools import pairwise
 from typing import Any
 
-import numpy
 import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.going_further.direct_chain import DirectChain
-from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits
 from plots.drawing import slope
 from scenes.links import Strut
 from studies.accuracy.catalog import scenes_with
@@ -28,55 +24,9 @@ KINDS = [DirectNet, SmoothNet]
 Make = Callable[[list[Any]], Any]
 
 
-def test_elimination_solves_what_numpy_solves() -> None:
-    draw, count = random.Random(36), 40
-    pairs = [(draw.randrange(count), draw.randrange(count)) for _ in range(2 * count)]
-    matrix = numpy.diag([10.0] * count)
-    for i, j in pairs:
-        if i != j:
-            matrix[i, j] = matrix[j, i] = draw.uniform(-1.0, 1.0)
-    equations = Elimination(count, pairs)
-    values = [0.0] * equations.size
-    for i, j in [*pairs, *((i, i) for i in range(count))]:
-        values[equations.slot_of(i, j)] = matrix[i, j]
-    right = [draw.random() for _ in range(count)]
-    equations.factor(values)
-    wanted = numpy.linalg.solve(matrix, right)
-    assert equations.solve(values, right) == pytest.approx(wanted, abs=1e-13)
-
-
 def test_elimination_refuses_a_singular_matrix() -> None:
     with pytest.raises(ArithmeticError, match="equation 0 has no unique solution"):
         Elimination(1, []).factor([0.0])
-
-
-def rope(count: int, end_mass: float) -> tuple[list[Particle], list[Any]]:
-    """Return particles askew below the origin, and rods between them."""
-    draw = random.Random(5)
-    bodies = []
-    for i in range(1, count + 1):
-        place = Vector3(0.3 * i, -0.4 * i, draw.uniform(-0.1, 0.1))
-        bodies.append(Particle(place, acceleration=DOWN, mass=draw.uniform(0.5, 2.0)))
-    bodies[-1].mass = end_mass
-    lengths = [(b.position - a.position).magnitude() for a, b in pairwise(bodies)]
-    rods: list[Any] = [AnchoredRod(bodies[0], Vector3(), bodies[0].position.magnitude())]
-    return bodies, rods + [
-        Rod(a, b, x) for (a, b), x in zip(pairwise(bodies), lengths, strict=True)
-    ]
-
-
-@pytest.mark.parametrize("end_mass", [1.0, math.inf])
-def test_a_chain_is_a_net_and_moves_as_a_direct_chain_does(end_mass: float) -> None:
-    ours, rods = rope(8, end_mass)
-    theirs, _ = rope(8, end_mass)
-    net, chain = DirectNet(rods), DirectChain(theirs, Vector3())
-    for _ in range(60):
-        net.step(H)
-        chain.step(H)
-    # One solve is right to the square of what a pull changes in a step; a net solves again.
-    for a, b in zip(ours, theirs, strict=True):
-        assert tuple(a.position) == pytest.approx(tuple(b.position), abs=1e-6)
-    assert net.tensions == pytest.approx(chain.tensions, abs=1e-2)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -158,10 +158,5 @@ def test_a_ball_at_rest_has_too_many_impacts() -> None:
         rewinding_step(leapfrog, [ball], no_forces, GroundPlane([ball]), 1.0, max_impacts=5)
     assert raised.value.impacts == 5
     assert raised.value.time < 1e-9
-
-
-def test_a_limit_below_1_changes_nothing() -> None:
-    ball = Particle(Vector3(0.0, 1.0), acceleration=Vector3(0.0, -G))
     with pytest.raises(ValueError, match="max_impacts"):
-        rewinding_step(runge_kutta_4, [ball], no_forces, GroundPlane([ball]), 1.0, max_impacts=0)
-    assert (ball.position, ball.velocity) == (Vector3(0.0, 1.0), Vector3())
+        rewinding_step(leapfrog, [ball], no_forces, GroundPlane([ball]), 1.0, max_impacts=0)

@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from ch02_vectors.vector import Vector3
-from ch05_forces.forces import Drag, ForceRegistry, Gravity
+from ch05_forces.forces import ForceRegistry, Gravity
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, leapfrog, runge_kutta_4, velocity_verlet
 from ch07_constraints.going_further.angle_pendulum import DoublePendulum
@@ -128,16 +128,6 @@ def test_tensions_let_an_integrator_step_rods_at_its_own_order(
         assert slope(counts, errors) == pytest.approx(-order, abs=0.15)
 
 
-def both(registry: ForceRegistry, rods: RodTensions) -> Callable[[float], None]:
-    """Return forces that the rods then balance."""
-
-    def apply_forces(duration: float) -> None:
-        registry.update_forces(duration)
-        rods.update_forces(duration)
-
-    return apply_forces
-
-
 def test_a_conical_pendulum_goes_round_in_its_circle() -> None:
     """In three dimensions, w^2 = g / (l cos a), and the tension is m g / cos a."""
     length, angle, mass = 2.0, 0.8, 3.0
@@ -151,27 +141,17 @@ def test_a_conical_pendulum_goes_round_in_its_circle() -> None:
     wanted = mass * turn * turn * radius
     assert [*bob.force_accumulator] == pytest.approx([-wanted, 0.0, 0.0], abs=1e-12 * wanted)
     bob.clear_forces()
+
+    def apply_forces(duration: float) -> None:
+        registry.update_forces(duration)
+        rods.update_forces(duration)
+
     for _ in range(1000):
-        runge_kutta_4([bob], both(registry, rods), 0.002)
+        runge_kutta_4([bob], apply_forces, 0.002)
     found = [bob.position.x, bob.position.y, bob.position.z]
     true = [radius * math.cos(2.0 * turn), place.y, radius * math.sin(2.0 * turn)]
     # w h is 0.005. Its fourth power, 8e-10, for each of 5 rad is more than enough.
     assert found == pytest.approx(true, abs=1e-9)
-
-
-def test_forces_on_a_chain_count() -> None:
-    """Drag k1 turns a small swing into a damped oscillator: a'' = -g a / l - k1 a' / m."""
-    length, k1, mass, amplitude = 1.0, 1.5, 2.0, 1e-5
-    (bob,) = particles_of(([length], [mass], [amplitude], [0.0]))
-    rods, registry = RodTensions([bob], Vector3()), ForceRegistry()
-    registry.add(bob, Drag(k1, 0.0))
-    for _ in range(1000):
-        runge_kutta_4([bob], both(registry, rods), 0.001)
-    fade = 0.5 * k1 / mass
-    swing = math.sqrt(G / length - fade**2)
-    wanted = math.exp(-fade) * (math.cos(swing) + fade / swing * math.sin(swing))
-    # The nonlinear part is a fraction of the amplitude squared.
-    assert bob.position.x == pytest.approx(amplitude * wanted, abs=1e-8 * amplitude)
 
 
 @pytest.mark.parametrize("speed", [0.0, 3.0])

@@ -14,7 +14,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.euler import euler_to_quaternion
 from ch09_rotations.matrix import Matrix3, Matrix4, change_basis
 from ch09_rotations.quaternion import Quaternion
 
@@ -117,10 +116,6 @@ COMPARED: dict[str, Callable[[], tuple[Any, Array]]] = {
         quaternions(THEIRS)
         + quaternions(Rotation.from_quat(numpy.pad(VECTORS, [(0, 0), (0, 1)])) * THEIRS)
         * numpy.linalg.norm(VECTORS, axis=1)[:, None],
-    ),
-    "euler_to_quaternion": lambda: (
-        unsigned(each(euler_to_quaternion, *ANGLES.T.tolist())),
-        Rotation.from_euler("xyz", ANGLES).as_matrix(),  # lower case: about axes of the world
     ),
     "inverse of a 3x3 matrix": lambda: (each(Matrix3.inverse, M3), numpy.linalg.inv(LINEAR)),
     "inverse of a 4x4 matrix": lambda: (each(Matrix4.inverse, M4), numpy.linalg.inv(FULL)),

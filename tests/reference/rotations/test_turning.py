@@ -1,4 +1,4 @@
-"""Orientations after many steps, and the rates of three angles."""
+"""Orientations after many steps."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from scipy.spatial.transform import Rotation
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import integrate_rotation
-from ch09_rotations.euler import rate_map
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
 
@@ -43,7 +42,7 @@ def test_a_hundred_thousand_steps_end_where_scipy_does() -> None:
     # Because of normalizing, the length is always within two roundings of 1. The matrix has about
     # five more in each entry.
     assert abs(orientation.magnitude() - 1.0) <= 4e-16
-    m = rows_of(Matrix3.from_quaternion(orientation))
+    m = numpy.array([*Matrix3.from_quaternion(orientation)]).reshape(3, 3)
     assert numpy.abs(m @ m.T - numpy.eye(3)).max() <= 3e-15
     # Eq. 9.5 multiplies the length by sqrt(1 + (w h / 2)^2) in every step.
     lengths = numpy.linalg.norm(spins, axis=1)
@@ -51,19 +50,3 @@ def test_a_hundred_thousand_steps_end_where_scipy_does() -> None:
     assert grown > 1e10
     # About four roundings per step, which may add up at most to their sum.
     assert by_eq_95.magnitude() == pytest.approx(grown, rel=STEPS * 2e-16)
-
-
-def rows_of(m: Matrix3) -> numpy.ndarray:
-    return numpy.array(tuple(m)).reshape(3, 3)
-
-
-@pytest.mark.parametrize("y", [0.0, 0.5, -1.2, 1.57, math.pi / 2, -math.pi / 2, 2.5])
-def test_the_rate_map_has_the_singular_values_of_its_angle(y: float) -> None:
-    sine = abs(math.sin(y))
-    wanted = sorted((math.sqrt(1.0 + sine), 1.0, math.sqrt(1.0 - sine)), reverse=True)
-    for x, z in numpy.random.default_rng(9).uniform(-3.0, 3.0, (100, 2)).tolist():
-        values = numpy.linalg.svd(rows_of(rate_map(x, y, z)), compute_uv=False)
-        # Roundings of 1. If 1 - sin y is almost 0, its root has half of the digits.
-        assert values[:2] == pytest.approx(wanted[:2], abs=2e-15)
-        assert values[2] ** 2 == pytest.approx(wanted[2] ** 2, abs=2e-15)
-        assert rate_map(x, y, z).determinant() == pytest.approx(math.cos(y), abs=1e-15)

@@ -1,8 +1,6 @@
-"""Friction and energy, a ball between planks, and the force of the keys."""
+"""Friction and energy, and the force of the keys."""
 
 from __future__ import annotations
-
-import math
 
 import pytest
 
@@ -10,7 +8,6 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.friction import FrictionContact, FrictionGround
 from ch08_mass_aggregate.keys import KeyForce
-from ch08_mass_aggregate.planks import Planks
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 
 FRAME = 1.0 / 60.0
@@ -39,21 +36,6 @@ def test_a_pile_with_friction_does_not_gain_energy() -> None:
         energy = now
     assert a.velocity.magnitude() < 0.2  # only the gravity of one step, g h = 0.16 m/s
     assert b.velocity.magnitude() < 0.2
-
-
-def test_a_ball_rests_between_two_planks() -> None:
-    ball = Particle(Vector3(1.0, 5.0), acceleration=Vector3(0.0, -G))
-    rows = [
-        (
-            Particle(Vector3(x, 4.0, -1.0), mass=math.inf),
-            Particle(Vector3(x, 4.0, 1.0), mass=math.inf),
-        )
-        for x in (0.0, 2.0)
-    ]
-    world = ParticleWorld([ball], [Planks(ball, 1.2, rows)])
-    for _ in range(90):
-        world.step(FRAME)
-    assert ball.position.y == pytest.approx(4.0 + math.sqrt(1.2**2 - 1.0), abs=5e-3)
 
 
 def test_keys_push_and_jump() -> None:

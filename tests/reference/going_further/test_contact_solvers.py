@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from itertools import pairwise
 from typing import Any
 
 import numpy
@@ -135,6 +136,18 @@ def test_a_pendulum_has_its_period(kind: Any) -> None:
         errors.append(abs(crossings[2] - crossings[0] - 2.34523957))
     assert errors[1] < 0.01 * 2.34523957
     assert errors[0] / errors[1] == pytest.approx(2.0, rel=0.1)  # order 1
+
+
+def test_a_rope_with_a_weight_comes_to_rest_at_its_length() -> None:
+    """The impulses are remembered, so four visits per step end at the weight below each rod."""
+    joints = [Particle(Vector3(0.0, -0.1 * i), acceleration=DOWN) for i in range(6)]
+    joints[0].mass, joints[-1].mass = math.inf, 3.0
+    solver = SequentialImpulses(joints, [TwoSidedRod(a, b, 0.1) for a, b in pairwise(joints)])
+    for _ in range(600):
+        solver.step(H)
+    assert joints[-1].position.y == pytest.approx(-0.5, abs=1e-6)
+    pulls = [impulse.magnitude() / (10.0 * H) for impulse in solver.impulses.values()]
+    assert pulls == pytest.approx([7.0, 6.0, 5.0, 4.0, 3.0], rel=1e-6)
 
 
 def test_a_row_of_balls_bounces_as_one_block() -> None:

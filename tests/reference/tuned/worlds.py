@@ -164,7 +164,7 @@ def on_a_chain(rng: Random) -> Iterable[Particle]:
     ]
     for particle in particles[:-1]:
         particle.mass = rng.uniform(0.5, 3.0)
-    particles[-1].mass = rng.choice([2.0, float("inf")])
+    particles[-1].mass, particles[-1].velocity.y = rng.choice([2.0, float("inf")]), 0.5
     chain = DirectChain(particles, Vector3())
     for _ in range(STEPS):
         particles[2].add_force(vector(rng, 5.0))

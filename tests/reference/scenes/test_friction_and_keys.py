@@ -38,6 +38,15 @@ def test_a_pile_with_friction_does_not_gain_energy() -> None:
     assert b.velocity.magnitude() < 0.2
 
 
+def test_friction_between_two_bodies_keeps_momentum_and_center_of_mass() -> None:
+    a, b = Particle(Vector3(), Vector3(2.0, -1.0)), Particle(Vector3(0.0, -0.9), mass=3.0)
+    FrictionContact(a, b, Vector3(0.0, 1.0), 0.0, 0.1, 0.5).resolve(FRAME)
+    assert tuple(a.momentum() + b.momentum()) == pytest.approx((2.0, -1.0, 0.0), abs=1e-14)
+    center = (a.position + b.position * 3.0) / 4.0
+    assert tuple(center) == pytest.approx((0.0, -0.675, 0.0), abs=1e-14)
+    assert a.position.x < -0.001  # it has moved back by what friction has stopped
+
+
 def test_keys_push_and_jump() -> None:
     ball, keys = Particle(mass=3.0), KeyForce(8.0)
     world = ParticleWorld([ball])

@@ -10,6 +10,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.springs import connect
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.sleeping import SleepingWorld
 
 FRAME = 1.0 / 60.0
@@ -66,6 +67,18 @@ def test_a_hit_goes_through_a_row_that_sleeps() -> None:
     assert bullet.velocity.x == pytest.approx(0.0, abs=1e-12)
     assert row[-1].velocity.x == pytest.approx(4.0, rel=1e-12)
     assert math.fsum(p.velocity.x for p in bodies) == pytest.approx(4.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_what_an_immovable_particle_holds_sleeps_alone(first: bool) -> None:
+    """Of two particles on rods around the same nail, one rests and one circles."""
+    nail, still, circling = Particle(mass=math.inf), Particle(Vector3(1.0)), Particle(Vector3(-1.0))
+    circling.velocity.y = 2.0
+    pairs = [(nail, one) if first else (one, nail) for one in (still, circling)]
+    rods = [TwoSidedRod(a, b, 1.0) for a, b in pairs]
+    world = SleepingWorld([nail, still, circling], rods)
+    run(world, 60)
+    assert set(world.asleep) == {still}
 
 
 def test_a_spring_pulls_at_the_end_that_is_awake_though_the_other_one_sleeps() -> None:

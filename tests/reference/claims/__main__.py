@@ -11,12 +11,13 @@ sys.path[1:1] = [str(TESTS), str(ROOT), str(ROOT / "solutions"), str(ROOT / "cha
 
 
 def main() -> None:
-    """Write the page, and say where it is."""
+    """Write the measured numbers into the page, and say where it is."""
     from reference.claims import contacts, motion, springs, turns
-    from reference.claims.ledger import claims_in, page
+    from reference.claims.ledger import PAGE, claims_in, measured_page
 
-    claims = list(claims_in(motion, springs, contacts, turns))
-    (ROOT / "docs/claims.md").write_text(page(claims), encoding="utf-8")
+    claims = claims_in(motion, springs, contacts, turns)
+    page = measured_page(claims, PAGE.read_text(encoding="utf-8"))
+    PAGE.write_text(page, encoding="utf-8")
     print(f"measured {len(claims)} claims of the book: docs/claims.md")
 
 

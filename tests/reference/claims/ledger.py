@@ -1,99 +1,82 @@
-"""What a claim of the book is, and the page docs/claims.md, which lists all of them."""
+"""The book's claims, which docs/claims.md describes in words, and functions that measure them."""
 
 from __future__ import annotations
 
+import re
 import textwrap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from pathlib import Path
 from types import ModuleType
 
-INTRODUCTION = """\
-# What the book claims, and what we measured
-
-Physics engines are full of rules of thumb. This page lists qualitative claims of *Game Physics
-Engine Development*, second edition, in our own words. Read a claim, **predict** the answer to the
-question below it, and only then open what we measured. A claim **holds**, it **holds if** a
-condition is met, or it **fails**.
-
-Our tests measure every claim with the reference engine, and they write the results on this page. So
-the numbers below are always those of the engine that you see here. Where a claim fails, the
-[errata](errata.md) give the correction.
-"""
+PAGE = Path(__file__).resolve().parents[3] / "docs/claims.md"
+ENTRY = re.compile(
+    r"(?ms)^### (?P<says>[^\n]+)\n\n\*Section (?P<chapter>\d)\.[^<]+"
+    r"<details><summary>What we measured</summary>\n\n"
+    r"\*\*It (?P<verdict>fails(?=\.)|holds(?=\.)|holds\sif(?= )).+?</details>"
+)
+NUMBER = r"-?\d[\d,]*(?:\.\d+)?(?:e[+-]\d+)?"
 
 
 @dataclass(frozen=True)
 class Claim:
-    """One claim of the book, and a function that measures whether it is true.
+    """A claim of the book, and a function that measures whether it is true.
 
-    ``measured`` raises AssertionError if the verdict is not true, and returns what it measured in
-    words. ``erratum`` is the number of the entry in errata.md, if there is one.
+    ``says`` is the beginning of its heading on the page. ``measured`` raises AssertionError if the
+    verdict is not true, and returns phrases of the entry with the numbers that it measured.
     """
 
-    section: str
-    says: str
-    predict: str
     verdict: str
-    erratum: str
-    measured: Callable[[], str]
+    says: str
+    measured: Callable[[], Iterable[str]]
 
-    def entry(self) -> str:
-        """Measure the claim, and return its entry on the page."""
-        found = f"**{self.verdict}.** {self.measured()}"
-        if self.erratum:
-            found += f" See [{self.erratum}](errata.md#{self.erratum.lower()})."
-        return (
-            f"### {self.says}\n\n"
-            + _wrapped(f"*Section {self.section}.* **Predict:** {self.predict}")
-            + "\n\n<details><summary>What we measured</summary>\n\n"
-            + _wrapped(found)
-            + "\n\n</details>\n"
-        )
+    def entry(self, page: str) -> re.Match[str]:
+        """Return the entry of this claim on the page."""
+        (found,) = (each for each in ENTRY.finditer(page) if each["says"].startswith(self.says))
+        return found
+
+    def updated(self, page: str) -> str:
+        """Measure the claim, and return the page with these numbers in its entry."""
+        entry = self.entry(page)[0]
+        *rest, answer, end = entry.split("\n\n")
+        for phrase in self.measured():
+            answer = with_numbers(answer, phrase)
+        return page.replace(entry, "\n\n".join([*rest, answer, end]))
 
 
-def claim(
-    section: str, says: str, *, predict: str, verdict: str, erratum: str = ""
-) -> Callable[[Callable[[], str]], Claim]:
+def claim(verdict: str, says: str) -> Callable[[Callable[[], Iterable[str]]], Claim]:
     """Make a claim out of the function that measures it."""
-    if verdict not in {"It holds", "It fails"} and not verdict.startswith("It holds if "):
-        raise ValueError(f"unknown verdict: {verdict!r}")
-
-    def made(measured: Callable[[], str]) -> Claim:
-        return Claim(section, says, predict, verdict, erratum, measured)
-
-    return made
+    return lambda measured: Claim(verdict, says, measured)
 
 
-def claims_in(*modules: ModuleType) -> Iterator[Claim]:
-    """Yield the claims that these modules define, in the order of the book's chapters."""
-    found = [value for module in modules for value in vars(module).values()]
-    claims = [value for value in found if isinstance(value, Claim)]
-    yield from sorted(claims, key=lambda c: c.section.split(".")[0])
+def claims_in(*modules: ModuleType) -> list[Claim]:
+    return [value for each in modules for value in vars(each).values() if isinstance(value, Claim)]
 
 
-def page(claims: list[Claim]) -> str:
-    """Measure all claims, and return the text of the page."""
-    parts, chapter = [INTRODUCTION], ""
+def with_numbers(paragraph: str, phrase: str) -> str:
+    """Find the words of a phrase in a paragraph, and put the numbers of the phrase there."""
+    pattern = NUMBER.join(map(re.escape, re.split(NUMBER, phrase)))
+    text, count = re.subn(pattern, lambda _: phrase, " ".join(paragraph.split()))
+    if count != 1:
+        raise ValueError(f"the page has these words {count} times: {phrase}")
+    kept = text.replace(" %", "\x00%")  # a percentage stays on one line
+    lines = textwrap.fill(kept, 100, break_long_words=False, break_on_hyphens=False)
+    return lines.replace("\x00%", " %")
+
+
+def measured_page(claims: list[Claim], page: str) -> str:
+    """Measure all claims, and return the page with these numbers and the count of verdicts."""
     for each in claims:
-        if (own := each.section.split(".")[0]) != chapter:
-            chapter = own
-            parts.append(f"## Chapter {chapter}\n")
-        parts.append(each.entry())
-    return "\n".join([*parts, "## In numbers\n", _wrapped(summary(claims)), ""])
+        page = each.updated(page)
+    *rest, count = page.removesuffix("\n").split("\n\n")
+    return "\n\n".join([*rest, with_numbers(count, summary(claims))]) + "\n"
 
 
 def summary(claims: list[Claim]) -> str:
     """Count the verdicts."""
-    holds = sum(c.verdict == "It holds" for c in claims)
-    fails = sum(c.verdict == "It fails" for c in claims)
+    verdicts = [each.verdict for each in claims]
+    holds, conditions, fails = map(verdicts.count, ("holds", "holds if", "fails"))
     return (
-        f"Of these {len(claims)} claims, {holds} hold, {len(claims) - holds - fails} hold if a "
-        f"condition is met, and {fails} fail. We chose claims that you can measure, and among "
-        "them those that surprise, so these numbers say nothing about the rest of the book."
+        f"Of these {len(claims)} claims, {holds} hold, {conditions} hold if a condition is met, "
+        f"and {fails} fail."
     )
-
-
-def _wrapped(text: str) -> str:
-    """Break a paragraph into lines, but keep each percentage on one line."""
-    kept = text.replace(" %", "\x00%")
-    lines = textwrap.fill(kept, 100, break_long_words=False, break_on_hyphens=False)
-    return lines.replace("\x00%", " %")

@@ -142,8 +142,7 @@ def test_a_rope_with_a_weight_comes_to_rest_at_its_length() -> None:
     """The impulses are remembered, so four visits per step end at the weight below each rod."""
     joints = [Particle(Vector3(0.0, -0.1 * i), acceleration=DOWN) for i in range(6)]
     joints[0].mass, joints[-1].mass = math.inf, 3.0
-    rods = [TwoSidedRod(a, b, 0.1) for a, b in pairwise(joints)]
-    solver = SequentialImpulses(joints, rods)
+    solver = SequentialImpulses(joints, [TwoSidedRod(a, b, 0.1) for a, b in pairwise(joints)])
     for _ in range(600):
         solver.step(H)
     assert joints[-1].position.y == pytest.approx(-0.5, abs=1e-6)

@@ -1,4 +1,4 @@
-"""Where worlds rest: against closed forms, and the least energy; and their sleep."""
+"""Where worlds rest, against SciPy, closed forms and the balance of forces; and their sleep."""
 
 from __future__ import annotations
 
@@ -58,13 +58,12 @@ def test_slack_cables_pull_nothing_and_the_energy_is_the_least() -> None:
     tensions = equilibrium(world)
     places = numpy.array([(knot.position.x, knot.position.y) for knot in knots])
     ends = [(k, anchor) for k in (0, 1) for anchor in anchors]  # of the cables to anchors
-
-    def spare(at: numpy.ndarray) -> list[float]:
-        """Return what is left of each cable, with the knots at two positions."""
-        reach = [math.dist(at[k], anchor) for k, anchor in ends] + [math.dist(*at)]
-        whole = [length for row in lengths for length in row] + [1.2]
-        return [length - d for length, d in zip(whole, reach, strict=True)]
-
+    reach = [math.dist(places[k], anchor) for k, anchor in ends] + [math.dist(*places)]
+    whole = [length for row in lengths for length in row] + [1.2]
+    for pull, length, distance in zip(tensions, whole, reach, strict=True):
+        assert pull >= 0.0
+        assert distance < length + 1e-9  # a cable is slack or exactly taut, and none is too long
+        assert abs(pull * (length - distance)) < 1e-7
     forces = numpy.array([(0.0, -10.0 * mass) for mass in masses])
     for pull, (k, anchor) in zip(tensions, ends, strict=False):
         forces[k] += pull * (numpy.array(anchor) - places[k]) / math.dist(anchor, places[k])
@@ -73,21 +72,6 @@ def test_slack_cables_pull_nothing_and_the_energy_is_the_least() -> None:
     # The links hold 50 N in all, so this is a relative error of 2e-9.
     assert forces.ravel().tolist() == pytest.approx([0.0] * 4, abs=1e-7)
     assert 0.0 < sum(pull > 0.0 for pull in tensions) < 7
-    for pull, left in zip(tensions, spare(places), strict=True):
-        assert pull >= 0.0
-        assert left > -1e-9  # a cable is slack or exactly taut, and none is too long
-        assert abs(pull * left) < 1e-7
-
-    def energy(at: numpy.ndarray) -> float:
-        return 10.0 * float(at[:, 1] @ masses)
-
-    draw, tried = numpy.random.default_rng(1), 0
-    for size in (1e-3, 1e-2, 0.1):
-        for step in draw.normal(0.0, size, (2000, 2, 2)):
-            if min(spare(places + step)) >= 0.0:
-                tried += 1
-                assert energy(places + step) > energy(places)
-    assert tried > 100
 
 
 def test_a_spring_a_force_by_hand_and_the_ground_count() -> None:
@@ -103,18 +87,6 @@ def test_a_spring_a_force_by_hand_and_the_ground_count() -> None:
     assert lying.position.y == pytest.approx(0.0, abs=1e-9)
 
 
-def test_the_ball_on_the_bridge_rests_on_its_row() -> None:
-    bridge = Bridge(x=0.7)
-    equilibrium(bridge.world)
-    left, right = (end.position for end in bridge.rows[3])
-    assert left.y == pytest.approx(right.y, abs=1e-9)
-    before = [[*p.position] for p in bridge.world.particles]
-    for _ in range(60):
-        bridge.step(1.0 / 60.0)
-    moved = [math.dist(p.position, q) for p, q in zip(bridge.world.particles, before, strict=True)]
-    assert max(moved) < 0.02  # the resolver lets the bridge give by a few millimeters
-
-
 def test_what_nothing_holds_has_no_equilibrium() -> None:
     with pytest.raises(ArithmeticError, match="check that something holds every particle"):
         equilibrium(ParticleWorld([Particle(acceleration=DOWN)]))
@@ -123,7 +95,7 @@ def test_what_nothing_holds_has_no_equilibrium() -> None:
 def test_a_bridge_sleeps_until_something_touches_it() -> None:
     bridge = Bridge(x=0.7)
     ends = [end for row in bridge.rows for end in row]
-    world = SleepingWorld(ends, links_of_at(bridge))
+    world = SleepingWorld(ends, [*bridge.links])
     equilibrium(world)
     assert len(world.asleep) == len(ends)
     places = [tuple(end.position) for end in ends]
@@ -133,7 +105,3 @@ def test_a_bridge_sleeps_until_something_touches_it() -> None:
     ends[3].velocity.y = -1.0
     world.step(1.0 / 60.0)
     assert not world.asleep
-
-
-def links_of_at(bridge: Bridge) -> list:  # type: ignore[type-arg]
-    return [*bridge.links]

@@ -74,12 +74,3 @@ def test_the_camera_comes_to_rest_behind_a_target_that_turns_and_stops() -> None
             target.add_scaled(velocity, FRAME)
     assert (camera.body.position - target).magnitude() < 1e-10
     assert camera.body.velocity.magnitude() < 1e-10
-
-
-def test_the_camera_keeps_a_copy_of_the_target() -> None:
-    target = Vector3(1.0)
-    camera = SpringCamera(Vector3())
-    camera.follow(target, FRAME)
-    target.x = 5.0
-    assert camera.spring.anchor == Vector3(1.0)
-    assert camera.body.position.x > 0.0

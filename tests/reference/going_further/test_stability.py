@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import random
-from collections.abc import Callable
 from typing import Any
 
 import numpy
@@ -28,24 +27,13 @@ from ch06_springs.integrators import (
 FRAME = 1.0 / 60.0
 
 
-def pulled(particle: Particle, k: float, c: float = 0.0) -> Callable[[float], None]:
-    """Return the force of a spring, with a damper, that pulls to the origin."""
-
-    def apply_forces(_: float) -> None:
-        particle.add_force(Vector3(-k * particle.position.x - c * particle.velocity.x))
-
-    return apply_forces
-
-
-def step_matrix(
-    step: Integrator, k: float, d: float, h: float = FRAME, m: float = 1.0, c: float = 0.0
-) -> Any:
+def step_matrix(step: Integrator, k: float, d: float, m: float, c: float) -> Any:
     """Return the matrix of a step of (x, h v), which two states determine for a linear spring."""
     columns = []
-    for x, v in ((1.0, 0.0), (0.0, 1.0 / h)):
-        particle = Particle(Vector3(x), Vector3(v), mass=m, damping=d)
-        step([particle], pulled(particle, k, c), h)
-        columns.append([particle.position.x, particle.velocity.x * h])
+    for x, v in ((1.0, 0.0), (0.0, 1.0 / FRAME)):
+        p = Particle(Vector3(x), Vector3(v), mass=m, damping=d)
+        step([p], lambda _, p=p: p.add_force(Vector3(-k * p.position.x - c * p.velocity.x)), FRAME)
+        columns.append([p.position.x, p.velocity.x * FRAME])
     return numpy.array(columns).T
 
 
@@ -53,18 +41,12 @@ def radius(matrix: Any) -> float:
     return float(max(abs(numpy.linalg.eigvals(matrix))))
 
 
-# A cloth
-
-
 @pytest.mark.parametrize(
     ("step", "damping", "rate", "holds"),
     [
-        (semi_implicit_euler, 0.2, 85, True),
-        (semi_implicit_euler, 0.2, 77, False),
         (semi_implicit_euler, 0.0, 88, True),
         (semi_implicit_euler, 0.0, 82, False),
         (explicit_euler, 0.2, 1000, False),
-        (explicit_euler, 0.0, 1000, False),
     ],
 )
 def test_the_cloth_holds_for_ten_seconds_at_so_many_frames_a_second(
@@ -89,18 +71,15 @@ def test_a_damper_in_the_spring_makes_explicit_euler_stable_up_to_its_own_streng
     """With beta = c h / m, explicit Euler is stable for kappa = k h^2 / m < beta."""
     for share, holds in ((0.98, True), (1.02, False)):
         k, c = share * beta / FRAME**2, beta / FRAME
-        assert (radius(step_matrix(explicit_euler, k, 1.0, c=c)) < 1.0) is holds
+        assert (radius(step_matrix(explicit_euler, k, 1.0, 1.0, c)) < 1.0) is holds
 
 
-def moves(kappa: float, beta: float, kept: float) -> tuple[Any, Any]:
-    """Return half a drift and a kick as matrices of (x, h v). A kick keeps D = d^h."""
-    half_a_drift = numpy.array([[1.0, 0.5], [0.0, 1.0]])
-    return half_a_drift, numpy.array([[1.0, 0.0], [-kept * kappa, kept * (1.0 - beta)]])
-
-
-@pytest.mark.parametrize("seed", range(50))
-def test_leapfrog_has_the_eigenvalues_of_semi_implicit_euler(seed: int) -> None:
-    """Test damping in particle and spring. S K S and S S K have the same trace and determinant.
+@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("step", [leapfrog, semi_implicit_euler])
+def test_the_limit_of_a_step_whose_particle_and_spring_are_damped(
+    step: Integrator, seed: int
+) -> None:
+    """With D = d^h, both steps have the trace 1 + D (1 - beta - kappa), and the same determinant.
 
     An eigenvalue passes -1 where 1 + trace + determinant = 2 + 2 D (1 - beta) - D kappa is 0, which
     is kappa + 2 beta = 2 (1 + D) / D. None passes 1 before that: D (1 - beta) > -1 if kappa > 0.
@@ -109,17 +88,9 @@ def test_leapfrog_has_the_eigenvalues_of_semi_implicit_euler(seed: int) -> None:
     kept = draw.uniform(0.05, 1.0)
     most = (1.0 + kept) / kept  # of beta
     beta = draw.uniform(0.01, 0.9) * most
-    d, h, m = kept ** (1.0 / FRAME), FRAME, draw.uniform(0.1, 9.0)
+    d, m = kept ** (1.0 / FRAME), draw.uniform(0.1, 9.0)
     for share, holds in ((0.5, True), (1.0 - 1e-6, True), (1.0 + 1e-6, False), (2.0, False)):
         kappa = share * 2.0 * (most - beta)
-        half, kick = moves(kappa, beta, kept)
-        for step, wanted in (
-            (leapfrog, half @ kick @ half),
-            (semi_implicit_euler, half @ half @ kick),
-        ):
-            matrix = step_matrix(step, kappa * m / h**2, d, h, m, beta * m / h)
-            # d is D^60, so d^h has an error of up to 1e-13. No number here exceeds 10.
-            assert matrix == pytest.approx(wanted, abs=1e-12)
-            # Near the limit an eigenvalue changes by at least 1e-6 / 20.
-            assert (radius(matrix) < 1.0) is holds
-            assert (radius(wanted) < 1.0) is holds
+        matrix = step_matrix(step, kappa * m / FRAME**2, d, m, beta * m / FRAME)
+        # Near the limit an eigenvalue changes by at least 1e-6 / 20.
+        assert (radius(matrix) < 1.0) is holds

@@ -1,16 +1,14 @@
-"""A box that rotates freely: conserved quantities, SciPy's solution, and its stable axes."""
+"""A box that rotates freely: conserved quantities, and SciPy's solution."""
 
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import Any
 
 import numpy
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
-from scipy.special import ellipk
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.going_further.free_box import FreeBox
@@ -76,26 +74,10 @@ def test_energy_and_momentum_are_kept_for_100_000_steps() -> None:
     assert max(worst) == pytest.approx(min(worst), rel=0.01)
 
 
-def swings(box: FreeBox, duration: float, count: int) -> float:
-    """Return the largest relative error of the energy."""
-    start, worst = box.energy(), 0.0
-    for _ in range(count):
-        box.step(duration / count)
-        worst = max(worst, abs(box.energy() / start - 1.0))
-    return worst
-
-
-def test_the_swing_of_the_energy_is_of_second_order() -> None:
-    counts = (360, 720, 1440)
-    off = [swings(thrown(SPEED, 0.05 * SPEED, 0.0), 6.0, count) for count in counts]
-    # The next order is smaller by a factor of (w h)^2, about 0.01 at most.
-    assert slope(counts, off) == pytest.approx(-2.0, abs=0.02)
-
-
 @pytest.mark.parametrize(
     "velocity",
-    [(SPEED, 0.05 * SPEED, 0.0), (1.0, -2.0, 3.0), (-4.0, 1.0, 0.5)],
-    ids=["turns over", "about all three", "the other way"],
+    [(SPEED, 0.05 * SPEED, 0.0), (1.0, -2.0, 3.0)],
+    ids=["turns over", "about all three"],
 )
 def test_velocity_and_orientation_come_to_scipys_with_the_second_order(
     velocity: tuple[float, float, float],
@@ -117,84 +99,12 @@ def test_velocity_and_orientation_come_to_scipys_with_the_second_order(
     assert turned_off[-1] < 1.5e-4
 
 
-@pytest.mark.parametrize("axis", range(3))
-def test_a_turn_about_one_axis_alone_is_exact_in_any_step(axis: int) -> None:
-    velocity = [0.0, 0.0, 0.0]
-    velocity[axis] = -3.0
+@pytest.mark.parametrize("velocity", [(-3.0, 0.0, 0.0), (0.0, 0.0, -3.0), (0.0, 0.0, 0.0)])
+def test_a_turn_about_one_axis_alone_is_exact_in_any_step(velocity: tuple[float, ...]) -> None:
     box = thrown(*velocity)
     for step in (0.5, 0.1, 1.4):
         box.step(step)
-    wanted = [math.cos(3.0), *map(math.sin, velocity)]  # of half the angle after 2 s
-    # Some 30 roundings of numbers up to 3. Without a disturbance the middle axis is stable, too.
+    wanted = [math.cos(sum(velocity)), *map(math.sin, velocity)]  # of half the angle after 2 s
+    # Some 30 roundings of numbers up to 3. The first axis is the middle one.
     assert [*box.orientation] == pytest.approx(wanted, abs=1e-14)
     assert [*box.own_velocity()] == pytest.approx(velocity, abs=1e-14)
-
-
-def turn_overs(box: FreeBox, axis: str, duration: float, step: float) -> list[float]:
-    """Return the times at which the own velocity about an axis changes sign, interpolated."""
-    values = [getattr(box.own_velocity(), axis)]
-    for _ in range(round(duration / step)):
-        box.step(step)
-        values.append(getattr(box.own_velocity(), axis))
-    return [step * (i + a / (a - b)) for i, (a, b) in enumerate(pairwise(values)) if a * b < 0.0]
-
-
-def time_to_turn_over(inertia: Vector3, velocity: Vector3) -> float:
-    """Return half the period of the middle component of the own velocity: 2 K(m) / n.
-
-    The components are Jacobi's elliptic functions of n t. The middle one is sn with period 4 K.
-    """
-    a, b, c = sorted(inertia)
-    energy = sum(i * w * w for i, w in zip(inertia, velocity, strict=True))  # twice
-    squared = sum((i * w) ** 2 for i, w in zip(inertia, velocity, strict=True))
-    if squared < energy * b:  # around the axis of the smallest moment, not the largest
-        a, c = c, a
-    n = math.sqrt((c - b) * (squared - energy * a) / (a * b * c))
-    m = (b - a) * (energy * c - squared) / ((c - b) * (squared - energy * a))
-    return float(2.0 * ellipk(m)) / n
-
-
-@pytest.mark.parametrize("disturbance", [(0.05, 0.0), (0.0, 0.05), (1e-3, 0.0), (0.0, 1e-4)])
-def test_about_the_middle_axis_it_turns_over_as_often_as_elliptic_integrals_say(
-    disturbance: tuple[float, float],
-) -> None:
-    velocity = Vector3(SPEED, SPEED * disturbance[0], SPEED * disturbance[1])
-    means = []
-    for step in (STEP, STEP / 2.0):
-        times = turn_overs(thrown(*velocity), "x", 25.0, step)
-        means.append((times[-1] - times[0]) / (len(times) - 1))
-    coarse, fine = means
-    wanted = time_to_turn_over(thrown(*velocity).inertia, velocity)
-    # The error is 0.6 to 0.8 %, and a quarter of that. The next order is a hundredth.
-    assert coarse == pytest.approx(wanted, rel=0.01)
-    assert (coarse - wanted) / (fine - wanted) == pytest.approx(4.0, rel=0.02)
-
-
-@pytest.mark.parametrize(("axis", "grows"), [(1, 1.45), (2, 1.16)])
-@pytest.mark.parametrize("disturbance", [0.01, 0.2])
-def test_about_the_other_two_axes_a_disturbance_stays_as_small_as_it_was(
-    axis: int, grows: float, disturbance: float
-) -> None:
-    """For an end moment I, L^2 - 2 E I depends on the other two axes: J (J - I) w^2, summed.
-
-    It is conserved, so a disturbance grows at most by the root of the ratio of the two factors:
-    104 / 50 about Y, whose moment is the smallest, and 40 / 30 about Z.
-    """
-    for other in {0, 1, 2} - {axis}:
-        velocity = [0.0, 0.0, 0.0]
-        velocity[axis], velocity[other] = SPEED, SPEED * disturbance
-        box, most, least = thrown(*velocity), 0.0, SPEED
-        for _ in range(3000):
-            box.step(STEP)
-            spin = [*box.own_velocity()]
-            least = min(least, spin.pop(axis))
-            most = max(most, math.hypot(*spin))
-        assert most < grows * SPEED * disturbance
-        assert least > 0.95 * SPEED
-
-
-def test_a_box_at_rest_stays_and_has_no_energy() -> None:
-    box = thrown(0.0, 0.0, 0.0)
-    box.step(STEP)
-    assert [*box.orientation] == [1.0, 0.0, 0.0, 0.0]
-    assert box.energy() == 0.0

@@ -1,4 +1,4 @@
-"""Cube, wheel and blob against torques and energies; the trebuchet against SciPy."""
+"""Cube, wheel and blob against torques and energies."""
 
 from __future__ import annotations
 
@@ -10,8 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate.blob import Blob, Bond, spread
 from ch08_mass_aggregate.cube import CORNERS, Cube
-from ch08_mass_aggregate.trebuchet import Design, Trebuchet
-from ch08_mass_aggregate.wheel import Wheel, deformation, spin
+from ch08_mass_aggregate.wheel import Wheel, spin
 from ch08_mass_aggregate.world import mechanical_energy
 
 FRAME = 1.0 / 60.0
@@ -80,19 +79,6 @@ def test_a_driven_wheel_turns_by_torque_and_inertia(driven: int) -> None:
         assert ahead == pytest.approx(0.5 * alpha - alpha**3 / 40.0, rel=12.0 / rate)
 
 
-@pytest.mark.parametrize(("driven", "bound"), [(3, 1e-6), (8, 1e-8)])
-def test_the_rods_of_a_wheel_keep_their_length(driven: int, bound: float) -> None:
-    """Measured in 5 s of 1 N: 3e-7, of order 2, if three are driven.
-
-    If all are driven, nothing is pulled out of shape, and the resolver's 1e-9 m remain.
-    """
-    wheel, worst = Wheel(1.0, driven), 0.0
-    for _ in range(300):
-        wheel.step(FRAME)
-        worst = max(worst, deformation(wheel.rods))
-    assert worst < bound
-
-
 # The blob
 
 
@@ -144,22 +130,3 @@ def test_what_is_pulled_out_of_a_blob_is_lost_unless_a_cable_holds_it(cables: bo
         assert len(broken) == 9
         assert all(blob.particles[3] in (bond.a, bond.b) for bond in broken)
         assert blob.particles[3].position.y > max(others) + 5.0
-
-
-# The trebuchet
-
-
-# Range and fraction by SciPy: solve_ivp, DOP853, rtol and atol 1e-12, with an exact release. The
-# sling is always taut.
-@pytest.mark.parametrize(
-    ("design", "reach", "share"),
-    [
-        (Design(400.0, 0.8, 4.2, 3.0, 27.0), 99.549710, 0.53961126),
-        (Design(300.0, 1.2, 3.5, 3.0, 40.0), 59.734423, 0.26989039),
-    ],
-)
-def test_a_throw_is_that_of_the_double_pendulum(design: Design, reach: float, share: float) -> None:
-    """Measured: 2.3 to 4.5 % less at 250 Hz."""
-    throw = Trebuchet(design).throw()
-    assert -0.05 < throw.range / reach - 1.0 < 0.0
-    assert -0.05 < throw.share / share - 1.0 < 0.0

@@ -109,13 +109,6 @@ def test_an_engine_plays_a_scene(address: str) -> None:
     assert (start["time"], later["time"]) == (0.0, pytest.approx(0.5))
 
 
-def test_stubs_name_their_exercise() -> None:
-    with served(engine="chapters") as address:
-        (stopped,) = talk(address, LOAD)
-    assert stopped["kind"] == "stopped"
-    assert "Exercise B" in stopped["why"]
-
-
 ENDINGS = {
     "while True: pass": "forces.py, line",  # the position of the loop
     "import os; os._exit(3)": "ended on its own",

@@ -78,7 +78,9 @@ def test_what_hardly_gets_nearer_with_eight_times_the_steps_stalls(
 
 def test_a_side_whose_models_all_stall_never_gets_there() -> None:
     stalled = points([0.05] * 4, [9.0] * 4, by="pymunk")
-    assert table([*OURS, *stalled])[0].pymunk.never
+    (never, *_) = table([*OURS, *stalled])
+    assert never.pymunk.never
+    assert told_ratio(figures_of([never])[0]) == "pymunk never"
     others = points([0.08, 0.04], model="b", by="pymunk") + points([0.7], [5.0], "c", "pymunk")
     side = table([*OURS, *stalled, *others])[0].pymunk
     assert not side.never

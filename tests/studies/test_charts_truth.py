@@ -84,9 +84,7 @@ EQUATIONS: dict[str, Equation] = {
         lambda s: [0.0, s[0]],
     ),
     "orbit of eccentricity 0.5": pulled(1.0, 0.5, math.sqrt(3.0)),
-    "orbit of eccentricity 0.9": pulled(
-        (2.0 * math.pi) ** 2, 0.1, 2.0 * math.pi * math.sqrt(19.0)
-    ),
+    "orbit of eccentricity 0.9": pulled((2.0 * math.pi) ** 2, 0.1, 2.0 * math.pi * math.sqrt(19.0)),
     "floating block": (
         lambda _, s: [s[1], -G + 1000.0 * 0.001 * G / 0.5 * (0.05 - s[0]) / 0.1],
         [0.04, 0.0],

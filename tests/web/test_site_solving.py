@@ -12,11 +12,11 @@ import pytest
 import browser as browsers
 import course_site
 import site_page
-from autograder.manifest import Chapter, load_chapters
+from autograder.manifest import load_chapters
 from autograder.message import laid_out
 from copies import reference
 from course_site import Served
-from site_page import accessible, check, everything_written, rows, turn, write
+from site_page import accessible, check, everything_written, rows, stored, turn, write
 from typed import typed
 from wrong import read_wrong, write_wrong
 
@@ -37,41 +37,6 @@ def solver(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory)
         yield page.context
 
 
-def test_the_solutions_earn_all_points(visitor: Any, site: Served) -> None:
-    chapter = CHAPTERS[1]
-    page = visitor.new_page()
-    for each in CHAPTERS[:2]:  # the second builds on the first, which is solved on its own page
-        page.goto(f"{site.address}{each.name}.html")
-        solve(page, each)
-    exercise = chapter.exercises[0]
-    assert check(turn(page, exercise.id)).startswith(f"All checks of {exercise.id} pass")
-    whole = page.locator("[data-whole]")
-    whole.scroll_into_view_if_needed()
-    began = time.monotonic()
-    words = check(whole, "Check the whole chapter")
-    assert time.monotonic() - began < 10.0
-    assert words.startswith("All checks pass")
-    points = sum(e.points for e in chapter.exercises if e.kind != "written")
-    assert f"{points} of {points} points earned so far" in whole.inner_text()
-    assert "Well done!" in whole.inner_text()
-    page.goto(f"{site.address}index.html")
-    page.get_by_text(f"{points} of {points} points").wait_for()
-
-
-def solve(page: Any, chapter: Chapter) -> None:
-    """Set the text of each file in the editor of its first exercise."""
-    texts = reference(chapter.name)
-    for file in chapter.handed_in:
-        module = file.removesuffix(".py")
-        first = next(
-            exercise
-            for exercise in chapter.exercises
-            if file in exercise.files
-            or any(name.startswith(f"{module}.") for name in exercise.edit)
-        )
-        write(page, turn(page, first.id), file, texts[f"{chapter.name}/{file}"])
-
-
 def test_a_mistake_is_told_as_on_the_command_line(
     solver: Any, site: Served, tmp_path: Path
 ) -> None:
@@ -79,29 +44,21 @@ def test_a_mistake_is_told_as_on_the_command_line(
     chapter = CHAPTERS[4]
     page = solver.new_page()
     page.goto(f"{site.address}{chapter.name}.html")
-    for number, wrong in enumerate(random.Random(SEED).sample(read_wrong(chapter), 2)):
-        engine = tmp_path / str(number)
-        for path, text in reference().items():
-            (engine / path).parent.mkdir(parents=True, exist_ok=True)
-            (engine / path).write_text(text, encoding="utf-8")
-        write_wrong(chapter, [wrong], engine)
-        file = f"{wrong.edit.partition('.')[0]}.py"
-        exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
-        panel = turn(page, exercise.id)
-        write(page, panel, file, (engine / chapter.name / file).read_text(encoding="utf-8"))
-        check(panel)
-        heading = panel.locator(".failure > :first-child").inner_text()
-        told = f"\n{heading}\n{laid_out(rows(panel))}\n"
-        assert told in printed(exercise.id, engine), wrong.mistake
-        write(page, panel, file, reference()[f"{chapter.name}/{file}"])
-    page.close()
-
-
-def printed(exercise: str, engine: Path) -> str:
-    """Return what the command line prints of an exercise."""
-    done = typed("autograder", "check", "--exercise", exercise, "--engine", engine)
+    (wrong,) = random.Random(SEED).sample(read_wrong(chapter), 1)
+    for path, text in reference().items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    write_wrong(chapter, [wrong], tmp_path)
+    file = f"{wrong.edit.partition('.')[0]}.py"
+    exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
+    panel = turn(page, exercise.id)
+    write(page, panel, file, (tmp_path / chapter.name / file).read_text(encoding="utf-8"))
+    check(panel)
+    heading = panel.locator(".failure > :first-child").inner_text()
+    done = typed("autograder", "check", "--exercise", exercise.id, "--engine", tmp_path)
     assert done.returncode == 1, done.stdout + done.stderr
-    return done.stdout
+    assert f"\n{heading}\n{laid_out(rows(panel))}\n" in done.stdout, wrong.mistake
+    page.close()
 
 
 WATCH = """() => {
@@ -175,21 +132,13 @@ def test_hints_come_one_by_one_and_a_reset_can_be_undone(visitor: Any, site: Ser
     write(page, panel, "vector.py", mine)
     panel.get_by_role("button", name="Reset").click()
     page.get_by_role("dialog").get_by_role("button", name="Cancel").click()
-    assert page.evaluate(EDITED) == mine
+    assert stored(page) == mine
     panel.get_by_role("button", name="Reset").click()
     page.get_by_role("dialog").get_by_role("button", name="Reset").click()
     panel.get_by_text("The stub of B2.2 is back.").wait_for()
-    assert page.evaluate(EDITED).count("Exercise B2.2: Length") == 2
-    assert "math.hypot" not in page.evaluate(EDITED)
-    assert "return Vector3(-self.x" in page.evaluate(EDITED)  # the rest is as it was
+    assert stored(page).count("Exercise B2.2: Length") == 2
+    assert "math.hypot" not in stored(page)
+    assert "return Vector3(-self.x" in stored(page)  # the rest is as it was
     panel.get_by_role("button", name="Undo").click()
     panel.get_by_text("Your code is back.").wait_for()
-    assert page.evaluate(EDITED) == mine
-
-
-EDITED = """new Promise(resolve => {
-  const name = `game-physics-companion ${new URL(".", document.baseURI).pathname}`;
-  indexedDB.open(name).onsuccess = ({target: {result}}) =>
-    result.transaction("files").objectStore("files").get("ch02_vectors/vector.py").onsuccess =
-      (event) => resolve(event.target.result?.text ?? "");
-})"""
+    assert stored(page) == mine

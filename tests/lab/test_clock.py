@@ -1,22 +1,20 @@
 """Compare the error that a scene shows at every step rate with an independent calculation.
 
-The calculation repeats the method in plain numbers, and compares it with a closed form or SciPy at
-the time of the last complete step. A scene shows this error only if it compares its state with the
-exact answer at the time that it has simulated, because below 60 steps per second the state lags.
+The calculation repeats the method in plain numbers, and compares it with a closed form at the time
+of the last complete step. A scene shows this error only if it compares its state with the exact
+answer at the time that it has simulated, because below 60 steps per second the state lags.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import numpy
 import pytest
-from scipy.integrate import solve_ivp
 
-from ch08_mass_aggregate import wheel
 from lab.catalog import entries, load
 from lab.scene import parameters_of
 from scenes.parameters import Choice
@@ -82,35 +80,6 @@ def fall_in_air(h: float) -> Errors:
         t += h
 
 
-@cache
-def kepler() -> Any:
-    """Return the orbit by SciPy for mu = 4, a semi-major axis of 1.5, and eccentricity 0.4."""
-
-    def rates(_: float, s: Any) -> list[float]:
-        pull = -4.0 / math.hypot(s[0], s[1]) ** 3
-        return [s[2], s[3], pull * s[0], pull * s[1]]
-
-    start = [0.9, 0.0, 0.0, math.sqrt(4.0 / 1.5 * 1.4 / 0.6)]
-    span = (0.0, SECONDS + 0.1)
-    return solve_ivp(rates, span, start, "DOP853", rtol=1e-12, atol=1e-12, dense_output=True).sol
-
-
-def orbit(order: str, h: float) -> Errors:
-    x, y, vx, vy = kepler()(0.0)
-    n = 0
-    while True:
-        truth = kepler()(n * h)
-        yield max(abs(x - truth[0]), abs(y - truth[1]))
-        pull = -4.0 / math.hypot(x, y) ** 3
-        ax, ay = pull * x, pull * y
-        if order == "position first":
-            x, y, vx, vy = x + vx * h, y + vy * h, vx + ax * h, vy + ay * h
-        else:
-            vx, vy = vx + ax * h, vy + ay * h
-            x, y = x + vx * h, y + vy * h
-        n += 1
-
-
 def matrix_of(name: str, k: float, c: float, h: float) -> Any:
     """Return the matrix of one step, which maps (x, v) to its new value for 1 kg on a spring."""
     one, a = numpy.eye(2), numpy.array([[0.0, 1.0], [-k, -c]])
@@ -143,49 +112,6 @@ def one_spring(name: str, c: float, h: float) -> Errors:
         state, n = step @ state, n + 1
 
 
-def integrator_race(h: float) -> Errors:
-    step, state, n = matrix_of("Runge-Kutta 4", 40.0, 0.0, h), numpy.array([1.0, 0.0]), 0
-    w = math.sqrt(40.0)
-    while True:
-        truth = math.cos(w * n * h), -math.sin(w * n * h)
-        yield max(abs(state[0] - truth[0]), abs(state[1] / w - truth[1]))
-        state, n = step @ state, n + 1
-
-
-def bounced(t: float) -> float:
-    """Return the height of a ball dropped from 2 m that keeps 0.8 of its speed in each impact."""
-    begun, speed = -math.sqrt(4.0 / G), math.sqrt(4.0 * G)  # as if it had been thrown up before
-    while t > begun + 2.0 * speed / G:
-        begun, speed = begun + 2.0 * speed / G, 0.8 * speed
-    return speed * (t - begun) - 0.5 * G * (t - begun) ** 2
-
-
-def bounce(name: str, h: float) -> Errors:
-    y, v, n = 2.0, 0.0, 0
-    while True:
-        yield abs(y - bounced(n * h))
-        if name == "explicit Euler":
-            y, v = y + v * h, v - G * h
-        else:
-            v -= G * h
-            y += v * h
-        if y <= 0.0:
-            y = 0.0
-            if v < 0.0:
-                v = max(0.0, 0.8 * (-v - G * h))  # what gravity adds in a step does not bounce
-        n += 1
-
-
-def driven_wheel(h: float) -> Errors:
-    """Yield how far the spin lags behind that of a rigid wheel, whose rim has mass 8 at 1 m."""
-    machine, n = wheel.Wheel(1.0, 8), 0
-    machine.world.resolver.iterations = 300
-    while True:
-        yield abs(wheel.spin(machine.hub, machine.rim) - n * h)
-        machine.step(h)
-        n += 1
-
-
 def first_order(h: float) -> Errors:
     n = 0
     while True:
@@ -204,32 +130,24 @@ CASES: list[tuple[str, str, Method, dict[str, Any]]] = [
     ("artillery", "", artillery, {}),
     ("damping-forms", "", damping_forms, {}),
     ("fall-in-air", "", fall_in_air, {}),
-    ("orbit", "", partial(orbit, "position first"), {"order": "position first"}),
-    ("orbit", "", partial(orbit, "velocity first"), {"order": "velocity first"}),
     *[
-        ("one-spring", "", partial(one_spring, name, c), {"integrator": name, "damping": c})
+        ("one-spring", "", partial(one_spring, name, 1.0), {"integrator": name, "damping": 1.0})
         for name in load("one-spring").integrator.options
-        for c in (0.0, 1.0)
     ],
     ("one-spring", "exact", no_error, {}),
     ("one-spring", "pymunk", partial(one_spring, "pymunk", 0.0), {}),
-    ("integrator-race", "", integrator_race, {}),
-    (
-        "bounce",
-        "",
-        partial(bounce, "semi-implicit Euler"),
-        {"method": "semi-implicit Euler", "restitution": 0.8},
-    ),
-    (
-        "bounce",
-        "",
-        partial(bounce, "explicit Euler"),
-        {"method": "explicit Euler", "restitution": 0.8},
-    ),
     ("bounce", "", no_error, {"method": "time division"}),
-    ("wheel", "", driven_wheel, {}),
     ("orientations", "", no_error, {"speed": 360.0}),
     ("first-order", "", first_order, {}),
+]
+# Scenes whose errors are not calculated here, but must vanish with the length of a step.
+OTHERS: list[tuple[str, dict[str, Any]]] = [
+    ("orbit", {"order": "position first"}),
+    ("orbit", {"order": "velocity first"}),
+    ("integrator-race", {}),
+    ("bounce", {"method": "semi-implicit Euler", "restitution": 0.8}),
+    ("bounce", {"method": "explicit Euler", "restitution": 0.8}),
+    ("wheel", {}),
 ]
 RUNS = [
     pytest.param(
@@ -247,7 +165,7 @@ def test_every_scene_with_an_exact_answer_and_a_rate_is_compared() -> None:
         if load(entry.name).exact_from
         and isinstance(parameters_of(load(entry.name)).get("rate"), Choice)
     }
-    assert offered == {name for name, *_ in CASES}
+    assert offered == {name for name, *_ in [*CASES, *OTHERS]}
 
 
 @pytest.mark.parametrize(("name", "peer", "method", "values", "rate"), RUNS)
@@ -290,12 +208,20 @@ def test_a_change_of_the_rate_leaves_the_state_and_the_exact_answer_together() -
         assert scene.error() == pytest.approx(abs(state[0] - math.cos(10.0 * time)), rel=1e-6)
 
 
-@pytest.mark.parametrize("rate", load("orientations").rate.options)
-def test_an_unrepaired_matrix_shows_its_own_error(rate: int) -> None:
-    """About X, each step multiplies the other axes by 1 + i w h, seen as complex numbers."""
-    scene = load("orientations")(rate=rate, tilt=90.0, speed=180.0, repair="no")
-    for frame in range(1, 121):
-        scene.advance()
-        n = frame * rate // 60
-        wanted = abs((1.0 + 1j * math.pi / rate) ** n - numpy.exp(1j * math.pi * n / rate))
-        assert scene.errors()[0] == pytest.approx(100.0 * wanted, rel=1e-6, abs=1e-9)
+@pytest.mark.parametrize(("name", "values"), OTHERS, ids=str)
+def test_an_error_changes_only_with_a_step_and_vanishes_with_its_length(
+    name: str, values: dict[str, Any]
+) -> None:
+    largest = []
+    rates = load(name).rate.options
+    for rate in (min(rates), max(rates)):
+        scene = load(name)(rate=rate, **values)
+        errors, simulated = [scene.error()], scene.simulated
+        for _ in range(round(60 * SECONDS)):
+            scene.advance()
+            errors.append(scene.error())
+            assert errors[-1] == errors[-2] or scene.simulated > simulated
+            simulated = scene.simulated
+        largest.append(max(errors))
+    # The methods are at least of order 1, but errors vary with the phase of a bounce.
+    assert 0.0 < largest[1] < 3.0 * largest[0] * min(rates) / max(rates)

@@ -10,7 +10,7 @@ import pytest
 
 from copies import reference
 from course_site import BELOW, built
-from in_node import NodeEngines, engines, engines_of
+from in_node import NodeEngines, engines_of
 from lab.catalog import entries
 from typed import typed
 
@@ -18,8 +18,6 @@ RIGHT = reference()
 SPRINGS = "ch06_springs/springs.py"
 SCENES = [entry.name for entry in entries() if entry.name != "charts"]
 FRAMES = 30
-
-engines = pytest.fixture(scope="module")(engines)
 
 
 def load(engines: NodeEngines, link: int, scene: str, **changes: Any) -> list[dict[str, Any]]:

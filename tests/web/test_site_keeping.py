@@ -10,19 +10,12 @@ from typing import Any
 
 import pytest
 
-import browser as browsers
-import course_site
-import site_page
 from autograder.manifest import load_chapters
 from copies import reference
 from course_site import Served
 from site_page import STUB, VECTOR, accessible, check, marked, stored, turn, upload, write
 from staging import NO_UTF8, TOO_LARGE
 from typed import typed
-
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
-visitor = pytest.fixture(site_page.visitor)
 
 # A worker that never starts Python. Starting it would take longer than the whole test.
 NO_PYTHON = """globalThis.Worker = class extends EventTarget {

@@ -7,9 +7,6 @@ from typing import Any
 
 import pytest
 
-import browser as browsers
-import course_site
-import site_page
 from autograder.manifest import load_chapters
 from copies import reference
 from course_site import Served
@@ -19,10 +16,6 @@ from wrong import Wrong, write_wrong
 
 # One for each chapter. A test in node runs all of them, with the numbers of CPython.
 SCENES = [*{entry.chapter: entry.name for entry in scenes_of_students()}.values()]
-
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
-visitor = pytest.fixture(site_page.visitor)
 
 
 @pytest.fixture(scope="module")

@@ -8,16 +8,10 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-import pytest
-
-import browser as browsers
 import course_site
 from autograder.manifest import ROOT
 from course_site import BELOW, Served
 from site_page import VECTOR, check, marked, stored, turn, upload, visit
-
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
 
 REWRITE = """
 const {writeServiceWorker} = await import("./web/builder/offline.mjs");

@@ -13,17 +13,10 @@ from typing import Any
 
 import pytest
 
-import browser as browsers
-import course_site
-import site_page
 from autograder.manifest import ROOT, load_chapters
 from course_site import BELOW, Served, pack_in
 from site_page import accessible, turn, visit
 from web.stills import scenes_of_students
-
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
-visitor = pytest.fixture(site_page.visitor)
 
 CHAPTERS = load_chapters()
 PAGES = [

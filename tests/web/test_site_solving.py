@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import random
+import re
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-import browser as browsers
-import course_site
-import site_page
-from autograder.manifest import load_chapters
+from autograder.manifest import ROOT, load_chapters
 from autograder.message import laid_out
-from copies import reference
-from course_site import Served
-from site_page import accessible, check, everything_written, rows, stored, turn, write
+from copies import copy_tree, reference
+from course_site import Served, built_with_solutions, served_site
+from site_page import accessible, check, everything_written, rows, stored, turn, visit, write
 from typed import typed
 from wrong import read_wrong, write_wrong
 
@@ -24,41 +23,26 @@ CHAPTERS = load_chapters()
 SEED = 1  # of the wrong submissions that are drawn
 LOOP = "def clear(self) -> None:\n        while True:\n            pass\n"
 
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
-visitor = pytest.fixture(site_page.visitor)
-
-
-@pytest.fixture(scope="module")
-def solver(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    """A visitor whose folder has the reference's modules, brought as a zip."""
-    with everything_written(browser, site.address, tmp_path_factory.mktemp("zip")) as page:
-        page.close()
-        yield page.context
-
 
 def test_a_mistake_is_told_as_on_the_command_line(
-    solver: Any, site: Served, tmp_path: Path
+    browser: Any, site: Served, tmp_path: Path
 ) -> None:
     """The engines of all chapters are compared in test_engines, without a browser."""
     chapter = CHAPTERS[4]
-    page = solver.new_page()
-    page.goto(f"{site.address}{chapter.name}.html")
     (wrong,) = random.Random(SEED).sample(read_wrong(chapter), 1)
-    for path, text in reference().items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    write_wrong(chapter, [wrong], tmp_path)
-    file = f"{wrong.edit.partition('.')[0]}.py"
+    engine, file = tmp_path / "engine", f"{wrong.edit.partition('.')[0]}.py"
+    copy_tree(ROOT / "solutions", engine)
+    write_wrong(chapter, [wrong], engine)
     exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
-    panel = turn(page, exercise.id)
-    write(page, panel, file, (tmp_path / chapter.name / file).read_text(encoding="utf-8"))
-    check(panel)
-    heading = panel.locator(".failure > :first-child").inner_text()
-    done = typed("autograder", "check", "--exercise", exercise.id, "--engine", tmp_path)
+    done = typed("autograder", "check", "--exercise", exercise.id, "--engine", engine)
     assert done.returncode == 1, done.stdout + done.stderr
-    assert f"\n{heading}\n{laid_out(rows(panel))}\n" in done.stdout, wrong.mistake
-    page.close()
+    with everything_written(browser, site.address, tmp_path) as page:
+        page.goto(f"{site.address}{chapter.name}.html")
+        panel = turn(page, exercise.id)
+        write(page, panel, file, (engine / chapter.name / file).read_text(encoding="utf-8"))
+        check(panel)
+        heading = panel.locator(".failure > :first-child").inner_text()
+        assert f"\n{heading}\n{laid_out(rows(panel))}\n" in done.stdout, wrong.mistake
 
 
 WATCH = """() => {
@@ -142,3 +126,53 @@ def test_hints_come_one_by_one_and_a_reset_can_be_undone(visitor: Any, site: Ser
     panel.get_by_role("button", name="Undo").click()
     panel.get_by_text("Your code is back.").wait_for()
     assert stored(page) == mine
+
+
+def test_lines_are_tried_with_a_history(browser: Any, site: Served, tmp_path: Path) -> None:
+    with everything_written(browser, site.address, tmp_path) as page:
+        page.set_viewport_size({"width": 400, "height": 900})
+        page.goto(f"{site.address}ch02_vectors.html")
+        panel = turn(page, "B2.9")
+        panel.get_by_text("Try it", exact=True).click()
+        box = panel.get_by_label("A line of Python for B2.9")
+        for line in ("v = Vector3(1, 2, 0)", "v.cross(Vector3(0, 1, 0))", "v / 0", "print(v)"):
+            box.fill(line)
+            box.press("Enter")
+            panel.get_by_text(f">>> {line}", exact=True).wait_for()
+            page.wait_for_function("(box) => !box.readOnly", arg=box.element_handle())
+        shown = panel.locator(".tried").inner_text()
+        assert "Vector3(0.0, 0.0, 1.0)" in shown
+        assert "ZeroDivisionError" in shown
+        assert "ch02_vectors/vector.py, line" in shown
+        assert shown.rstrip().endswith("Vector3(1.0, 2.0, 0.0)")
+        box.press("ArrowUp")
+        box.press("ArrowUp")
+        assert box.input_value() == "v / 0"
+        accessible(page)
+
+
+@pytest.fixture(scope="module")
+def generous(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """The same pages with the pack of `make site SOLUTIONS=1`."""
+    with served_site(built_with_solutions(tmp_path_factory)) as server:
+        yield server
+
+
+def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -> None:
+    with visit(browser, service_workers="block") as context:
+        page = context.new_page()
+        page.goto(f"{generous.address}ch03_laws_of_motion.html")
+        panel = turn(page, "B3.4")
+        for path, text in reference("ch03_laws_of_motion").items():
+            write(page, panel, path.split("/")[1], text)
+        assert not check(panel).startswith("All checks of B3.4 pass")
+        panel.get_by_role("link", name="Take earlier chapters from the reference").click()
+        whole = page.locator("[data-whole]")
+        whole.get_by_label("2", exact=True).check()
+        assert re.match(r"All checks of B3\.4 pass.* chapter 2\.", check(panel))
+        page.reload()
+        whole.scroll_into_view_if_needed()
+        assert whole.get_by_label("2", exact=True).is_checked()
+        page.goto(f"{generous.address}lab.html?scene=frame-rates")
+        page.locator("#add option", has_text="the reference").wait_for(state="attached")
+        assert "on the reference's chapters 2" in page.inner_text("#whose")

@@ -8,15 +8,13 @@ import pytest
 
 from autograder.manifest import load_chapters
 from copies import reference
-from in_node import NodeEngines, engines
+from in_node import NodeEngines
 
 CHAPTER = load_chapters()[0]
 FILE = "ch02_vectors/vector.py"
 RIGHT = reference()
 LINE = "        return math.hypot(self.x, self.y, self.z)"
 LENGTH, NORMALIZE = "B2.2", "B2.4"
-
-engines = pytest.fixture(scope="module")(engines)
 
 
 def with_length(*lines: str) -> dict[str, str]:

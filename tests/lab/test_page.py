@@ -97,7 +97,7 @@ def test_the_error_is_that_of_the_method_and_another_contender_is_compared(
     with page.expect_download() as download:
         page.click("#csv")
     title, *rows = Path(download.value.path()).read_text(encoding="utf-8").splitlines()
-    assert title.startswith('"time, s","energy, J (your engine')
+    assert title.startswith('"time, s","energy, J (')
     assert len(rows) > 10
     other = page.context.browser.new_page(bypass_csp=True)  # the address restores everything
     other.goto(page.url)

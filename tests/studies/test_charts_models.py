@@ -7,18 +7,15 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Any
 
 import numpy
 import pytest
-from scipy.integrate import solve_ivp
 
 from plots.drawing import slope
 from scenes.chain import Chain
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BATCH, BEST, reading
 from studies.models.chain_motion import rates
-from studies.models.exact_frames import oscillation_in_frames
 from studies.models.multistep import LoneMultistep, Multistep, weights
 from studies.models.order_8 import Order8
 from studies.models.plane_rods import accelerations_on_rods
@@ -139,17 +136,6 @@ def test_rods_in_the_plane_accelerate_as_lagrange_says() -> None:
     wanted = numpy.cumsum(0.8 * (changes * along + turns**2 * in_line))
     found = accelerations_on_rods([1.0, 3.0, 0.5, 2.0], [0.8] * 4, 9.81)([*places], [*speeds])
     assert found == pytest.approx([*wanted], rel=1e-11)
-
-
-@pytest.mark.parametrize(("stiffness", "damping"), [(100.0, 0.0), (100.0, 2.0), (4.0, 9.0)])
-def test_an_oscillation_in_frames_is_that_of_its_equation(stiffness: float, damping: float) -> None:
-    def rates(_: float, state: Any) -> list[float]:
-        return [state[1], -stiffness * state[0] - damping * state[1]]
-
-    times = numpy.arange(1, 61) / 60.0
-    found = solve_ivp(rates, (0.0, 1.0), [0.5, 0.0], "DOP853", times, rtol=1e-12, atol=1e-12)
-    places = oscillation_in_frames(0.5, stiffness, damping, 1.0 / 60.0, 60)
-    assert places == pytest.approx([*found.y[0]], abs=1e-10)
 
 
 @pytest.mark.parametrize("count", [1, BATCH - 1, BATCH, 20])

@@ -1,41 +1,24 @@
 """What the charts add to the integrators of the course: methods of high order, and scenes at rest.
 
-The expected values come from closed forms, SciPy and published tables.
+The expected values come from closed forms.
 """
 
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 
-import numpy
 import pytest
 
 from plots.drawing import slope
-from scenes.chain import Chain
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.in_pymunk import BATCH, BEST, reading
-from studies.models.chain_motion import rates
-from studies.models.multistep import LoneMultistep, Multistep, weights
+from studies.models.multistep import LoneMultistep
 from studies.models.order_8 import Order8
-from studies.models.plane_rods import accelerations_on_rods
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
 SPRING = "spring, k = 100 N/m, c = 2 N s/m"
 RESTING = [f"stack of ten spheres, mass ratio {ratio}" for ratio in (1, 1000)]
 RESTING.append("pile of 45 spheres")
-
-
-@pytest.mark.parametrize(
-    ("power", "published"),
-    [
-        (1, "55/24 -59/24 37/24 -9/24"),  # Adams and Bashforth
-        (2, "14/12 -5/12 4/12 -1/12"),  # Stoermer
-    ],
-)
-def test_the_weights_of_order_4_are_the_published_ones(power: int, published: str) -> None:
-    wanted = [float(Fraction(part)) for part in published.split()]
-    assert weights(4, power) == pytest.approx(wanted, rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -79,31 +62,6 @@ def test_bodies_that_sleep_stay_where_they_are(name: str) -> None:
     assert all(scene.error(model.run(1)) < 1e-7 for model in asleep)
 
 
-def test_frames_within_a_long_step_are_as_accurate_as_its_ends() -> None:
-    scene = SCENES["projectile with linear drag"]
-    model = next(model for model in scene.models if model.name == "multistep, order 8")
-    # A cubic curve is off by H^4 / 384 of the fourth derivative: 20 m/s * 0.51^3 / s^3 at most.
-    most = 0.1**4 / 384.0 * 28.3 * 0.511**3
-    assert scene.error(model.run(2)) * scene.scale < 1.5 * most
-
-
-def test_a_multistep_method_evaluates_once_per_step() -> None:
-    asked = []
-
-    def accelerations(positions: list[complex], _: list[complex]) -> list[complex]:
-        asked.append(1)
-        return [-z for z in positions]
-
-    for kind in (Multistep, LoneMultistep):
-        bodies = kind([1.0], [0.0], accelerations, 0.01, 4, is_damped=False)
-        before = len(asked)
-        found = bodies.run(20, 5)
-        assert len(asked) == before + 100
-        wanted = [math.cos(0.2 * i) for i in range(1, 6)]
-        assert [z.real for (z,) in found] == pytest.approx(wanted, abs=1e-8)
-        asked.clear()
-
-
 def test_a_multistep_method_refuses_steps_that_are_too_long_to_start() -> None:
     def accelerations(positions: list[complex], velocities: list[complex]) -> list[complex]:
         return [-1e6 * positions[0] - 200.0 * velocities[0]]
@@ -124,18 +82,6 @@ def test_order_8_keeps_its_tolerance_between_its_steps(tolerance: float) -> None
     assert tolerance / 1e4 < max(errors) < 20.0 * tolerance
     assert oscillator.evaluations < 40 * 16
     assert oscillator.state[0][0] == pytest.approx(complex(math.cos(10), math.sin(10)), abs=1e-3)
-
-
-def test_rods_in_the_plane_accelerate_as_lagrange_says() -> None:
-    chain = Chain([1.0, 3.0, 0.5, 2.0], 0.8, 0.7, 9.81)
-    angles, turns = numpy.array([0.7, -0.4, 1.9, 0.2]), numpy.array([1.0, -2.0, 0.5, 3.0])
-    changes = rates(chain, 0.0, numpy.append(angles, turns))[4:]
-    along, in_line = numpy.exp(1j * angles), 1j * numpy.exp(1j * angles)  # from straight down
-    places = numpy.cumsum(0.8 * -1j * along)
-    speeds = numpy.cumsum(0.8 * turns * along)
-    wanted = numpy.cumsum(0.8 * (changes * along + turns**2 * in_line))
-    found = accelerations_on_rods([1.0, 3.0, 0.5, 2.0], [0.8] * 4, 9.81)([*places], [*speeds])
-    assert found == pytest.approx([*wanted], rel=1e-11)
 
 
 @pytest.mark.parametrize("count", [1, BATCH - 1, BATCH, 20])

@@ -43,7 +43,6 @@ THEIRS = points(FALLING, model="theirs", by="pymunk")
 @pytest.mark.parametrize(
     ("errors", "times", "tolerance", "wanted"),
     [
-        ([1e-1, 1e-2, 1e-3], [1.0, 2.0, 4.0], 1e-2, 2.0),
         ([1e-1, 1e-2, 1e-3], [1.0, 2.0, 4.0], 10.0**-2.5, 2.0 * math.sqrt(2.0)),
         ([1e-1, 1e-2, 1e-3], [1.0, 2.0, 4.0], 1.0, 1.0),
         ([1e-1, 1e-2, 1e-3], [1.0, 2.0, 4.0], 1e-4, None),
@@ -63,7 +62,6 @@ def test_the_time_to_a_tolerance_is_read_between_two_points(
     ("errors", "wanted"),
     [
         (FALLING, False),
-        ([0.08, 0.05, 0.051, 0.052], True),
         ([0.08, 0.07, 0.06, 0.041], True),
         ([math.inf] * 4, False),
         ([0.5] * 4, False),  # the error is too large to show an order
@@ -91,11 +89,9 @@ def test_a_side_whose_models_all_stall_never_gets_there() -> None:
     ("errors", "wanted"),
     [
         ([0.5, *FALLING], 1.0),
-        ([0.5, 0.08, 0.02, 0.005, 0.00125], 2.0),
         ([0.02, 0.01, 0.005], None),  # too few points
         ([0.8, 0.4, 0.2, 0.1], None),  # too large to show an order
         ([0.08, 0.04, 0.03, 0.01], None),  # not steady
-        ([0.08, 0.079, 0.078, 0.077], None),  # stalled
         ([0.08, 0.04, 0.02, 0.0], None),
         ([math.inf, 0.04, 0.02, 0.01], None),
     ],

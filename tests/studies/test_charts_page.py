@@ -111,6 +111,8 @@ def test_keys_and_pointer_show_the_numbers_of_a_point(opened: Any) -> None:
     assert tip.is_hidden()
     opened.keyboard.press("Home")
     assert "2 steps per frame: error 0.5" in tip.inner_text()
+    opened.evaluate("document.activeElement.blur()")
+    assert tip.is_hidden()
     exact = chart.locator(".point > [aria-label^='closed form']").bounding_box()
     opened.mouse.move(exact["x"] - 5.0, exact["y"] + 8.0)
     assert tip.inner_text().startswith("closed form, once per frame")

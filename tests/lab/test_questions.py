@@ -23,7 +23,9 @@ def answer(scene: Scene) -> int:
     return scene.predict.answer(scene)
 
 
-@pytest.mark.parametrize("drags", [*itertools.product((0.0, 0.02, 0.1), repeat=2)], ids=str)
+@pytest.mark.parametrize(
+    "drags", [(0.0, 0.0), (0.0, 0.02), (0.02, 0.02), (0.1, 0.02), (0.02, 0.0)], ids=str
+)
 @pytest.mark.parametrize("masses", [(0.1, 10.0), (4.0, 4.0), (4.0, 0.5)], ids=str)
 def test_the_ball_that_is_said_to_land_first_does(
     drags: tuple[float, float], masses: tuple[float, float]
@@ -69,9 +71,9 @@ def growth(scene: Any) -> float:
 @pytest.mark.parametrize("rate", SPRING.rate.options)
 def test_a_spring_is_stable_where_its_steps_do_not_grow(integrator: str, rate: float) -> None:
     """The grid covers the whole range of the sliders, and both sides of the limit."""
-    stiffnesses = numpy.geomspace(SPRING.stiffness.low, SPRING.stiffness.high, 23)
+    stiffnesses = numpy.geomspace(SPRING.stiffness.low, SPRING.stiffness.high, 12)
     seen = set()
-    for m, c in itertools.product((0.1, 0.3, 1.0, 3.3, 10.0), (0.0, 0.1, 1.0, 5.0, 9.3, 20.0)):
+    for m, c in itertools.product((0.1, 1.0, 10.0), (0.0, 1.0, 9.3, 20.0)):
         for k in stiffnesses:
             scene = SPRING(integrator=integrator, rate=rate, stiffness=k, mass=m, damping=c)
             # A stable spring without damping neither grows nor decays, up to rounding.

@@ -48,6 +48,7 @@ def new_version(site: Path, folder: Path) -> Path:
     return folder
 
 
+UPDATE = "navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)"
 KEPT = """async () => {
   const urls = [];
   for (const name of await caches.keys()) {
@@ -80,12 +81,11 @@ def test_a_new_version_is_taken_when_wanted_and_another_site_of_the_host_is_left
         shutil.rmtree(outer)
         new_version(old, outer)
         (outer / "spring").symlink_to(old)
-        page.goto(f"{here}errata.html")
-        page.evaluate("navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)")
-        page.get_by_text("A new version of the course is ready.").wait_for()
-        page.reload()
-        assert page.get_by_text("The new version.").count() == 0, "it is still the old one"
-        page.get_by_text("A new version of the course is ready.").wait_for()
+        for _ in range(2):  # it is still the old one after the page has been opened again
+            page.goto(f"{here}errata.html")
+            page.evaluate(UPDATE)
+            page.get_by_text("A new version of the course is ready.").wait_for()
+            assert page.get_by_text("The new version.").count() == 0
         page.get_by_role("button", name="Use it now").click()
         page.get_by_text("The new version.").wait_for()
         now = page.evaluate(KEPT)

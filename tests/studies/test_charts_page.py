@@ -7,6 +7,7 @@ import hashlib
 import io
 import json
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ import pytest
 import browser as browsers
 from autograder.manifest import ROOT
 from autograder.text.marked import between
+from site_page import accessible, visit
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Row, Side
@@ -67,30 +69,20 @@ def test_the_libraries_are_the_published_ones() -> None:
     assert {line.split()[1] for line in sums} == {n for n in page.LIBRARIES if n.endswith(".js")}
 
 
-class Page:
-    """A page in a browser. It may ask no host for anything."""
-
-    def __init__(self, browser: Any, made: Path, **options: Any) -> None:
-        self.context = browser.new_context(bypass_csp=True, **options)
-        self.tab = self.context.new_page()
-        self.tab.set_default_timeout(20_000.0)
-        self.asked: list[str] = []
-        self.errors: list[str] = []
-        self.tab.on("request", lambda request: self.asked.append(request.url))
-        self.tab.on("pageerror", lambda error: self.errors.append(str(error)))
-        self.tab.goto((made / "index.html").as_uri())
-
-    def close(self) -> None:
-        assert self.errors == []
-        assert [url for url in self.asked if not url.startswith(("file:", "data:"))] == []
-        self.context.close()
+@contextmanager
+def page_in(browser: Any, made: Path, width: int = 1280, **options: Any) -> Iterator[Any]:
+    """Yield the page in a browser. No error may occur on it, and it may ask no host."""
+    with visit(browser, width, bypass_csp=True, **options) as context:
+        tab = context.new_page()
+        tab.goto((made / "index.html").as_uri())
+        yield tab
+        assert context.hosts == {None}
 
 
 @pytest.fixture
 def opened(browser: Any, made: Path) -> Iterator[Any]:
-    page = Page(browser, made, viewport={"width": 1280, "height": 900})
-    yield page.tab
-    page.close()
+    with page_in(browser, made) as tab:
+        yield tab
 
 
 def test_keys_and_pointer_show_the_numbers_of_a_point(opened: Any) -> None:
@@ -167,27 +159,21 @@ def test_the_page_saves_every_point_of_its_tables(opened: Any, made: Path) -> No
     assert [last["by"], last["time, ms"], last["work"]] == ["the book", "8", "60"]
 
 
-def test_it_is_accessible_and_fits(browser: Any, made: Path) -> None:
-    from axe_playwright_python.sync_playwright import Axe
-
-    for width, scheme in ((360, "light"), (1920, "dark")):
-        page = Page(browser, made, viewport={"width": width, "height": 900}, color_scheme=scheme)
-        page.tab.locator("summary").first.click()
-        page.tab.locator(".point [tabindex='0']").first.focus()
-        found = Axe().run(page.tab).response["violations"]
-        assert found == [], [(v["id"], v["nodes"][0]["html"]) for v in found]
-        assert page.tab.evaluate("document.documentElement.scrollWidth") <= width
-        page.close()
+@pytest.mark.parametrize(("width", "scheme"), [(360, "light"), (1920, "dark")])
+def test_it_is_accessible_and_fits(browser: Any, made: Path, width: int, scheme: str) -> None:
+    with page_in(browser, made, width, color_scheme=scheme) as tab:
+        tab.locator("summary").first.click()
+        tab.locator(".point [tabindex='0']").first.focus()
+        accessible(tab)
 
 
 def test_without_javascript_the_tables_can_be_read(browser: Any, made: Path) -> None:
-    page = Page(browser, made, java_script_enabled=False)
-    assert page.tab.locator("#filter").is_hidden()
-    assert page.tab.locator("figure:visible, #csv:visible").count() == 0
-    assert "Without it, all their numbers are in the tables" in page.tab.inner_text("header")
-    page.tab.locator("summary").first.click()
-    assert "damping in the particle" in page.tab.locator("table.runs").first.inner_text()
-    page.close()
+    with page_in(browser, made, java_script_enabled=False) as tab:
+        assert tab.locator("#filter").is_hidden()
+        assert tab.locator("figure:visible, #csv:visible").count() == 0
+        assert "Without it, all their numbers are in the tables" in tab.inner_text("header")
+        tab.locator("summary").first.click()
+        assert "damping in the particle" in tab.locator("table.runs").first.inner_text()
 
 
 def test_a_full_run_keeps_the_picture_the_page_and_its_description(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters
 from copies import reference
 from course_site import BELOW, built, built_with_solutions, data_in, pack_in
-from in_node import NodeEngines
+from in_node import NodeEngines, engines_of
 from made import made_stubs
 
 MOST = 1_500_000  # bytes
@@ -25,6 +26,11 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def with_solutions(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with what Python needs, the reference's modules included."""
     return built_with_solutions(tmp_path_factory) / BELOW
+
+
+@pytest.fixture(scope="module")
+def engines(with_solutions: Path) -> Iterator[NodeEngines]:
+    yield from engines_of(with_solutions)
 
 
 def test_students_files_are_the_stubs_and_nothing_tells_the_solution(site: Path) -> None:

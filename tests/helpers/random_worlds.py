@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from random import Random
 
 from ch02_vectors.vector import Vector3
@@ -41,16 +41,11 @@ class Plan:
 
     def moved(self, way: Callable[[Triple], Triple]) -> Plan:
         """Return the plan with all of its vectors mirrored or rotated by ``way``."""
-        return Plan(
-            self.masses,
-            [way(place) for place in self.places],
-            [way(velocity) for velocity in self.velocities],
-            self.restitution,
-            way(self.gravity),
-            self.springs,
-            self.links,
-            self.ground,
-            self.collide,
+        return replace(
+            self,
+            places=[way(place) for place in self.places],
+            velocities=[way(velocity) for velocity in self.velocities],
+            gravity=way(self.gravity),
         )
 
     def build(self, integrator: Callable[..., None] = semi_implicit_euler) -> ParticleWorld:

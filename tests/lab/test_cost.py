@@ -8,7 +8,6 @@ import statistics
 import pytest
 
 from lab import cost
-from lab.host import Host
 
 # The steps of clocks in s: CPython's, Chromium's, and that of Firefox and WebKit.
 FINE, ROUNDED, COARSE = 1e-7, 1e-4, 1e-3
@@ -69,6 +68,8 @@ def test_the_cost_is_right_or_absent(
     last = []
     for seed in range(6):
         found = shown(monkeypatch, Clock(step, jitter=jitter), takes, 20.0, seed)
+        # It needs 60 frames, and 25 ticks of the clock in the mean.
+        assert step == COARSE or found[round(60 * (1.1 if step == FINE else 2.0))] is not None
         values = [value for value in found if value is not None]
         if values:  # now and then 20 s are too short for the coarse clock
             assert takes / (1.0 + 4.0 * SIGMA) < min(values)
@@ -76,14 +77,6 @@ def test_the_cost_is_right_or_absent(
             last.append(values[-1])
     assert len(last) >= 5
     assert statistics.mean(last) == pytest.approx(takes, rel=4.0 * SIGMA / math.sqrt(6.0))
-
-
-@pytest.mark.parametrize(("step", "seconds"), [(FINE, 1.1), (ROUNDED, 2.0), (COARSE, 20.0)])
-def test_the_cost_is_known_soon(
-    monkeypatch: pytest.MonkeyPatch, step: float, seconds: float
-) -> None:
-    """A light frame takes 30 us. It needs 60 frames, and 25 ticks of the clock in the mean."""
-    assert shown(monkeypatch, Clock(step, jitter=False), 30e-6, seconds)[-1] is not None
 
 
 def test_what_the_clock_cannot_resolve_stays_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -105,15 +98,3 @@ def test_a_pause_of_the_computer_does_not_stay(monkeypatch: pytest.MonkeyPatch) 
         measured.measure(frame)
     cost.tick.cache_clear()
     assert measured.known() == pytest.approx(30.0, rel=0.1)
-
-
-def test_a_changed_parameter_is_measured_anew() -> None:
-    host = Host(str)
-    host.receive({"kind": "load", "scene": "one-spring", "values": {}, "peer": ""})
-    for changed in ("integrator", "stiffness"):  # one that is live, and one that starts anew
-        value = {"integrator": "Runge-Kutta 4", "stiffness": 50.0}[changed]
-        for _ in range(3):
-            (frame,) = host.receive({"kind": "run", "frames": 30})
-        assert frame["cost"] > 0.0
-        (frame,) = host.receive({"kind": "set", "name": changed, "value": value})
-        assert frame["cost"] is None

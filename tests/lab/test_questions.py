@@ -1,10 +1,9 @@
-"""The questions of the scenes are answered correctly, and choices mean what they say."""
+"""The answers to the scenes' questions hold for all parameters, and choices mean what they say."""
 
 from __future__ import annotations
 
 import itertools
 import math
-from importlib import import_module
 from typing import Any
 
 import numpy
@@ -12,22 +11,11 @@ import pytest
 
 from lab.catalog import load
 from lab.drawing.pen import Pen
-from lab.scene import Scene, parameters_of
-from scenes.parameters import Choice, Slider
-from studies.accuracy.scene import Outcome
+from lab.scene import Scene
+from studies.accuracy.scene import Model, Outcome
 
-CHARTED = import_module(load("charts").__module__).CHARTED
-
-
-def ends(name: str) -> list[dict[str, Any]]:
-    """Return values for a scene: the defaults, and each end of each parameter."""
-    found: list[dict[str, Any]] = [{}]
-    for parameter in parameters_of(load(name)).values():
-        if isinstance(parameter, Slider):
-            found += [{parameter.name: end} for end in (parameter.low, parameter.high)]
-        elif isinstance(parameter, Choice):
-            found += [{parameter.name: end} for end in parameter.options]
-    return found
+SPRING: Any = load("one-spring")
+CHARTS: Any = load("charts")
 
 
 def answer(scene: Scene) -> int:
@@ -35,27 +23,25 @@ def answer(scene: Scene) -> int:
     return scene.predict.answer(scene)
 
 
-@pytest.mark.parametrize("drags", [*itertools.product((0.0, 0.02, 0.1), repeat=2)], ids=str)
+@pytest.mark.parametrize(
+    "drags", [(0.0, 0.0), (0.0, 0.02), (0.02, 0.02), (0.1, 0.02), (0.02, 0.0)], ids=str
+)
 @pytest.mark.parametrize("masses", [(0.1, 10.0), (4.0, 4.0), (4.0, 0.5)], ids=str)
 def test_the_ball_that_is_said_to_land_first_does(
     drags: tuple[float, float], masses: tuple[float, float]
 ) -> None:
-    scene: Any = load("fall-in-air")(
-        left_drag=drags[0],
-        right_drag=drags[1],
-        left_mass=masses[0],
-        right_mass=masses[1],
-        rate=240,
-    )
+    names = ("left_drag", "right_drag", "left_mass", "right_mass")
+    values = dict(zip(names, (*drags, *masses), strict=True))
+    scene: Any = load("fall-in-air")(**values, rate=240)
     while math.inf in scene.landed and scene.time < 80.0:
         scene.advance()
     left, right = scene.landed
     assert answer(scene) == (2 if left == right else 0 if left < right else 1)
 
 
-@pytest.mark.parametrize("values", ends("frame-rates"), ids=str)
-def test_the_ball_with_the_longest_steps_flies_farthest(values: dict[str, Any]) -> None:
-    scene: Any = load("frame-rates")(**values)
+@pytest.mark.parametrize("rate", load("frame-rates").rate.options)
+def test_the_ball_with_the_longest_steps_flies_farthest(rate: float) -> None:
+    scene: Any = load("frame-rates")(rate=rate)
     assert len(set(scene.rates)) == 3
     assert scene.rates[0] == min(scene.rates)
     for _ in range(360):
@@ -81,16 +67,15 @@ def growth(scene: Any) -> float:
     return float(max(abs(numpy.linalg.eigvals(numpy.array([still, moving - still])))))
 
 
-@pytest.mark.parametrize("integrator", load("one-spring").integrator.options)
-@pytest.mark.parametrize("rate", load("one-spring").rate.options)
+@pytest.mark.parametrize("integrator", SPRING.integrator.options)
+@pytest.mark.parametrize("rate", SPRING.rate.options)
 def test_a_spring_is_stable_where_its_steps_do_not_grow(integrator: str, rate: float) -> None:
     """The grid covers the whole range of the sliders, and both sides of the limit."""
-    kind: Any = load("one-spring")
-    stiffnesses = numpy.geomspace(kind.stiffness.low, kind.stiffness.high, 23)
+    stiffnesses = numpy.geomspace(SPRING.stiffness.low, SPRING.stiffness.high, 12)
     seen = set()
-    for m, c in itertools.product((0.1, 0.3, 1.0, 3.3, 10.0), (0.0, 0.1, 1.0, 5.0, 9.3, 20.0)):
+    for m, c in itertools.product((0.1, 1.0, 10.0), (0.0, 1.0, 9.3, 20.0)):
         for k in stiffnesses:
-            scene = kind(integrator=integrator, rate=rate, stiffness=k, mass=m, damping=c)
+            scene = SPRING(integrator=integrator, rate=rate, stiffness=k, mass=m, damping=c)
             # A stable spring without damping neither grows nor decays, up to rounding.
             stable = growth(scene) <= 1.0 + 1e-9
             assert answer(scene) == int(not stable), (k, m, c)
@@ -99,107 +84,71 @@ def test_a_spring_is_stable_where_its_steps_do_not_grow(integrator: str, rate: f
     assert seen == {True, False} or rate > 120.0  # no spring is too stiff for the shortest steps
 
 
-@pytest.mark.parametrize(
-    ("values", "unstable"),
-    [
-        # Explicit Euler with k h < c is stable: 100 / 60 < 5. With a weaker damper it is not.
-        ({"integrator": "explicit Euler", "damping": 5.0}, 0),
-        ({"integrator": "explicit Euler", "damping": 0.5}, 1),
-        # Semi-implicit Euler: 2 c h / m = 6.7 is above 4.
-        ({"integrator": "semi-implicit Euler", "mass": 0.1, "stiffness": 1.0, "damping": 20.0}, 1),
-        ({"integrator": "semi-implicit Euler", "mass": 0.1, "stiffness": 1.0, "damping": 11.0}, 0),
-    ],
-    ids=str,
-)
-def test_the_judgement_is_what_a_run_shows(values: dict[str, Any], unstable: int) -> None:
-    scene: Any = load("one-spring")(**values)
-    assert answer(scene) == unstable
-    for _ in range(1800):
-        scene.advance()
-        if abs(scene.ball.position.x) > 100.0:
-            break
-    assert (abs(scene.ball.position.x) > 100.0) == bool(unstable)
-
-
 @pytest.mark.parametrize("rate", [15.0, 60.0])
 @pytest.mark.parametrize(("mass", "damping"), [(1.0, 0.0), (1.0, 10.0), (0.1, 5.0)])
 def test_pymunks_spring_is_stable_up_to_its_own_limit(
     rate: float, mass: float, damping: float
 ) -> None:
-    kind: Any = load("one-spring").peers["pymunk"]
     limit = 2.0 * (1.0 + math.exp(damping / rate / mass)) * mass * rate**2
     for factor, unstable in ((0.98, 0), (1.02, 1)):
-        scene = kind(rate=rate, mass=mass, damping=damping, stiffness=min(2e4, factor * limit))
+        stiffness = min(2e4, factor * limit)
+        values = {"rate": rate, "mass": mass, "damping": damping, "stiffness": stiffness}
+        scene = SPRING.peers["pymunk"](**values)
         assert answer(scene) == (unstable if factor * limit < 2e4 else 0)
         assert (growth(scene) > 1.0 + 1e-6) == bool(answer(scene))
-
-
-def test_the_exact_spring_is_never_unstable() -> None:
-    scene = load("one-spring").peers["exact"](stiffness=20_000.0, rate=15.0, mass=0.1)
-    assert answer(scene) == 0
-
-
-def charts(**values: Any) -> Any:
-    return load("charts")(**values)
+    assert answer(SPRING.peers["exact"](stiffness=20_000.0, rate=15.0, mass=0.1)) == 0
 
 
 def test_a_smaller_tolerance_gives_a_smaller_error() -> None:
     """The adaptive method takes a tolerance, so the number of steps does not change its run."""
     errors = []
-    for tolerance in load("charts").tolerance.options:
-        scene = charts(method="adaptive", tolerance=tolerance)
+    for tolerance in CHARTS.tolerance.options:
+        scene = CHARTS(method="adaptive", tolerance=tolerance)
         assert f"a tolerance of {tolerance:g} m" in scene.facts()
-        errors.append(max(off(scene)))
+        found = []
+        for _ in range(scene.scene.frames):
+            found.append(scene.error())
+            scene.advance()
+        errors.append(max(found))
         # Two seconds of an error of at most the tolerance per frame, as the integrator promises.
         assert errors[-1] * scene.scene.scale < 120 * tolerance
     assert errors == sorted(errors, reverse=True)
     assert errors[0] > 100.0 * errors[-1]
 
 
-def off(scene: Any) -> list[float]:
-    found = []
-    for _ in range(scene.scene.frames):
-        found.append(scene.error())
-        scene.advance()
-    return found
-
-
-@pytest.mark.parametrize("method", [*load("charts").method.options])
-def test_the_charts_run_what_was_chosen(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("method", "takes"),
+    [
+        ("leapfrog", "steps"),
+        ("multistep, order 4", "long_steps"),
+        ("adaptive", "tolerance"),
+        ("closed form", "nothing, as it has no steps"),
+    ],
+)
+def test_the_charts_run_what_was_chosen(
+    method: str, takes: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A method runs with the number of the parameter that it takes, and ignores the others."""
-    charted, model = next(
-        (name, model)
-        for name, scene in CHARTED.items()
-        for model in scene.models
-        if model.name == method
-    )
     asked: list[int] = []
 
     def run(number: int) -> Outcome:
         asked.append(number)
         return Outcome([(0.0, 0.0)], 1)
 
-    monkeypatch.setattr(type(model), "run", property(lambda _: run), raising=False)
-    takes = "steps" if model.per == 1 else "long_steps"
-    if model.takes_tolerance:
-        takes = "tolerance"
+    monkeypatch.setattr(Model, "run", property(lambda _: run), raising=False)
     for name in ("steps", "long_steps", "tolerance"):
-        options = load("charts").__dict__[name].options
+        asked.clear()
+        options = CHARTS.__dict__[name].options
         for value in options:
-            charts(charted=charted, method=method, **{name: value})
-        found = asked[-len(options) :]
-        if len(model.steps) == 1:
-            assert set(found) == {1}  # an exact method has no steps
-        elif name == takes:
-            wanted = options if name != "tolerance" else [100, 10**4, 10**6, 10**8]
-            assert found == wanted
-            assert set(found) <= {*model.steps}
+            CHARTS(charted="projectile with linear drag", method=method, **{name: value})
+        if name == takes:
+            assert asked == (options if name != "tolerance" else [100, 10**4, 10**6, 10**8])
         else:
-            assert len(set(found)) == 1
+            assert len({*asked}) == 1
 
 
 def test_a_method_that_a_scene_does_not_have_is_named() -> None:
-    scene = charts(charted="net of 6 by 6 cables", method="leapfrog")
+    scene = CHARTS(charted="net of 6 by 6 cables", method="leapfrog")
     pen = Pen()
     scene.draw(pen)
     (words,) = [item for item in pen.items if item[0] == "text"]

@@ -124,18 +124,10 @@ def test_a_question_has_one_answer_that_a_run_confirms(name: str) -> None:
 MEASURED = {"bounce", "stack", "bridge", "cube", "trebuchet", "orientations"}
 
 
-@pytest.mark.parametrize(
-    ("name", "peer", "most"),
-    [
-        # One step of a fall at 6.3 m/s, for each of the two bounces.
-        ("bounce", "pymunk", 2.0 * 6.3 / 60.0),
-        # The pull of the spokes turns by 3 rad/s / 60 Hz per step, which is 5 % of 3 rad/s.
-        ("wheel", "pymunk", 0.15),
-    ],
-)
-def test_a_peer_runs_the_same_physics(name: str, peer: str, most: float) -> None:
-    own, other = frames(name, seconds=1.0), frames(name, peer, seconds=1.0)
-    assert max(frame["error"] for frame in other) <= most
-    for key, value in own[30]["chart"].items():
-        if key in ("height, m", "spin, rad/s", "rigid wheel, rad/s"):
-            assert other[30]["chart"][key] == pytest.approx(value, abs=most + 0.1)
+def test_a_peer_runs_the_same_physics() -> None:
+    """The pull of a wheel's spokes turns by 3 rad/s / 60 Hz per step, which is 5 % of 3 rad/s."""
+    own, other = frames("wheel"), frames("wheel", "pymunk")
+    assert max(frame["error"] for frame in other) <= 0.15
+    for key in ("spin, rad/s", "rigid wheel, rad/s"):
+        wanted = pytest.approx(own[30]["chart"][key], abs=0.25)
+        assert other[30]["chart"][key] == wanted

@@ -23,7 +23,7 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
     [
         ("ch06_springs/test_steps.py", {}, {6}),
         ("reference/test_links.py", {"name": "ch06"}, {7}),  # it also imports chapters 2, 5 and 6
-        ("studies/test_charts_pendulums.py", {}, {6}),  # because of the studies that it imports
+        ("studies/test_charts_results.py", {}, {6}),  # because of the studies that it imports
         ("plots/test_engines.py", {}, {9}),  # because of the names in its text
         ("project/test_proofs.py", {"chapter": CHAPTERS[2]}, {4}),
         (

@@ -33,6 +33,8 @@ from studies.benchmarks import (
 )
 from studies.models.plain_numbers import cloth_in_numbers, flight_in_numbers, pushed_in_numbers
 
+(THROW,) = scenes_with("projectile")
+
 
 def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() -> None:
     first = iter([2.0, 4.0, 6.0, 100.0, 4.0])
@@ -71,11 +73,7 @@ def test_lines_are_visited_all_over_the_run_with_their_two_sides_next_to_each_ot
     visits: list[tuple[str, int]] = []
 
     def side(what: str, which: int) -> Callable[[], float]:
-        def timed() -> float:
-            visits.append((what, which))
-            return 1.0
-
-        return timed
+        return lambda: visits.append((what, which)) or 1.0
 
     timing.measure(
         [
@@ -85,14 +83,13 @@ def test_lines_are_visited_all_over_the_run_with_their_two_sides_next_to_each_ot
     )
     pairs = [*zip(visits[::2], visits[1::2], strict=True)]
     assert all(first[0] == second[0] for first, second in pairs)
-    orders = [(first[1], second[1]) for first, second in pairs]
     # The probability that 244 or 120 coin tosses are all alike is 2^-119.
-    assert {*orders} == {(0, 1), (1, 0)}
+    assert {(first[1], second[1]) for first, second in pairs} == {(0, 1), (1, 0)}
     order = [first[0] for first, _ in pairs]
     assert {what: order.count(what) for what in rounds} == rounds
     equals = [what for what in order if "often" in what]
-    halves = [*zip(equals[::2], equals[1::2], strict=True)]
-    assert {*halves} == {("often", "as often"), ("as often", "often")}  # each once per round
+    halves = {*zip(equals[::2], equals[1::2], strict=True)}
+    assert halves == {("often", "as often"), ("as often", "often")}  # each once per round
     before = [order[:i].count("often") for i, what in enumerate(order) if what == "seldom"]
     assert all(40 * k <= count <= 40 * (k + 1) for k, count in enumerate(before))  # one per third
 
@@ -102,8 +99,6 @@ def test_lines_are_visited_all_over_the_run_with_their_two_sides_next_to_each_ot
     [
         (Target("at least", 7), 6.999, "missed"),
         (Target("at least", 7), 7.0, "met"),
-        (Target("at least", 7), 7.001, "met"),
-        (Target("at most", 1.15), 1.149, "met"),
         (Target("at most", 1.15), 1.15, "met"),
         (Target("at most", 1.15), 1.151, "missed"),
         (None, 1.0, ""),
@@ -153,20 +148,19 @@ def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
 
 
 def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:
-    (scene,) = scenes_with("projectile")
-    for name, tolerance in ((EXAMPLES, 1e-4), ("explicit Euler", 1e-3), ("velocity Verlet", 1e-7)):
-        model = accuracy.model_of(scene, name)
-        point = accuracy.tried_steps(scene, model, tolerance)[-1]
-        assert point.error == scene.error(model.run(point.steps)) <= tolerance
-        assert scene.error(model.run(point.steps // 2)) > tolerance
-
-
-def test_the_coarsest_choice_is_the_first_that_is_accurate_enough() -> None:
-    (scene,) = scenes_with("projectile")
-    verlet = accuracy.model_of(scene, "velocity Verlet")
-    steps, outcome = accuracy.coarsest(scene, verlet, range(1, 65), 1e-6)
+    for name, tolerance in ((EXAMPLES, 1e-4), ("velocity Verlet", 1e-7)):
+        model = accuracy.model_of(THROW, name)
+        point = accuracy.tried_steps(THROW, model, tolerance)[-1]
+        assert point.error == THROW.error(model.run(point.steps)) <= tolerance
+        assert THROW.error(model.run(point.steps // 2)) > tolerance
+    verlet = accuracy.model_of(THROW, "velocity Verlet")
+    steps, outcome = accuracy.coarsest(THROW, verlet, range(1, 65), 1e-6)
     assert outcome == verlet.run(steps)
-    assert scene.error(outcome) <= 1e-6 < scene.error(verlet.run(steps - 1))
+    assert THROW.error(outcome) <= 1e-6 < THROW.error(verlet.run(steps - 1))
+    (ball,) = scenes_with("bouncing ball, restitution 0.8")
+    for scene in (THROW, ball):
+        # The tolerance allows for some hundred roundings.
+        assert scene.error(accuracy.fastest_exact(scene).run(1)) < 1e-12
 
 
 def test_adaptive_needs_a_tenth_of_the_evaluations_for_a_comet() -> None:
@@ -175,28 +169,22 @@ def test_adaptive_needs_a_tenth_of_the_evaluations_for_a_comet() -> None:
     assert evaluations.target.is_met(evaluations.once())  # the count is the same on every machine
 
 
-def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
+def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds_or_extrapolated(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    (scene,) = scenes_with("projectile")
-    monkeypatch.setattr(accuracy, "MOST", 40 * scene.frames)
-    pymunk = accuracy.model_of(scene, EXAMPLES)
-    point = accuracy.tried_steps(scene, pymunk, 1e-4)[-1]  # this needs 64 steps
-    assert point.steps == 32
-    assert point.error == scene.error(pymunk.run(32)) > 1e-4
     monkeypatch.setattr(accuracy, "MOST", 400)
     monkeypatch.setattr(accuracy, "lines_of_adaptive", lambda: [])
     bounds = ["a lower bound" in line.what for line in accuracy.lines()]
     assert bounds[:3] == [True] * 3  # pymunk as in its examples
-    monkeypatch.setattr(accuracy, "MOST", 64 * scene.frames)
-    assert "bound" not in accuracy.line(scene.name, None, EXAMPLES, 1).what
-
-
-def test_the_exact_model_of_a_scene_is_one_of_ours_without_steps() -> None:
-    for part in ("projectile", "bouncing ball, restitution 0.8"):
-        (scene,) = scenes_with(part)
-        # The tolerance allows for some hundred roundings.
-        assert scene.error(accuracy.fastest_exact(scene).run(1)) < 1e-12
+    monkeypatch.setattr(accuracy, "MOST", 64 * THROW.frames)
+    assert "bound" not in accuracy.line(THROW.name, None, EXAMPLES, 1).what
+    monkeypatch.setattr(accuracy, "versus", lambda *_: lambda: 3.0)
+    line = accuracy.line(THROW.name, None, EXAMPLES, 1, tolerance=1e-5)
+    assert "pymunk's time is extrapolated to 1e-05 with its order of 1.00" in line.what
+    # 64 steps per frame are not enough. With 1024, the error follows order 1, apart from a
+    # hundredth of the next order.
+    error = THROW.error(accuracy.model_of(THROW, EXAMPLES).run(1024))
+    assert line.once() == pytest.approx(3.0 * 16.0 * error / 1e-5, rel=0.02)
 
 
 @pytest.mark.parametrize("lines_of", [algebra.lines_of_vectors, algebra.lines_of_rotations])
@@ -223,19 +211,17 @@ def names_of(setup: str) -> dict[str, Any]:
     return names
 
 
-@pytest.mark.parametrize(("first", "second"), [pair[:2] for pair in algebra.RIVALS[:2]])
-def test_two_ways_to_undo_a_matrix_end_at_the_same(first: str, second: str) -> None:
+def test_matrices_turn_and_are_undone_as_their_quaternions_and_numpys_are() -> None:
     names = names_of(algebra.SETUP)
-    # A dozen roundings of numbers up to 4.
-    assert [*eval(first, names)] == pytest.approx([*eval(second, names)], abs=1e-14)
 
+    def alike(one: str, other: str) -> None:
+        # A dozen roundings of numbers up to 4.
+        assert [*eval(one, names)] == pytest.approx([*eval(other, names)], abs=1e-14)
 
-def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
-    names = names_of(algebra.SETUP)
-    # A dozen roundings of numbers up to 4, also below.
-    assert [*eval("m @ v", names)] == pytest.approx([*eval("q.rotate(v)", names)], abs=1e-14)
-    of_product = [*eval("M3.from_quaternion(q * p)", names)]
-    assert [*eval("m @ n", names)] == pytest.approx(of_product, abs=1e-14)
+    for first, second, *_ in algebra.RIVALS[:2]:
+        alike(first, second)
+    alike("m @ v", "q.rotate(v)")
+    alike("m @ n", "M3.from_quaternion(q * p)")
     ours, theirs = algebra.ROTATIONS["ours"], algebra.ROTATIONS["numpy"]
     others = names_of(theirs["setup"])
     for operation in ("product", "transform", "transpose", "inverse"):
@@ -243,29 +229,27 @@ def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
         assert [*eval(ours[operation], names)] == pytest.approx([*wanted], abs=1e-14)
 
 
+FRAMES = [0.02, 0.01, 0.02, 0.02] * 250
+
+
 def test_what_is_compared_with_the_step_is_the_same_step() -> None:
     """Operators, methods in place and local variables give the result of Particle.integrate."""
-    frames = [0.02, 0.01, 0.02, 0.02] * 250
     stepped, by_operators, in_place = (PROJECTILE.particle(Particle) for _ in range(3))
-    particles.steps(stepped, frames)
-    particles.operator_steps(by_operators, frames)
-    particles.in_place_steps(in_place, frames)
-    # 1000 roundings of numbers up to 200.
+    particles.steps(stepped, FRAMES)
+    particles.operator_steps(by_operators, FRAMES)
+    particles.in_place_steps(in_place, FRAMES)
+    # 1000 roundings of numbers up to 200, also below.
     wanted = pytest.approx(tuple(stepped.position), rel=1e-11)
     assert tuple(by_operators.position) == wanted
     assert tuple(in_place.position) == wanted
-    assert flight_in_numbers(PROJECTILE, frames) == wanted
-
-
-def test_what_forces_are_compared_with_goes_the_same_way() -> None:
-    frames = [0.02, 0.01, 0.02, 0.02] * 250
+    assert flight_in_numbers(PROJECTILE, FRAMES) == wanted
     forced, generated, free = (PROJECTILE.particle(chapter_5.Particle) for _ in range(3))
-    particles.forced_steps(forced, frames)
-    particles.generator_steps(generated, frames)
-    particles.steps(free, frames)
-    # 1000 roundings of numbers up to 200.
-    wanted = pytest.approx(tuple(forced.position), rel=1e-11)
-    assert pushed_in_numbers(*particles.PUSHED, frames) == wanted
+    particles.forced_steps(forced, FRAMES)
+    particles.generator_steps(generated, FRAMES)
+    particles.steps(free, FRAMES)
+    assert pushed_in_numbers(*particles.PUSHED, FRAMES) == pytest.approx(
+        tuple(forced.position), rel=1e-11
+    )
     assert tuple(generated.position) == pytest.approx(tuple(free.position), rel=1e-11)
 
 

@@ -18,15 +18,14 @@ from studies.limits.search import energy_drifts
 SPRINGS = {
     ("explicit Euler", "d^h = 1"): 0.0,
     ("explicit Euler", "d^h = 0.5"): 1.0,
-    ("semi-implicit Euler", "d^h = 1"): 4.0,
-    ("semi-implicit Euler", "d^h = 0.5"): 6.0,
-    ("leapfrog", "d^h = 1"): 4.0,
-    ("leapfrog", "d^h = 0.5"): 6.0,
+    **{
+        (name, f"d^h = {kept}"): limit
+        for name in ("semi-implicit Euler", "leapfrog")
+        for kept, limit in (("1", 4.0), ("0.5", 6.0))
+    },
     ("velocity Verlet", "d^h = 0.9"): 4.0,
     ("Runge-Kutta 4", "d^h = 1"): 8.0,
-    ("pymunk's spring", "c h / m = 0"): 4.0,
     ("pymunk's spring", "c h / m = 0.5"): 2.0 * (1.0 + math.exp(0.5)),
-    ("pymunk, by hand", "c h / m = 0"): 0.0,
     ("pymunk, by hand", "c h / m = 0.5"): 0.5,
     ("backward Euler", "c h / m = 0"): math.inf,
     ("trapezoidal rule", "c h / m = 0"): math.inf,
@@ -96,14 +95,6 @@ def test_a_simulation_is_lost_when_the_eigenvalue_says(
     assert predicted <= rest + math.log(share) / rate <= predicted + 1.01
 
 
-def test_explicit_euler_is_lost_slowly() -> None:
-    # Half of the speed is kept, so the determinant is (1 + 1.02) / 2. The size of an oscillation
-    # varies within a period, so that the number of steps is slightly larger or smaller.
-    predicted = math.log(1e6) / (0.5 * math.log(1.01))
-    rest, evenly = maps.steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
-    assert (rest, evenly) == pytest.approx((predicted, predicted), rel=0.01)
-
-
 def test_energies_after_many_swings_are_those_of_theory() -> None:
     drifts = energy_drifts([1, 100, 10_000])
     kappa = search.STIFFNESS * search.FRAME**2
@@ -112,13 +103,8 @@ def test_energies_after_many_swings_are_those_of_theory() -> None:
         # The fourth-order series of e^(i x) has the squared size 1 - x^6 / 72 + x^8 / 576.
         kept = math.exp(steps * math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0))
         assert drifts["Runge-Kutta 4"][place] == pytest.approx(kept, rel=1e-3)
-        for name in (
-            "semi-implicit Euler",
-            "leapfrog",
-            "velocity Verlet",
-            "trapezoidal rule",
-            "pymunk's spring",
-        ):
+        steady = ("semi-implicit Euler", "leapfrog", "velocity Verlet", "trapezoidal rule")
+        for name in (*steady, "pymunk's spring"):
             # These conserve a quadratic form close to the energy. The mean is over 38 steps, but an
             # oscillation has 37.7.
             assert drifts[name][place] == pytest.approx(1.0, abs=2e-3)

@@ -25,11 +25,6 @@ if (isMainThread) {
     }
   };
 } else {
-  // Some browsers round their clocks to this number of milliseconds. Such a clock counts the processor
-  // time here, because a test that compares times would fail on a busy machine.
-  const step = Number(process.env.CLOCK_STEP ?? 0);
-  const used = ({user, system}) => (user + system) / 1000;
-  if (step) performance.now = () => Math.floor(used(process.cpuUsage()) / step) * step;
   globalThis.self = {postMessage: (data) => parentPort.postMessage(data)};
   await import(process.argv[2]);
   parentPort.on("message", (data) => globalThis.self.onmessage({data}));

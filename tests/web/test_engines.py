@@ -12,7 +12,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.scores import result_of
 from autograder.student.failure import failure_of
 from copies import reference
-from in_node import NodeEngines, engines
+from in_node import NodeEngines
 from ready import ready
 from typed import typed
 from wrong import read_wrong, write_wrong
@@ -21,7 +21,6 @@ SEED = 1  # of the wrong submissions that are drawn
 CHAPTERS = load_chapters()
 REFERENCE = reference()
 
-engines = pytest.fixture(scope="module")(engines)
 EACH = [  # only the first one is quick
     pytest.param(chapter, id=chapter.name, marks=[pytest.mark.slow] if chapter.number > 2 else [])
     for chapter in CHAPTERS

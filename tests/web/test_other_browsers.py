@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-import course_site
 from autograder.manifest import load_chapters
 from by_keyboard import Student
 from copies import reference
@@ -23,8 +22,6 @@ CHAPTER = load_chapters()[0]
 SOLUTIONS = reference(CHAPTER.name)
 SCENE = "spring-bridge"
 MINE = f"{SOLUTIONS[VECTOR]}# größer\n"
-
-site = pytest.fixture(course_site.site, scope="module")
 
 
 @pytest.fixture(scope="module", params=BROWSERS)

@@ -61,14 +61,6 @@ def test_the_same_sources_are_the_same_pack(site: Path, with_solutions: Path) ->
             assert one.getinfo(name).date_time == other.getinfo(name).date_time
 
 
-def test_a_chapter_may_be_taken_from_the_reference(engines: NodeEngines) -> None:
-    third = load_chapters()[1]
-    own = {path: text for path, text in reference().items() if path.startswith(third.name)}
-    report = engines.check(own, third, given=[2])
-    assert report["passed"]
-    assert report["summary"].endswith(" on the reference's chapter 2.")
-
-
 def test_what_an_earlier_chapter_spoils_is_inherited(engines: NodeEngines) -> None:
     third, files = load_chapters()[1], reference()
     vector = files["ch02_vectors/vector.py"]

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from copies import reference
 from course_site import BELOW, built
-from in_node import NodeEngines, engines, engines_of
+from in_node import NodeEngines, engines_of
 from lab.catalog import entries
 from typed import typed
 
@@ -19,20 +18,6 @@ RIGHT = reference()
 SPRINGS = "ch06_springs/springs.py"
 SCENES = [entry.name for entry in entries() if entry.name != "charts"]
 FRAMES = 30
-
-engines = pytest.fixture(scope="module")(engines)
-
-
-def cost(site: Path, step: float, frames: int) -> tuple[float | None, float | None]:
-    """Return the time per frame of one spring in us, as it is shown after a second and later.
-
-    The browser's clock is rounded to ``step`` ms. As on a page, each message asks for one frame. In
-    longer messages frames take half the time, because the processor's caches are warm.
-    """
-    with contextmanager(engines_of)(site, step) as engines:
-        load(engines, 1, "one-spring")
-        costs = [engines.scene(1, "run", frames=1)[0]["cost"] for _ in range(frames)]
-    return costs[59], costs[-1]
 
 
 def load(engines: NodeEngines, link: int, scene: str, **changes: Any) -> list[dict[str, Any]]:
@@ -70,26 +55,6 @@ def test_every_scene_has_the_numbers_of_cpython(
         assert frame["chart"] == pytest.approx(wanted["chart"], rel=1e-9, abs=1e-9), name
         assert drawn(frame) == pytest.approx(drawn(wanted), rel=1e-4, abs=1e-6), name
         assert frame["say"] == wanted["say"]
-
-
-def test_the_cost_is_right_although_the_clock_is_coarse(
-    tmp_path_factory: pytest.TempPathFactory,
-) -> None:
-    """Firefox and WebKit round to 1 ms. A mean of 25 ticks has a standard deviation of a fifth.
-
-    A machine that is busy during one of the two runs gets two more attempts.
-    """
-    site = built(tmp_path_factory) / BELOW
-    ratios = []
-    while not any(1 / 2 < ratio < 2 for ratio in ratios) and len(ratios) < 3:
-        _, right = cost(site, 0.001, 600)
-        early, late = cost(site, 1.0, 4000)
-        assert right is not None
-        assert right < 300.0, "a frame takes less than a tick"
-        assert early is None
-        assert late is not None
-        ratios.append(late / right)
-    assert any(1 / 2 < ratio < 2 for ratio in ratios), ratios
 
 
 def drawn(frame: dict[str, Any]) -> list[float]:

@@ -13,17 +13,10 @@ from typing import Any
 
 import pytest
 
-import browser as browsers
-import course_site
-import site_page
 from autograder.manifest import ROOT, load_chapters
 from course_site import BELOW, Served, pack_in
 from site_page import accessible, turn, visit
 from web.stills import scenes_of_students
-
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
-visitor = pytest.fixture(site_page.visitor)
 
 CHAPTERS = load_chapters()
 PAGES = [
@@ -193,10 +186,9 @@ def test_the_keyboard_reaches_the_text_and_leaves_an_editor(visitor: Any, site: 
     assert page.evaluate("document.activeElement.textContent") == "Check"
 
 
-@pytest.mark.parametrize("width", [360, 1280])
-def test_a_link_into_a_lesson_stays_where_it_leads(browser: Any, site: Served, width: int) -> None:
+def test_a_link_into_a_lesson_stays_where_it_leads(browser: Any, site: Served) -> None:
     """The editors that appear above and below must not move the page."""
-    with visit(browser, width, service_workers="block") as context:
+    with visit(browser, 360, service_workers="block") as context:
         page = context.new_page()
         page.goto(f"{site.address}ch09_rotations.html")
         page.locator("#search-open").wait_for()

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import random
+import re
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-import browser as browsers
-import course_site
-import site_page
-from autograder.manifest import Chapter, load_chapters
+from autograder.manifest import ROOT, load_chapters
 from autograder.message import laid_out
-from copies import reference
-from course_site import Served
-from site_page import accessible, check, everything_written, rows, turn, write
+from copies import copy_tree, reference
+from course_site import Served, built_with_solutions, served_site
+from site_page import accessible, check, everything_written, rows, stored, turn, visit, write
 from typed import typed
 from wrong import read_wrong, write_wrong
 
@@ -24,84 +23,26 @@ CHAPTERS = load_chapters()
 SEED = 1  # of the wrong submissions that are drawn
 LOOP = "def clear(self) -> None:\n        while True:\n            pass\n"
 
-browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
-visitor = pytest.fixture(site_page.visitor)
-
-
-@pytest.fixture(scope="module")
-def solver(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    """A visitor whose folder has the reference's modules, brought as a zip."""
-    with everything_written(browser, site.address, tmp_path_factory.mktemp("zip")) as page:
-        page.close()
-        yield page.context
-
-
-def test_the_solutions_earn_all_points(visitor: Any, site: Served) -> None:
-    chapter = CHAPTERS[1]
-    page = visitor.new_page()
-    for each in CHAPTERS[:2]:  # the second builds on the first, which is solved on its own page
-        page.goto(f"{site.address}{each.name}.html")
-        solve(page, each)
-    exercise = chapter.exercises[0]
-    assert check(turn(page, exercise.id)).startswith(f"All checks of {exercise.id} pass")
-    whole = page.locator("[data-whole]")
-    whole.scroll_into_view_if_needed()
-    began = time.monotonic()
-    words = check(whole, "Check the whole chapter")
-    assert time.monotonic() - began < 10.0
-    assert words.startswith("All checks pass")
-    points = sum(e.points for e in chapter.exercises if e.kind != "written")
-    assert f"{points} of {points} points earned so far" in whole.inner_text()
-    assert "Well done!" in whole.inner_text()
-    page.goto(f"{site.address}index.html")
-    page.get_by_text(f"{points} of {points} points").wait_for()
-
-
-def solve(page: Any, chapter: Chapter) -> None:
-    """Set the text of each file in the editor of its first exercise."""
-    texts = reference(chapter.name)
-    for file in chapter.handed_in:
-        module = file.removesuffix(".py")
-        first = next(
-            exercise
-            for exercise in chapter.exercises
-            if file in exercise.files
-            or any(name.startswith(f"{module}.") for name in exercise.edit)
-        )
-        write(page, turn(page, first.id), file, texts[f"{chapter.name}/{file}"])
-
 
 def test_a_mistake_is_told_as_on_the_command_line(
-    solver: Any, site: Served, tmp_path: Path
+    browser: Any, site: Served, tmp_path: Path
 ) -> None:
     """The engines of all chapters are compared in test_engines, without a browser."""
     chapter = CHAPTERS[4]
-    page = solver.new_page()
-    page.goto(f"{site.address}{chapter.name}.html")
-    for number, wrong in enumerate(random.Random(SEED).sample(read_wrong(chapter), 2)):
-        engine = tmp_path / str(number)
-        for path, text in reference().items():
-            (engine / path).parent.mkdir(parents=True, exist_ok=True)
-            (engine / path).write_text(text, encoding="utf-8")
-        write_wrong(chapter, [wrong], engine)
-        file = f"{wrong.edit.partition('.')[0]}.py"
-        exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
+    (wrong,) = random.Random(SEED).sample(read_wrong(chapter), 1)
+    engine, file = tmp_path / "engine", f"{wrong.edit.partition('.')[0]}.py"
+    copy_tree(ROOT / "solutions", engine)
+    write_wrong(chapter, [wrong], engine)
+    exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
+    done = typed("autograder", "check", "--exercise", exercise.id, "--engine", engine)
+    assert done.returncode == 1, done.stdout + done.stderr
+    with everything_written(browser, site.address, tmp_path) as page:
+        page.goto(f"{site.address}{chapter.name}.html")
         panel = turn(page, exercise.id)
         write(page, panel, file, (engine / chapter.name / file).read_text(encoding="utf-8"))
         check(panel)
         heading = panel.locator(".failure > :first-child").inner_text()
-        told = f"\n{heading}\n{laid_out(rows(panel))}\n"
-        assert told in printed(exercise.id, engine), wrong.mistake
-        write(page, panel, file, reference()[f"{chapter.name}/{file}"])
-    page.close()
-
-
-def printed(exercise: str, engine: Path) -> str:
-    """Return what the command line prints of an exercise."""
-    done = typed("autograder", "check", "--exercise", exercise, "--engine", engine)
-    assert done.returncode == 1, done.stdout + done.stderr
-    return done.stdout
+        assert f"\n{heading}\n{laid_out(rows(panel))}\n" in done.stdout, wrong.mistake
 
 
 WATCH = """() => {
@@ -175,21 +116,63 @@ def test_hints_come_one_by_one_and_a_reset_can_be_undone(visitor: Any, site: Ser
     write(page, panel, "vector.py", mine)
     panel.get_by_role("button", name="Reset").click()
     page.get_by_role("dialog").get_by_role("button", name="Cancel").click()
-    assert page.evaluate(EDITED) == mine
+    assert stored(page) == mine
     panel.get_by_role("button", name="Reset").click()
     page.get_by_role("dialog").get_by_role("button", name="Reset").click()
     panel.get_by_text("The stub of B2.2 is back.").wait_for()
-    assert page.evaluate(EDITED).count("Exercise B2.2: Length") == 2
-    assert "math.hypot" not in page.evaluate(EDITED)
-    assert "return Vector3(-self.x" in page.evaluate(EDITED)  # the rest is as it was
+    assert stored(page).count("Exercise B2.2: Length") == 2
+    assert "math.hypot" not in stored(page)
+    assert "return Vector3(-self.x" in stored(page)  # the rest is as it was
     panel.get_by_role("button", name="Undo").click()
     panel.get_by_text("Your code is back.").wait_for()
-    assert page.evaluate(EDITED) == mine
+    assert stored(page) == mine
 
 
-EDITED = """new Promise(resolve => {
-  const name = `game-physics-companion ${new URL(".", document.baseURI).pathname}`;
-  indexedDB.open(name).onsuccess = ({target: {result}}) =>
-    result.transaction("files").objectStore("files").get("ch02_vectors/vector.py").onsuccess =
-      (event) => resolve(event.target.result?.text ?? "");
-})"""
+def test_lines_are_tried_with_a_history(browser: Any, site: Served, tmp_path: Path) -> None:
+    with everything_written(browser, site.address, tmp_path) as page:
+        page.set_viewport_size({"width": 400, "height": 900})
+        page.goto(f"{site.address}ch02_vectors.html")
+        panel = turn(page, "B2.9")
+        panel.get_by_text("Try it", exact=True).click()
+        box = panel.get_by_label("A line of Python for B2.9")
+        for line in ("v = Vector3(1, 2, 0)", "v.cross(Vector3(0, 1, 0))", "v / 0", "print(v)"):
+            box.fill(line)
+            box.press("Enter")
+            panel.get_by_text(f">>> {line}", exact=True).wait_for()
+            page.wait_for_function("(box) => !box.readOnly", arg=box.element_handle())
+        shown = panel.locator(".tried").inner_text()
+        assert "Vector3(0.0, 0.0, 1.0)" in shown
+        assert "ZeroDivisionError" in shown
+        assert "ch02_vectors/vector.py, line" in shown
+        assert shown.rstrip().endswith("Vector3(1.0, 2.0, 0.0)")
+        box.press("ArrowUp")
+        box.press("ArrowUp")
+        assert box.input_value() == "v / 0"
+        accessible(page)
+
+
+@pytest.fixture(scope="module")
+def generous(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """The same pages with the pack of `make site SOLUTIONS=1`."""
+    with served_site(built_with_solutions(tmp_path_factory)) as server:
+        yield server
+
+
+def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -> None:
+    with visit(browser, service_workers="block") as context:
+        page = context.new_page()
+        page.goto(f"{generous.address}ch03_laws_of_motion.html")
+        panel = turn(page, "B3.4")
+        for path, text in reference("ch03_laws_of_motion").items():
+            write(page, panel, path.split("/")[1], text)
+        assert not check(panel).startswith("All checks of B3.4 pass")
+        panel.get_by_role("link", name="Take earlier chapters from the reference").click()
+        whole = page.locator("[data-whole]")
+        whole.get_by_label("2", exact=True).check()
+        assert re.match(r"All checks of B3\.4 pass.* chapter 2\.", check(panel))
+        page.reload()
+        whole.scroll_into_view_if_needed()
+        assert whole.get_by_label("2", exact=True).is_checked()
+        page.goto(f"{generous.address}lab.html?scene=frame-rates")
+        page.locator("#add option", has_text="the reference").wait_for(state="attached")
+        assert "on the reference's chapters 2" in page.inner_text("#whose")

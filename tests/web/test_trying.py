@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import pytest
-
 from copies import reference
-from in_node import NodeEngines, engines
+from in_node import NodeEngines
 
 RIGHT = reference()
 VECTOR = "ch02_vectors/vector.py"
-engines = pytest.fixture(scope="module")(engines)
 
 
 def tried(engines: NodeEngines, *lines: str, files: dict[str, str] | None = None) -> dict[str, Any]:

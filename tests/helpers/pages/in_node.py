@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import atexit
 import json
-import os
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -22,14 +21,12 @@ SCRIPT = ROOT / "tests" / "web" / "engines.mjs"
 class NodeEngines:
     """A Node process that runs the engines of a site."""
 
-    def __init__(self, site: Path, clock_step: float = 0.0) -> None:
-        """Start the process. ``clock_step`` is the step in ms to which its clock is rounded."""
+    def __init__(self, site: Path) -> None:
         self.process = subprocess.Popen(
             ["node", str(SCRIPT), str(site)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             encoding="utf-8",
-            env=os.environ | {"CLOCK_STEP": str(clock_step)},
         )
 
     def ask(self, what: str, **request: Any) -> dict[str, Any]:
@@ -72,8 +69,8 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> NodeEngines:
     return _running[site]
 
 
-def engines_of(site: Path, clock_step: float = 0.0) -> Iterator[NodeEngines]:
+def engines_of(site: Path) -> Iterator[NodeEngines]:
     """Yield the engines of a site."""
-    engines = NodeEngines(site, clock_step)
+    engines = NodeEngines(site)
     yield engines
     engines.close()

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
 import re
-from types import ModuleType
 
 import pytest
 
@@ -12,7 +11,6 @@ from autograder.manifest import Chapter, load_chapters
 from lab.catalog import find, load
 from lessons.lesson import (
     agrees,
-    facts_of,
     lab_commands,
     lesson_of,
     numbers_in,
@@ -24,15 +22,6 @@ from scenes.parameters import Parameter
 CHAPTERS = load_chapters()
 NAMES = [chapter.name for chapter in CHAPTERS]
 by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=NAMES)
-
-
-def facts(chapter: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"facts_{chapter}", facts_of(chapter))
-    assert spec
-    assert spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 @by_chapter
@@ -90,12 +79,11 @@ def test_questions_have_folded_answers(chapter: Chapter) -> None:
 def test_every_number_of_a_lesson_is_given_or_computed(chapter: Chapter) -> None:
     """A section must declare each of its numbers as given, or compute it with the reference."""
     sections = sections_of(lesson_of(chapter.name))
-    known = facts(chapter.name).SECTIONS
-    wrong = [f"there is no section {heading!r}" for heading in known.keys() - sections.keys()]
+    facts = importlib.import_module(f"lessons.{chapter.name[:4]}_facts").facts
+    wrong = [f"there is no section {heading!r}" for heading in facts.given.keys() - sections.keys()]
     for heading, section in sections.items():
-        given, computed = known.get(heading, ("", dict))
-        values = computed()
-        named = {*given.split(), *values}
+        values = facts.computed.get(heading, {})
+        named = {*facts.given.get(heading, []), *values}
         found = set(numbers_in(section))
         wrong += [f"{heading}: {number} is not checked" for number in sorted(found - named)]
         wrong += [f"{heading}: {number} is not in the text" for number in sorted(named - found)]

@@ -32,11 +32,13 @@ from autograder.manifest import ROOT, Chapter
 from fingerprint import fingerprint
 from kept import FOLDER, keep_mutants
 from ready import Ready
+from wrong import Wrong, body_of
 
 SHARE = 0.97  # least fraction killed of the mutants that differ from the reference
 # Shifts, bits and matrix products fail on every float, so they do not test a check. Nor does "is".
 IMPLAUSIBLE = re.compile("BitAnd|BitOr|BitXor|Shift|MatMult|Invert|Is")
 SEED = "1"
+Change = tuple[str, str, str]  # a body, one of its lines and what it became, without spaces
 
 
 @dataclass(frozen=True)
@@ -53,15 +55,14 @@ class Mutant:
     def key(self) -> str:
         return hashlib.sha256(f"{self.file}\n{self.code}".encode()).hexdigest()
 
+    @property
+    def change(self) -> Change:
+        return (self.edit, bare(self.line), bare(self.became))
 
-@dataclass(frozen=True)
-class Survivor:
-    """Mutants that do the same as the reference, and the reason."""
 
-    edit: str
-    line: str
-    became: list[str]
-    reason: str
+def bare(line: str) -> str:
+    """Return a line without spaces, because a mutation may leave a space too many."""
+    return "".join(line.split())
 
 
 def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
@@ -186,13 +187,20 @@ def _state(chapter: str, check: str) -> str:
     return fingerprint(sorted(files))
 
 
-def read_survivors(chapter: Chapter) -> list[Survivor]:
-    """Return the survivors that are known to do the same as the reference."""
-    path = ROOT / "tests" / "strength" / "survivors" / f"{chapter.name}.toml"
-    if not path.exists():
-        return []
-    found = tomllib.loads(path.read_text(encoding="utf-8"))
-    return [Survivor(**entry) for entry in found["survivor"]]
+def read_survivors(chapter: Chapter) -> Iterator[tuple[str, Change]]:
+    """Yield the mutants that are known to do the same as the reference, each after its reason.
+
+    Raises:
+        ValueError: A body does not have a text exactly once.
+    """
+    path = Path(__file__).parent / "survivors" / f"{chapter.name}.toml"
+    for reason, edits in tomllib.loads(path.read_text(encoding="utf-8")).items():
+        for edit, texts in edits.items():
+            before = body_of(chapter, Wrong(edit, reason, "")).splitlines()
+            for old, new in ((old, new) for old, *others in texts for new in others):
+                after = body_of(chapter, Wrong(edit, reason, "", [old, new])).splitlines()
+                (lines,) = (pair for pair in zip(before, after, strict=True) if len({*pair}) > 1)
+                yield reason, (edit, *map(bare, lines))
 
 
 def _print_result(
@@ -204,14 +212,14 @@ def _print_result(
 ) -> bool:
     """Print the fraction that was killed, and survivors without a reason; return success."""
     living = [mutant for key, mutant in mutants.items() if not known[key]]
-    listed = {(s.edit, s.line, became) for s in read_survivors(chapter) for became in s.became}
-    same = [m for m in living if (m.edit, m.line, m.became) in listed]
-    unlisted = [m for m in living if (m.edit, m.line, m.became) not in listed]
+    listed = {change for _, change in read_survivors(chapter)}
+    same = [mutant for mutant in living if mutant.change in listed]
+    unlisted = [mutant for mutant in living if mutant.change not in listed]
     for mutant in unlisted:
         console.print(
             f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False, soft_wrap=True
         )
-    others = listed - {(m.edit, m.line, m.became) for m in living}
+    others = listed - {mutant.change for mutant in living}
     for edit, line, became in sorted(others):
         console.print(f"does not survive: {edit}: {line} -> {became}", markup=False)
     killed, others_of = len(mutants) - len(living), len(mutants) - len(same)

@@ -67,9 +67,8 @@ rates = [euler_rates(0, math.radians(pitch), 0, Vector3(1, 0, 0)).x for pitch in
 facts.says("57 573", *rates)
 
 facts.section("Objects in the world", "5 90")
-muzzle = Matrix4.from_orientation_and_position(QUARTER, Vector3(10, 0, 5)).transform(
-    Vector3(3, 0, 1)
-)
+placed = Matrix4.from_orientation_and_position(QUARTER, Vector3(10, 0, 5))
+muzzle = placed.transform(Vector3(3, 0, 1))
 facts.says("10 6", muzzle.x, muzzle.z)
 turn = Matrix4(0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0)
 move = Matrix4(1, 0, 0, 10, 0, 1, 0, 0, 0, 0, 1, 5)

@@ -26,8 +26,6 @@ BELOW = {  # the chapters that a chapter's modules may import
     8: {2, 3, 5, 6, 7},
     9: {2},
 }
-
-
 by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 ALL_CHAPTERS = {chapter.name for chapter in CHAPTERS}
 

@@ -114,10 +114,6 @@ def test_the_map_has_every_folder_and_no_other() -> None:
     assert sorted(named) == sorted(there)
 
 
-def test_it_is_one_page() -> None:
-    assert len(PAGE.splitlines()) <= 100
-
-
 @pytest.fixture(scope="module")
 def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a copy of the repository with only chapter 2, and an exercise added by hand."""

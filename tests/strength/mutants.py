@@ -15,6 +15,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -24,7 +25,7 @@ from cosmic_ray import plugins
 from cosmic_ray.ast import ast_nodes, get_ast
 from cosmic_ray.mutating import mutate_code
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import track
 
 from autograder.checks.arrange import shared_by_checks
 from autograder.definitions import functions
@@ -93,11 +94,9 @@ def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
 
 def _is_python(code: str) -> bool:
     """Return whether the code can be parsed: an operator may insert "not" where it is invalid."""
-    try:
-        ast.parse(code)
-    except SyntaxError:
-        return False
-    return True
+    with suppress(SyntaxError):
+        return bool(ast.parse(code))
+    return False
 
 
 def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, int]]:
@@ -127,15 +126,6 @@ def killer_of(waiting: Ready, mutant: Mutant) -> str:
     return ""
 
 
-def _killer_of(mutant: Mutant, free: Queue[Ready]) -> str:
-    """Return the check that kills a mutant, using one of the waiting processes."""
-    waiting = free.get()
-    try:
-        return killer_of(waiting, mutant)
-    finally:
-        free.put(waiting)
-
-
 def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
     """Run a chapter's mutants that have no result yet, print the survivors, and return success."""
     mutants = {mutant.key: mutant for mutant in mutants_of(chapter)}
@@ -143,25 +133,29 @@ def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
     results = FOLDER / f"mutants_{chapter.name}.jsonl"
     known = dict(_read(results, chapter))
     todo = [mutant for key, mutant in mutants.items() if key not in known]
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-    with (
-        results.open("a", encoding="utf-8") as out,
-        ThreadPoolExecutor(jobs) as pool,
-        Progress(*columns, TimeRemainingColumn(), console=console, transient=True) as progress,
-    ):
-        task = progress.add_task(f"mutants of chapter {chapter.number}", total=len(todo))
-        free: Queue[Ready] = Queue()
-        for _ in range(jobs):
-            free.put(Ready(chapter, SEED))
-        futures = {pool.submit(_killer_of, mutant, free): mutant for mutant in todo}
+    free: Queue[Ready] = Queue()  # the waiting processes
+    for _ in range(jobs):
+        free.put(Ready(chapter, SEED))
+
+    def killer(mutant: Mutant) -> str:
+        waiting = free.get()
         try:
-            for future in as_completed(futures):
-                key, killer = futures[future].key, future.result()
-                known[key] = killer
-                line = {"mutant": key, "killer": killer, "checks": _state(chapter.name, killer)}
+            return killer_of(waiting, mutant)
+        finally:
+            free.put(waiting)
+
+    with results.open("a", encoding="utf-8") as out, ThreadPoolExecutor(jobs) as pool:
+        futures = {pool.submit(killer, mutant): mutant.key for mutant in todo}
+        title = f"mutants of chapter {chapter.number}"
+        try:
+            for future in track(
+                as_completed(futures), title, len(todo), console=console, transient=True
+            ):
+                key, name = futures[future], future.result()
+                known[key] = name
+                line = {"mutant": key, "killer": name, "checks": _state(chapter.name, name)}
                 out.write(json.dumps(line) + "\n")
                 out.flush()
-                progress.update(task, advance=1)
         except BaseException:  # most often Ctrl-C: the results so far are kept
             pool.shutdown(cancel_futures=True)
             raise
@@ -213,22 +207,20 @@ def _print_result(
     """Print the fraction that was killed, and survivors without a reason; return success."""
     living = [mutant for key, mutant in mutants.items() if not known[key]]
     listed = {change for _, change in read_survivors(chapter)}
-    same = [mutant for mutant in living if mutant.change in listed]
     unlisted = [mutant for mutant in living if mutant.change not in listed]
-    for mutant in unlisted:
-        console.print(
-            f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False, soft_wrap=True
-        )
     others = listed - {mutant.change for mutant in living}
+    for mutant in unlisted:
+        change = f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}"
+        console.print(change, markup=False, soft_wrap=True)
     for edit, line, became in sorted(others):
         console.print(f"does not survive: {edit}: {line} -> {became}", markup=False)
-    killed, others_of = len(mutants) - len(living), len(mutants) - len(same)
+    same = len(living) - len(unlisted)
+    killed, others_of = len(mutants) - len(living), len(mutants) - same
     share = killed / others_of
-    console.print(
-        f"chapter {chapter.number}: {killed} of {others_of} mutants killed, {100.0 * share:.1f} %, "
-        f"and {len(same)} do the same as the reference; {results}",
-        markup=False,
-        soft_wrap=True,
+    result = (
+        f"{killed} of {others_of} mutants killed, {100.0 * share:.1f} %, and {same} do the same"
     )
-    keep_mutants(chapter, killed=killed, of=others_of, same=len(same))
+    result = f"chapter {chapter.number}: {result} as the reference; {results}"
+    console.print(result, markup=False, soft_wrap=True)
+    keep_mutants(chapter, killed=killed, of=others_of, same=same)
     return share >= SHARE and not unlisted and not others

@@ -217,10 +217,8 @@ def _print_result(
     same = len(living) - len(unlisted)
     killed, others_of = len(mutants) - len(living), len(mutants) - same
     share = killed / others_of
-    result = (
-        f"{killed} of {others_of} mutants killed, {100.0 * share:.1f} %, and {same} do the same"
-    )
-    result = f"chapter {chapter.number}: {result} as the reference; {results}"
+    result = f"{killed} of {others_of} mutants killed, {100.0 * share:.1f} %, and {same} do the"
+    result = f"chapter {chapter.number}: {result} same as the reference; {results}"
     console.print(result, markup=False, soft_wrap=True)
     keep_mutants(chapter, killed=killed, of=others_of, same=same)
     return share >= SHARE and not unlisted and not others

@@ -28,23 +28,19 @@ SEARCHED = (
 FILES = {file for glob in SEARCHED for file in ROOT.glob(glob) if "node_modules" not in file.parts}
 
 TWO, THREE = r"[2-9]\.\d+", r"[2-9]\.\d+\.\d+"
-AND = r"(?:, and |, | and | to )"
-
-
-def several(number: str) -> str:
-    """Return a pattern for one or more numbers, as in "7.1, 7.2 and 7.4"."""
-    return rf"{number}(?:{AND}{number})*(?![\d.]*\d)"
-
-
 SECTION = rf"(?:{THREE}|{TWO})"
+AND = r"(?:, and |, | and | to )"
+SEVERAL = r"{0}(?:{1}{0})*(?![\d.]*\d)"  # as in "7.1, 7.2 and 7.4"
 # What stands before a list of numbers, and the numbers.
-SECTIONS = re.compile(rf"(?:\b[Bb]ook:? (?:[Ss]ections? )?|\b[Ss]ections? )({several(SECTION)})")
-EQUATIONS = re.compile(rf"\bEqs?\. ({several(TWO)})")
+SECTIONS = re.compile(
+    rf"(?:\b[Bb]ook:? (?:[Ss]ections? )?|\b[Ss]ections? )({SEVERAL.format(SECTION, AND)})"
+)
+EQUATIONS = re.compile(rf"\bEqs?\. ({SEVERAL.format(TWO, AND)})")
+TASK = re.compile(rf"\b([Ee]xercise|[Mm]ini-project|[Pp]roject)s? ({SEVERAL.format(TWO, AND)})")
 # Three numbers always mean a section, even without a word before them.
 BARE = re.compile(rf"(?<![\w.@=^-])({THREE})(?![\d.]*\d)")
 COLUMN = re.compile(rf"(?m)^\| ((?:{SECTION}|Eq\. {TWO}|{AND})+) \|")
 TABLE = "## From the book to the code"  # in a chapter's reference.md
-EXERCISES = re.compile(rf"\b([Ee]xercises?|[Mm]ini-projects?|[Pp]rojects?) ({several(TWO)})")
 
 
 def joined(text: str) -> str:
@@ -64,15 +60,14 @@ def references(text: str, bare: bool = True) -> Iterator[tuple[str, str]]:
     Use ``bare`` for a text that has no versions of programs, such as Python 3.11.7.
     """
     flat = joined(text)
-    for found in [*SECTIONS.findall(flat), *(BARE.findall(flat) if bare else [])]:
-        yield from (("section", number) for number in re.findall(SECTION, found))
-    for found in EQUATIONS.findall(flat):
-        yield from (("equation", number) for number in re.findall(TWO, found))
-    for row in rows_of(text):
-        yield from (("section", number) for number in re.findall(SECTION, EQUATIONS.sub("", row)))
-    for kind, found in EXERCISES.findall(flat):
-        name = kind.lower().rstrip("s")
-        yield from ((name, number) for number in re.findall(TWO, found))
+    found = [("section", each) for each in SECTIONS.findall(flat)]
+    found += [("section", each) for each in BARE.findall(flat) if bare]
+    found += [("section", EQUATIONS.sub("", row)) for row in rows_of(text)]
+    found += [("equation", each) for each in EQUATIONS.findall(flat)]
+    found += [(kind.lower(), each) for kind, each in TASK.findall(flat)]
+    for kind, numbers in found:
+        pattern = SECTION if kind == "section" else TWO
+        yield from ((kind, number) for number in re.findall(pattern, numbers))
 
 
 def numbered(prefix: str, count: int) -> set[str]:
@@ -86,11 +81,9 @@ def sections() -> Iterator[str]:
             yield from numbered(f"{chapter}.{i}", count)
 
 
-SECTION_OF = {
-    number: section for section, numbers in BOOK["equations"].items() for number in numbers
-}
+SECTION_OF = {equation: of for of, found in BOOK["equations"].items() for equation in found}
 TASKS = {
-    kind: set().union(*(numbered(*each) for each in counts.items()))
+    kind: {number for each in counts.items() for number in numbered(*each)}
     for kind, counts in BOOK["counts"].items()
 }
 KNOWN = {
@@ -159,15 +152,11 @@ def test_a_wrong_number_is_found(text: str, wrong: list[str]) -> None:
     assert sorted({*unknown(text)}) == sorted(wrong)
 
 
-def glossary() -> dict[str, str]:
-    """Return each term of the glossary, and what its entry says about the book."""
-    text = " ".join((ROOT / "glossary.md").read_text(encoding="utf-8").split())
-    return dict(re.findall(r"\*\*([^*]+)\*\*(?: \([^)]+\))?: [^*]+? Book: (.+?)\. Code:", text))
-
-
 def test_the_glossary_says_where_the_book_has_a_term() -> None:
     """A term that the book has is not marked as not covered."""
-    said = glossary()
+    text = " ".join((ROOT / "glossary.md").read_text(encoding="utf-8").split())
+    entry = r"\*\*([^*]+)\*\*(?: \([^)]+\))?: [^*]+? Book: (.+?)\. Code:"
+    said = dict(re.findall(entry, text))
     for term, places in BOOK["terms"].items():
         assert {*places} <= {*re.split(", ", said[term])}, term
         assert unknown(" ".join(f"section {place}" for place in places)) == []

@@ -6,7 +6,7 @@ import ast
 import importlib.util
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -136,12 +136,21 @@ def test_every_chapter_has_a_picture_and_its_scenes(chapter: Chapter) -> None:
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("chapters/**/*.md"), *ROOT.glob("*/*.md")]
 
 
-def test_links_between_pages_lead_somewhere() -> None:
-    def dead(page: Path) -> list[str]:
-        targets = re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))
-        return [target for target in targets if not (page.parent / target).exists()]
+def anchors(page: Path) -> set[str]:
+    """Return the anchors that GitHub gives the headings of a page."""
+    headings = re.findall(r"(?m)^#+ (.+)$", page.read_text(encoding="utf-8"))
+    return {re.sub(r"[^\w\- ]", "", heading).lower().replace(" ", "-") for heading in headings}
 
-    assert faults(PAGES, dead) == {}
+
+def test_links_between_pages_lead_somewhere() -> None:
+    def dead(page: Path) -> Iterator[str]:
+        for link in re.findall(r"\]\(([^):\s]+)\)", page.read_text(encoding="utf-8")):
+            path, _, anchor = link.partition("#")
+            target = page.parent / path if path else page
+            if not target.exists() or (anchor and anchor not in anchors(target)):
+                yield link
+
+    assert faults(PAGES, lambda page: [*dead(page)]) == {}
 
 
 @pytest.mark.parametrize(

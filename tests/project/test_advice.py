@@ -39,11 +39,10 @@ ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "claims.md", "errata.md"
 
 def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:
     """Yield the texts of a file: its docstrings, or all others."""
-    kinds = (ast.Module, ast.ClassDef, ast.FunctionDef)
-    owners = [node for node in ast.walk(tree) if isinstance(node, kinds)]
     documented = {
         id(node.body[0].value)
-        for node in owners
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)
         if node.body and isinstance(node.body[0], ast.Expr)
     }
     for node in ast.walk(tree):
@@ -117,13 +116,9 @@ def test_each_file_that_is_named_is_there_for_students(chapter: Chapter) -> None
 
 def functions_of_files(chapter: Chapter) -> set[tuple[str, str]]:
     """Return the file and the name of each function that advice attributes to a file."""
-    return {
-        (file, name)
-        for text in advice(chapter)
-        for words, file in OF_A_FILE.findall(text)
-        for name in re.split(r", | and ", words)
-        if name not in PROSE
-    }
+    named = {found for text in advice(chapter) for found in OF_A_FILE.findall(text)}
+    names = {(file, name) for words, file in named for name in re.split(r", | and ", words)}
+    return {(file, name) for file, name in names if name not in PROSE}
 
 
 @by_chapter
@@ -132,9 +127,8 @@ def test_each_function_of_a_file_and_of_the_library_is_there(chapter: Chapter) -
         path = file_named(chapter, file)
         assert path, file
         assert name in names_in(parsed(path)), f"{name} of {file}"
-    for text in advice(chapter):
-        for module, name in LIBRARY.findall(text):
-            assert hasattr(importlib.import_module(module), name), text
+    for module, name in LIBRARY.findall(" ".join(advice(chapter))):
+        assert hasattr(importlib.import_module(module), name), f"{module}.{name}"
 
 
 @by_chapter

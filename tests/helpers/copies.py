@@ -16,10 +16,7 @@ def copy_tree(source: Path, target: Path) -> None:
 
 
 def reference(*chapters: str) -> dict[str, str]:
-    """Return the reference's files for these chapters, keyed by path. By default, return all.
-
-    Only the files that students hand in are included.
-    """
+    """Return the files that students hand in, from the reference, keyed by path."""
     files = [
         f"{chapter.name}/{name}"
         for chapter in load_chapters()

@@ -12,8 +12,7 @@ from autograder.manifest import ROOT
 def made_stubs() -> dict[str, str]:
     """Return the text of every stub, keyed by its path, as make_stubs does.
 
-    Each stub must have the hash in the lock. A separate test compares the hashes in the lock with
-    newly generated stubs.
+    Each must have its hash in the lock. Another test compares the lock with newly generated stubs.
     """
     lock = read_lock()
     paths = lock.keys() - complete_hashes().keys()

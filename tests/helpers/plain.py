@@ -1,7 +1,6 @@
 """An engine with only the book's formulas: the reference without its argument checks.
 
-A student who has written the physics, but does not reject any bad arguments yet, has such an
-engine.
+A student who has written the physics, but does not refuse anything yet, has such an engine.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ import shutil
 from pathlib import Path
 
 from autograder.handouts.stubs import with_bodies
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, load_chapters
 
 # Replaces arguments.py. Every function returns its argument without checking it.
 ARGUMENTS = """
@@ -132,22 +131,15 @@ def plain(source: str) -> str:
 def write_plain_engine(engine: Path) -> list[Path]:
     """Write every module that students hand in without argument checks. Return the engine."""
     for chapter in load_chapters():
-        folder = engine / chapter.name
+        source, folder = ROOT / "solutions" / chapter.name, engine / chapter.name
         folder.mkdir(parents=True)
         for file in chapter.edited_files:
-            (folder / file).write_text(plain(_reference(chapter, file)), encoding="utf-8")
+            prefix = file.removesuffix(".py") + "."
+            simple = BODIES.get(chapter.name, {}).items()
+            bodies = {name.removeprefix(prefix): b for name, b in simple if name.startswith(prefix)}
+            text = with_bodies((source / file).read_bytes(), bodies).decode()
+            (folder / file).write_text(plain(text), encoding="utf-8")
         for file in chapter.data_files:
-            shutil.copyfile(ROOT / "solutions" / chapter.name / file, folder / file)
+            shutil.copyfile(source / file, folder / file)
     (engine / "ch02_vectors/arguments.py").write_text(ARGUMENTS, encoding="utf-8")
     return [engine, ROOT / "solutions", ROOT / "chapters"]
-
-
-def _reference(chapter: Chapter, file: str) -> str:
-    source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
-    prefix = file.removesuffix(".py") + "."
-    bodies = {
-        name.removeprefix(prefix): body
-        for name, body in BODIES.get(chapter.name, {}).items()
-        if name.startswith(prefix)
-    }
-    return with_bodies(source.encode(), bodies).decode()

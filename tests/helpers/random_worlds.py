@@ -43,8 +43,8 @@ class Plan:
         """Return the plan with all of its vectors mirrored or rotated by ``way``."""
         return replace(
             self,
-            places=[way(place) for place in self.places],
-            velocities=[way(velocity) for velocity in self.velocities],
+            places=[*map(way, self.places)],
+            velocities=[*map(way, self.velocities)],
             gravity=way(self.gravity),
         )
 
@@ -68,11 +68,10 @@ class Plan:
 
 
 def draw(seed: int, *, springs: bool = False, contacts: bool = False, falls: bool = False) -> Plan:
-    """Draw a plan at random.
+    """Draw a plan with 2 to MOST particles at random.
 
-    It has 2 to MOST particles with springs, or links and contacts, or both.
-
-    If ``falls`` is true, the world has gravity and a ground.
+    They have springs, or links and contacts, or both. If ``falls`` is true, the world has gravity
+    and a ground.
     """
     rng = Random(f"a world {seed}")
     count = round(2.0 * (MOST / 2.0) ** rng.random())
@@ -85,21 +84,22 @@ def draw(seed: int, *, springs: bool = False, contacts: bool = False, falls: boo
     some = [rng.sample(range(count), 2) for _ in range(count)]
     kinds = [rng.choice(("rod", "cable")) for _ in some]
     lengths = [rng.uniform(0.8, 1.2) * _apart(places[i], places[j]) for i, j in some]
-    return Plan(
+    plan = Plan(
         [10.0 ** rng.uniform(-1.0, 1.0) for _ in range(count)],
         places,
         [vector(3.0) for _ in range(count)],
         rng.random(),
-        (0.0, -9.81, 0.0) if falls else (0.0, 0.0, 0.0),
-        [(i, j, rng.uniform(1.0, 30.0), n) for (i, j), n in zip(some, lengths, strict=True)]
-        if springs
-        else [],
-        [(kind, i, j, n) for kind, (i, j), n in zip(kinds, some, lengths, strict=True)][::2]
-        if contacts
-        else [],
+        (0.0, -9.81 if falls else 0.0, 0.0),
         ground=falls,
         collide=contacts,
     )
+    ends = [(i, j, length) for (i, j), length in zip(some, lengths, strict=True)]
+    if springs:
+        plan.springs.extend((i, j, rng.uniform(1.0, 30.0), length) for i, j, length in ends)
+    if contacts:
+        links = [(kind, *end) for kind, end in zip(kinds, ends, strict=True)]
+        plan.links.extend(links[::2])
+    return plan
 
 
 def _apart(a: Triple, b: Triple) -> float:

@@ -1,13 +1,12 @@
 """Run a chapter's checks on the reference with some functions changed, in a twentieth of a second.
 
 Importing an engine and collecting the checks takes ten times as long as running the checks of one
-exercise. So one process does both once, and then waits. For each change, it forks a copy, which
-replaces the code of the changed functions. All modules that have imported such a function then call
-its new code.
+exercise. So one process does both once, and then forks a copy for each change, which replaces the
+code of the changed functions in all modules that have imported them.
 
 This file is also the program of the waiting process, which reads one request per line. If the
-system cannot fork, the checks run in the ordinary, slow way. The same happens if the new code does
-not fit, for example because it uses super() and the old code does not.
+system cannot fork, or if the new code does not fit the old function (it may use super()), the
+checks run in the ordinary, slow way.
 """
 
 from __future__ import annotations
@@ -49,10 +48,7 @@ def ready(chapter: Chapter, seed: str = "1") -> Ready:
 
 
 class Ready:
-    """The checks of a chapter, ready to run on the reference.
-
-    Write changed modules into the folder ``top`` before each run.
-    """
+    """The checks of a chapter. Write changed modules into the folder ``top`` before each run."""
 
     def __init__(self, chapter: Chapter, seed: str) -> None:
         self.chapter = chapter
@@ -70,10 +66,7 @@ class Ready:
             file.unlink()
 
     def run(self, edits: Collection[str], exercises: list[str]) -> list[Verdict]:
-        """Return the verdicts on these exercises.
-
-        ``edits`` names the functions that differ in ``top``.
-        """
+        """Return the verdicts on these exercises, if ``edits`` are the functions changed in top."""
         ran = Run(self._request(exercises))
         events = self.folder / "events.txt"
         events.unlink(missing_ok=True)

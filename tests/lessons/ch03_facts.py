@@ -15,6 +15,13 @@ from ch03_laws_of_motion.exercises import (
     stepping_error,
 )
 from ch03_laws_of_motion.particle import Particle
+from lessons.lesson import Facts
+
+facts = Facts()
+
+facts.section("A game that never sees the whole motion", "60")
+
+facts.section("Mass: how hard it is to change a velocity", "6 0.1 0.5 0.25")
 
 
 def pushed(mass: float) -> float:
@@ -24,15 +31,14 @@ def pushed(mass: float) -> float:
     return particle.velocity.x
 
 
-def masses() -> dict[str, float]:
-    particle = Particle()
-    particle.inverse_mass = 0.1
-    return {"1.5": pushed(2), "0.75": pushed(4), "10": particle.mass}
+heavy = Particle()
+heavy.inverse_mass = 0.1
+facts.says("1.5 0.75 10", pushed(2), pushed(4), heavy.mass)
 
+facts.section("Momentum: what stays", "50 1.6")
+facts.says("80", Particle(velocity=Vector3(1.6), mass=50).momentum().x)
 
-def skaters() -> dict[str, float]:
-    momentum = Particle(velocity=Vector3(1.6), mass=50).momentum()
-    return {"80": momentum.x}
+facts.section("Damping: slowing down at any frame rate", "99 0.99 60 120 0.25 15")
 
 
 def damped(steps: int) -> float:
@@ -42,82 +48,45 @@ def damped(steps: int) -> float:
     return velocity.x
 
 
-def damping() -> dict[str, float]:
-    puck = Particle(velocity=Vector3(1), damping=0.25)
-    puck.kick(0.5)
-    return {"0.547": damped(60), "0.299": damped(120), "0.5": puck.velocity.x}
+puck = Particle(velocity=Vector3(1), damping=0.25)
+puck.kick(0.5)
+facts.says("0.547 0.299 0.5", damped(60), damped(120), puck.velocity.x)
 
+facts.section("The step", "0.5 60")
+ball = Particle(velocity=Vector3(0, 20), acceleration=Vector3(0, -10))
+heights, speeds = [], []
+for _ in range(4):
+    ball.integrate(0.5)
+    heights.append(ball.position.y)
+    speeds.append(ball.velocity.y)
+facts.says("10 17.5 22.5 25", *heights)
+facts.says("15 10 5", *speeds[:3])
+facts.says("1.5 20", 3 * 0.5, 20 * 2 - 10 * 2**2 / 2)  # by the school formula
 
-def steps() -> dict[str, float]:
-    ball = Particle(velocity=Vector3(0, 20), acceleration=Vector3(0, -10))
-    heights, speeds = [], []
-    for _ in range(4):
-        ball.integrate(0.5)
-        heights.append(ball.position.y)
-        speeds.append(ball.velocity.y)
-    assert heights[0] == 10
-    return {
-        "17.5": heights[1],
-        "22.5": heights[2],
-        "25": heights[3],
-        "15": speeds[0],
-        "10": speeds[1],
-        "5": speeds[2],
-        "1.5": 3 * 0.5,
-        "20": 20 * 2 - 10 * 2**2 / 2,  # the school formula
-    }
+facts.section(
+    "Three short exercises about forces", "6.67428e-11 100 9.81 6 0.5 60 15 20 5.972e24 6,371"
+)
+attraction = gravity_between(100, 100, 1)
+grain = attraction / 9.81 / 2650  # m^3 of quartz, of 2,650 kg/m^3
+facts.says("6.67e-7 0.4", attraction, 1000 * (6 * grain / math.pi) ** (1 / 3))  # N and mm
+slow, fast = (Particle(velocity=Vector3(speed), mass=2) for speed in (3, 6))
+facts.says("9 36", slow.kinetic_energy(), fast.kinetic_energy())
+earth, radius = 5.972e24, 6371e3  # kg and m
+facts.says("9.8", gravity_between(earth, 1, radius))
+facts.says("32", radius * (1 / math.sqrt(0.99) - 1) / 1000)  # km
+# How uncertain the accelerations of the filmed ball are, and whether the film agrees.
+times, positions = thrown_ball()
+rounding = 1 / math.sqrt(12)  # mm, the standard deviation of an error that is up to 0.5 mm
+single = math.sqrt(6) * rounding / 1000 * BALL_RATE**2  # 1, -2 and 1 times an error
+duration = times[-1] - 1 / BALL_RATE  # between the middles of the first and the last interval
+facts.says("0.29 0.71 2.5 0.025", rounding, math.sqrt(6) * rounding, single, single / 100)
+facts.says("0.035", 2 * rounding / 1000 * BALL_RATE / duration)  # four positions count the same
+for every, expected in ((1, single), (10, single / 100)):
+    film = difference_quotients(times[::every], positions[::every])
+    squares = [(a.y + 9.81) ** 2 for a in difference_quotients(*film)[1]]
+    assert 0.5 < math.sqrt(sum(squares) / len(squares)) / expected < 1.1
 
-
-EARTH, RADIUS = 5.972e24, 6371e3  # kg and m
-ROUNDING = 1 / math.sqrt(12)  # mm, the standard deviation of an error that is up to 0.5 mm
-
-
-def errors_of(film: tuple[list[float], list[Vector3]]) -> float:
-    """Return the root-mean-square error of the accelerations in a film under 9.81 m/s^2."""
-    _, accelerations = difference_quotients(*difference_quotients(*film))
-    return math.sqrt(sum((a.y + 9.81) ** 2 for a in accelerations) / len(accelerations))
-
-
-def uncertainties() -> dict[str, float]:
-    """Compute how uncertain the accelerations of the filmed ball are, and compare with the film."""
-    times, positions = thrown_ball()
-    single = math.sqrt(6) * ROUNDING / 1000 * BALL_RATE**2  # 1, -2 and 1 times an error
-    longer = single / 100
-    duration = times[-1] - 1 / BALL_RATE  # between the middles of the first and the last interval
-    mean = 2 * ROUNDING / 1000 * BALL_RATE / duration  # four positions of equal weight
-    assert 0.7 < errors_of((times, positions)) / single < 1.1
-    assert 0.5 < errors_of((times[::10], positions[::10])) / longer < 1.1
-    return {"0.29": ROUNDING, "0.71": math.sqrt(6) * ROUNDING, "2.5": single} | {
-        "0.035": mean,
-        "0.025": longer,
-    }
-
-
-def forces() -> dict[str, float]:
-    grain = gravity_between(100, 100, 1) / 9.81 / 2650  # m^3 of quartz, of 2,650 kg/m^3
-    slow, fast = (Particle(velocity=Vector3(speed), mass=2) for speed in (3, 6))
-    return {
-        "6.67e-7": gravity_between(100, 100, 1),
-        "0.4": 1000 * (6 * grain / math.pi) ** (1 / 3),  # mm
-        "9": slow.kinetic_energy(),
-        "36": fast.kinetic_energy(),
-        "9.8": gravity_between(EARTH, 1, RADIUS),
-        "32": RADIUS * (1 / math.sqrt(0.99) - 1) / 1000,  # km
-    } | uncertainties()
-
-
-def uneven() -> dict[str, float]:
-    runs = [random_frames(1 / 60, 0.5, 1, seed) for seed in range(100)]
-    counts = [len(frames) for frames in runs]
-    start = Vector3(10)
-    equal = [[1 / 60] * 60]
-    assert damping_difference(start, Vector3(), 0.5, equal) < 1e-12
-    return {
-        "57": min(counts),
-        "65": max(counts),
-        "0.088": damping_difference(start, Vector3(), 0.5, runs),
-        "5": damp_per_second(start, Vector3(), 0.5, 1).x,
-    }
+facts.section("How wrong is a step?", "10 0.5 60 120 9.81 0.01")
 
 
 def error(acceleration: float, rate: float, steps: int) -> float:
@@ -125,50 +94,27 @@ def error(acceleration: float, rate: float, steps: int) -> float:
     return stepping_error(*start, 1 / rate, steps).x
 
 
-def errors() -> dict[str, float]:
-    p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
-    rate = 9.81 / 0.01  # steps per second for an error of 9.81 * 2 * h / 2 = 0.01 m
-    return {
-        "1.4": 1000 * error(9.81, 60, 1),  # mm
-        "5": stepping_error(p, v, a, 1, 5).x,
-        "0.167": error(10, 60, 120),
-        "0.083": error(10, 120, 240),
-        "0.00102": 1 / rate,
-        "981": rate,
-    }
+p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
+facts.says("1.4 5", 1000 * error(9.81, 60, 1), stepping_error(p, v, a, 1, 5).x)  # mm and m
+facts.says("0.167 0.083", error(10, 60, 120), error(10, 120, 240))
+facts.says("0.00102 981", 0.01 / 9.81, 9.81 / 0.01)  # an error of 9.81 * 2 * h / 2 = 0.01 m
+
+facts.section("Frames that do not arrive on time", "10 60 50 99 0.5")
+runs = [random_frames(1 / 60, 0.5, 1, seed) for seed in range(100)]
+facts.says("57 65", min(map(len, runs)), max(map(len, runs)))
+facts.says("0.088", damping_difference(Vector3(10), Vector3(), 0.5, runs))
+facts.says("5", damp_per_second(Vector3(10), Vector3(), 0.5, 1).x)
+
+facts.section("Summary", "10 20 25 60")
 
 
 def gained(seconds: float, rate: float) -> float:
     """Return the energy in J that steps under 10 m/s^2 add to a thrown ball of 1 kg."""
     ball = Particle(velocity=Vector3(0, 20), acceleration=Vector3(0, -10))
-    start = ball.kinetic_energy()
     for _ in range(round(seconds * rate)):
         ball.integrate(1 / rate)
-    return ball.kinetic_energy() + 10 * ball.position.y - start
+    return ball.kinetic_energy() + 10 * ball.position.y - 200
 
 
-def growth() -> dict[str, float]:
-    start = Particle(velocity=Vector3(0, 20)).kinetic_energy()
-    assert gained(2, 2) == 4 * gained(0.5, 2)  # the same in every step
-    return {
-        "200": start,
-        "250": start + gained(2, 2),
-        "12.5": gained(0.5, 2),
-        "0.83": gained(1, 60),
-    }
-
-
-SECTIONS = {
-    "A game that never sees the whole motion": ("60", dict),
-    "Mass: how hard it is to change a velocity": ("6 0.1 0.5 0.25", masses),
-    "Momentum: what stays": ("50 1.6", skaters),
-    "Damping: slowing down at any frame rate": ("99 0.99 60 120 0.25 15", damping),
-    "The step": ("0.5 60", steps),
-    "Three short exercises about forces": (
-        "6.67428e-11 100 9.81 6 0.5 60 15 20 5.972e24 6,371",
-        forces,
-    ),
-    "How wrong is a step?": ("10 0.5 60 120 9.81 0.01", errors),
-    "Frames that do not arrive on time": ("10 60 50 99 0.5", uneven),
-    "Summary": ("10 20 25 60", growth),
-}
+facts.says("200 250", Particle(velocity=Vector3(0, 20)).kinetic_energy(), 200 + gained(2, 2))
+facts.says("12.5 0.83", gained(0.5, 2), gained(1, 60))

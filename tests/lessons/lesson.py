@@ -3,13 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from pathlib import Path
 
 from autograder.manifest import ROOT
-
-# The numbers that a section may use, and a function that computes others with the reference.
-Section = tuple[str, Callable[[], dict[str, float]]]
 
 NUMBER = re.compile(r"(?<![\w.,])\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?!\.?\d)(?![A-Za-z_])")
 ALWAYS = {"0", "1", "2", "3", "4"}  # always allowed, because they are used like words
@@ -68,6 +63,17 @@ def lab_commands(text: str) -> list[tuple[str, dict[str, str]]]:
     return [(s, dict(word.split("=", 1) for word in settings.split())) for s, settings in found]
 
 
-def facts_of(chapter: str) -> Path:
-    """Return the module that computes a lesson's numbers."""
-    return Path(__file__).with_name(f"{chapter[:4]}_facts.py")
+class Facts:
+    """The numbers that each section of a lesson gives, and those that the reference computes."""
+
+    def __init__(self) -> None:
+        self.given: dict[str, list[str]] = {}
+        self.computed: dict[str, dict[str, float]] = {}
+
+    def section(self, heading: str, given: str = "") -> None:
+        self.given[heading] = given.split()
+        self.values = self.computed[heading] = {}
+
+    def says(self, numbers: str, *values: float) -> None:
+        """Note numbers as the latest section prints them, and their values."""
+        self.values |= zip(numbers.split(), values, strict=True)

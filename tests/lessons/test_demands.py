@@ -1,4 +1,7 @@
-"""Each graded check quotes the words of the course that demand what it checks."""
+"""Each graded check quotes the words of the course that demand what it checks.
+
+Each usual mistake that a lesson names is named by a check, too, to the student who makes it.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +13,10 @@ import pytest
 
 from autograder.manifest import ROOT, Chapter, load_chapters
 from lessons.lesson import lesson_of
+from wrong import read_wrong
 
 CHAPTERS = load_chapters()
+by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 SHORTEST = 3  # words; fewer could be found anywhere
 
 
@@ -44,7 +49,7 @@ def asked_in(chapter: Chapter) -> Iterator[tuple[str, list[str]]]:
                 yield f"{file.name}::{node.name}", [ast.literal_eval(w.value) for w in keywords]
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=[chapter.name for chapter in CHAPTERS])
+@by_chapter
 def test_each_check_quotes_the_course(chapter: Chapter) -> None:
     """A chapter may demand again what an earlier one has demanded."""
     said = [text for number, text in SAID.items() if number <= chapter.number]
@@ -54,3 +59,25 @@ def test_each_check_quotes_the_course(chapter: Chapter) -> None:
         if not (quoted and found == quoted and all(len(q.split()) >= SHORTEST for q in quoted)):
             missing.append(f"{check}: {quoted}")
     assert not missing, "not in a lesson or docstring so far:\n" + "\n".join(missing)
+
+
+def usual_mistakes(chapter: Chapter) -> list[str]:
+    """Return the paragraphs of a lesson that name usual mistakes."""
+    paragraphs = re.findall(r"(?ms)^\*\*The usual mistakes?\b.+?(?=\n\n)", lesson_of(chapter.name))
+    return [plain(paragraph) for paragraph in paragraphs]
+
+
+@by_chapter
+def test_each_usual_mistake_has_a_wrong_submission_that_is_named(chapter: Chapter) -> None:
+    """A wrong submission quotes the lesson in ``usual``, and the message in ``says``."""
+    wrongs = [wrong for wrong in read_wrong(chapter) if wrong.usual]
+    paragraphs = usual_mistakes(chapter)
+    lost = [
+        wrong.mistake for wrong in wrongs if not any(plain(wrong.usual) in p for p in paragraphs)
+    ]
+    assert not lost, "not in a paragraph of usual mistakes"
+    assert not [wrong.mistake for wrong in wrongs if not wrong.says], "must be named"
+    for paragraph in paragraphs:
+        mistakes = 1 + len(re.findall(r"[Aa]nother|The usual mistakes\.", paragraph))
+        quoted = {wrong.usual for wrong in wrongs if plain(wrong.usual) in paragraph}
+        assert len(quoted) >= mistakes, paragraph

@@ -21,11 +21,12 @@ from autograder.definitions import functions
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import Fault
 from autograder.handouts.handout import STUDENT_TOOLS
-from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.message import Message, Place
 from autograder.student.failure import next_place
 
 CHAPTERS = load_chapters()
+by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")
 OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) (?:of|from) (\w+\.py)")
 PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # words about a file, not names in it
@@ -38,11 +39,10 @@ ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "claims.md", "errata.md"
 
 def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:
     """Yield the texts of a file: its docstrings, or all others."""
-    kinds = (ast.Module, ast.ClassDef, ast.FunctionDef)
-    owners = [node for node in ast.walk(tree) if isinstance(node, kinds)]
     documented = {
         id(node.body[0].value)
-        for node in owners
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)
         if node.body and isinstance(node.body[0], ast.Expr)
     }
     for node in ast.walk(tree):
@@ -103,11 +103,11 @@ def file_named(chapter: Chapter, name: str) -> str | None:
     return None
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@by_chapter
 def test_each_file_that_is_named_is_there_for_students(chapter: Chapter) -> None:
-    there = set(ROOT_FILES)
+    there = {*ROOT_FILES, "chapter.toml"}
     for other in below(chapter):
-        there |= {*other.handed_in, *other.complete, "chapter.toml"}
+        there |= {*other.handed_in, *other.complete}
         there |= {path.name for path in (ROOT / "chapters" / other.name).glob("*.md")}
     named = {name for text in advice(chapter) for name in FILE.findall(text)}
     assert named, "advice names files"
@@ -116,27 +116,22 @@ def test_each_file_that_is_named_is_there_for_students(chapter: Chapter) -> None
 
 def functions_of_files(chapter: Chapter) -> set[tuple[str, str]]:
     """Return the file and the name of each function that advice attributes to a file."""
-    return {
-        (file, name)
-        for text in advice(chapter)
-        for words, file in OF_A_FILE.findall(text)
-        for name in re.split(r", | and ", words)
-        if name not in PROSE
-    }
+    named = {found for text in advice(chapter) for found in OF_A_FILE.findall(text)}
+    names = {(file, name) for words, file in named for name in re.split(r", | and ", words)}
+    return {(file, name) for file, name in names if name not in PROSE}
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@by_chapter
 def test_each_function_of_a_file_and_of_the_library_is_there(chapter: Chapter) -> None:
     for file, name in functions_of_files(chapter):
         path = file_named(chapter, file)
         assert path, file
         assert name in names_in(parsed(path)), f"{name} of {file}"
-    for text in advice(chapter):
-        for module, name in LIBRARY.findall(text):
-            assert hasattr(importlib.import_module(module), name), text
+    for module, name in LIBRARY.findall(" ".join(advice(chapter))):
+        assert hasattr(importlib.import_module(module), name), f"{module}.{name}"
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@by_chapter
 def test_each_name_of_several_words_is_one_that_students_see(chapter: Chapter) -> None:
     known: set[str] = set()
     for other in below(chapter):
@@ -151,7 +146,8 @@ def test_each_name_of_several_words_is_one_that_students_see(chapter: Chapter) -
 
 IMPORT_EACH = """
 import importlib, sys
-for module in sys.argv[1:]:
+sys.path[:0] = sys.argv[1:3]
+for module in sys.argv[3:]:
     for name in [name for name in sys.modules if name.startswith("ch0")]:
         del sys.modules[name]
     importlib.import_module(module)
@@ -160,17 +156,13 @@ for module in sys.argv[1:]:
 
 def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_path: Path) -> None:
     """Each module of the reference is imported with the advised imports at its top."""
-    advised = {
-        (path, name)
-        for chapter in CHAPTERS
-        for file, name in functions_of_files(chapter)
-        if (path := file_named(chapter, file)) and path.startswith("chapters/")
-    }
-    lines = {
-        f"from {Path(path).parent.name}.{Path(path).stem} import {name}" for path, name in advised
-    }
+    future, lines, modules = "from __future__ import annotations\n", set(), []
+    for chapter in CHAPTERS:
+        for file, name in functions_of_files(chapter):
+            path = Path(file_named(chapter, file) or "")
+            if path.parts[:1] == ("chapters",):
+                lines.add(f"from {path.parent.name}.{path.stem} import {name}")
     assert "from ch02_vectors.arguments import positive" in lines
-    future, modules = "from __future__ import annotations\n", []
     for chapter in CHAPTERS:
         (tmp_path / chapter.name).mkdir()
         for file in chapter.edited_files:
@@ -179,43 +171,29 @@ def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_pa
             edited = source.replace(future, "\n".join([future, *sorted(lines), ""]))
             (tmp_path / chapter.name / file).write_text(edited, encoding="utf-8")
             modules.append(f"{chapter.name}.{file.removesuffix('.py')}")
-    path = f"sys.path[:0] = {[str(tmp_path), str(ROOT / 'chapters')]!r}"
-    code = IMPORT_EACH.replace("import importlib, sys", f"import importlib, sys\n{path}")
-    done = subprocess.run(
-        [sys.executable, "-c", code, *modules], capture_output=True, encoding="utf-8", check=False
-    )
+    command = [sys.executable, "-c", IMPORT_EACH, tmp_path, ROOT / "chapters", *modules]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stderr
 
 
-@pytest.fixture
-def second() -> tuple[Chapter, Exercise]:
-    """Return chapter 2 and its first exercise."""
-    return CHAPTERS[0], CHAPTERS[0].exercises[0]
-
-
 @pytest.mark.parametrize("called", ["Vector3(1, 2, 3).copy()", ""])
-def test_nobody_is_sent_to_a_file_that_is_not_to_be_edited(
-    second: tuple[Chapter, Exercise], called: str
-) -> None:
+def test_nobody_is_sent_to_a_file_that_is_not_to_be_edited(called: str) -> None:
     where = Place("ch02_vectors/arguments.py", 40, "finite", "x")
+    exercise = CHAPTERS[0].exercises[0]
     message = Message(called=called, got="TypeError", where=where)
-    failed = Verdict("test", second[1].id, 1.0, "failed", message)
-    place = next_place([ROOT / "solutions", ROOT / "chapters"], *second, failed)
-    assert "arguments.py" not in place
+    failed = Verdict("test", exercise.id, 1.0, "failed", message)
+    place = next_place([ROOT / "solutions", ROOT / "chapters"], CHAPTERS[0], exercise, failed)
     assert "ch02_vectors/vector.py:" in place
 
 
 def test_a_complete_module_that_an_edit_breaks_leads_to_the_students_line() -> None:
     """The name of Contact was lost: joints.py cannot import it, and bridge.py imports joints.py."""
-    frames = [
-        Place("ch08_mass_aggregate/bridge.py", 13, "<module>"),
-        Place("ch08_mass_aggregate/joints.py", 9, "<module>"),
-    ]
+    folder = "ch08_mass_aggregate"
+    lines = (("bridge", 13), ("joints", 9))
+    frames = [Place(f"{folder}/{module}.py", line, "<module>") for module, line in lines]
     text = "cannot import name 'Contact' from 'ch07_constraints.contacts'"
-    fault = Fault("ImportError", text, frames)
     engine = [ROOT / "solutions", ROOT / "chapters"]
-    complete = ["ch08_mass_aggregate/joints.py"]
-    message = explain_import(fault, "ch08_mass_aggregate.bridge", engine, complete)
+    fault = Fault("ImportError", text, frames)
+    message = explain_import(fault, f"{folder}.bridge", engine, [f"{folder}/joints.py"])
     assert text in message.title
-    assert message.where is not None
-    assert (message.where.file, message.where.line) == ("ch08_mass_aggregate/bridge.py", 13)
+    assert (message.where.file, message.where.line) == (f"{folder}/bridge.py", 13)

@@ -13,11 +13,6 @@ CHAPTERS = load_chapters()
 REFERENCE = sorted((ROOT / "tests/reference").rglob("test_*.py"))
 
 
-def item(file: str, **parameters: object) -> SimpleNamespace:
-    """Return the part of a pytest item that the plugin reads."""
-    return SimpleNamespace(path=ROOT / "tests" / file, callspec=SimpleNamespace(params=parameters))
-
-
 @pytest.mark.parametrize(
     ("file", "parameters", "chapters"),
     [
@@ -39,7 +34,9 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
 def test_a_test_is_about_the_chapter_of_its_parameters_or_of_its_file(
     file: str, parameters: dict[str, object], chapters: set[int]
 ) -> None:
-    assert chapters_of(item(file, **parameters)) == chapters
+    callspec = SimpleNamespace(params=parameters)
+    item = SimpleNamespace(path=ROOT / "tests" / file, callspec=callspec)
+    assert chapters_of(item) == chapters
 
 
 def test_every_test_of_the_reference_is_about_a_chapter_and_every_chapter_has_some() -> None:

@@ -18,14 +18,6 @@ FOLDERS = 'f"{COURSE}/solutions", f"{COURSE}/chapters"'
 ONLY, SWAPPED = 'f"{COURSE}/solutions"', 'f"{COURSE}/chapters", f"{COURSE}/solutions"'
 
 
-def run(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    assert script.count('COURSE = "."') == 1
-    file = folder / "own.py"
-    file.write_text(script.replace('COURSE = "."', f"COURSE = {str(ROOT)!r}"), encoding="utf-8")
-    command = [sys.executable, "-S", "-c", RUN, str(file)]
-    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
-
-
 # Without .venv's own path to the students' files, which would hide a folder that is missing.
 RUN = f"""
 import runpy, sys
@@ -34,6 +26,13 @@ import matplotlib
 matplotlib.use("Agg")
 runpy.run_path(sys.argv[1], run_name="__main__")
 """
+
+
+def run(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    file = folder / "own.py"
+    file.write_text(script.replace('COURSE = "."', f"COURSE = {str(ROOT)!r}"), encoding="utf-8")
+    command = [sys.executable, "-S", "-c", RUN, str(file)]
+    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
 
 
 def test_the_ball_stays_between_the_ground_and_the_wall(tmp_path: Path) -> None:

@@ -19,7 +19,6 @@ from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import results_of, total
 from autograder.student.failure import next_place
-from copies import copy_tree
 from made import made_stubs
 from ready import ready
 from walls import behind_walls
@@ -59,11 +58,8 @@ LEVELS = [
 ]
 SEED = "1"
 REFUSALS = ("ValueError", "TypeError", "ArithmeticError")
-SEEDS = ("1", "a class of its own")
-
-
-def by_name(value: object) -> str | None:
-    return value.name if isinstance(value, Chapter) else None
+OTHER_SEED = "a class of its own"
+by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 
 
 def engine_with(top: Path) -> list[Path]:
@@ -76,46 +72,37 @@ def lost(verdicts: list[Verdict]) -> dict[str, str]:
     return {v.name: f"{v.status}: {v.message}" for v in verdicts if v.status != "passed"}
 
 
-@pytest.mark.parametrize(
-    ("seed", "in_workers"),
-    [
-        pytest.param(SEEDS[0], False, id="1"),
-        pytest.param(SEEDS[1], False, id="another seed", marks=pytest.mark.slow),
-        pytest.param(SEEDS[1], True, id="in workers", marks=pytest.mark.slow),
-    ],
-)
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_solution_earns_every_point(chapter: Chapter, seed: str, in_workers: bool) -> None:
-    engine = [ROOT / "solutions", ROOT / "chapters"]
-    behind = behind_walls() if in_workers else None
-    assert lost(run_checks(chapter, engine, seed=seed, sandbox=behind)) == {}
+SOLUTIONS = {
+    "reference": [ROOT / "solutions", ROOT / "chapters"],
+    "second": engine_with(ROOT / "sample_class/ada"),
+    "tuned": find_engine(TUNED),
+}
 
 
 @pytest.mark.parametrize(
-    "in_workers",
+    ("solution", "in_workers"),
     [
-        pytest.param(False, id="beside the checks"),
-        pytest.param(True, id="in workers", marks=pytest.mark.slow),
+        *(("reference", False), ("second", False), ("tuned", False)),
+        pytest.param("reference", True, marks=pytest.mark.slow),
+        pytest.param("second", True, marks=pytest.mark.slow),
     ],
 )
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_second_solution_earns_every_point(
-    chapter: Chapter, in_workers: bool, tmp_path: Path
-) -> None:
-    seed, behind = (SEEDS[-1], behind_walls()) if in_workers else (SEED, None)
-    second = ROOT / "sample_class" / "ada" / chapter.name
-    assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
-    copy_tree(second, tmp_path / chapter.name)
-    engine = engine_with(tmp_path)
-    assert lost(run_checks(chapter, engine, seed=seed, sandbox=behind)) == {}
+@by_chapter
+def test_a_solution_earns_every_point(chapter: Chapter, solution: str, in_workers: bool) -> None:
+    seed, behind = (OTHER_SEED, behind_walls()) if in_workers else (SEED, None)
+    verdicts = run_checks(chapter, SOLUTIONS[solution], seed=seed, sandbox=behind)
+    assert verdicts
+    assert lost(verdicts) == {}
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_tuned_engine_earns_every_point(chapter: Chapter) -> None:
-    assert lost(run_checks(chapter, find_engine(TUNED), seed=SEED)) == {}
+@by_chapter
+def test_the_second_solution_is_whole(chapter: Chapter) -> None:
+    """Otherwise the reference would stand in for a file that it lacks."""
+    second = ROOT / "sample_class/ada" / chapter.name
+    assert {file.name for file in second.glob("*.py")} == {*chapter.edited_files}
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+@by_chapter
 def test_the_stubs_earn_nothing(chapter: Chapter, tmp_path: Path) -> None:
     """Each exercise has checks, except the written ones, and its stub passes none of them."""
     for path, text in made_stubs().items():
@@ -130,9 +117,8 @@ def test_the_stubs_earn_nothing(chapter: Chapter, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("body", ["pass", *(f"raise {e}('no')" for e in REFUSALS)])
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+@by_chapter
 def test_doing_nothing_and_refusing_everything_earn_nothing(chapter: Chapter, body: str) -> None:
-    """Every body is the same line."""
     waiting = ready(chapter)
     write_all(chapter, body, waiting.top)
     edits = [edit for exercise in chapter.exercises for edit in exercise.edit]
@@ -141,7 +127,7 @@ def test_doing_nothing_and_refusing_everything_earn_nothing(chapter: Chapter, bo
     assert [verdict.name for verdict in verdicts if verdict.status == "passed"] == []
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+@by_chapter
 def test_empty_modules_earn_nothing(chapter: Chapter, tmp_path: Path) -> None:
     write_all(chapter, None, tmp_path)
     verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
@@ -159,7 +145,7 @@ def test_an_exercise_needs_no_other_than_it_says(chapter: Chapter, exercise: str
     assert lost(waiting.run(edits, [exercise])) == {}
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+@by_chapter
 def test_the_other_right_bodies_earn_every_point(chapter: Chapter) -> None:
     """Some wrong submissions change a few words of such a body, so it must be right itself."""
     waiting = ready(chapter)
@@ -203,9 +189,7 @@ def test_a_wrong_submission_is_caught(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("chapter", "depth"), LEVELS, ids=[f"{chapter.name}, {depth}" for chapter, depth in LEVELS]
-)
+@pytest.mark.parametrize(("chapter", "depth"), LEVELS, ids=[f"{c.name}, {d}" for c, d in LEVELS])
 def test_a_wrong_submission_is_told_the_same_both_ways(chapter: Chapter, depth: int) -> None:
     """The first wrong submission of each exercise gives the same verdicts and messages both ways.
 

@@ -6,7 +6,6 @@ import ast
 import io
 import subprocess
 import sys
-import tomllib
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -16,58 +15,44 @@ from rich.console import Console
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.text.marked import between
 from graded import report_of
 from ready import ready
 from studies import bench as bench_figures
 from wrong import read_wrong
 
 CHAPTERS = load_chapters()
+by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 
 
-def by_name(chapter: Chapter) -> str:
-    return chapter.name
-
-
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_every_exercise_has_three_wrong_submissions(chapter: Chapter) -> None:
-    wrongs = Counter(wrong.edit for wrong in read_wrong(chapter))
-    for exercise in chapter.exercises:
-        if exercise.edit:
-            assert sum(wrongs[edit] for edit in exercise.edit) >= 3, exercise.id
-
-
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_a_survivor_is_a_line_of_the_reference_and_has_a_reason(chapter: Chapter) -> None:
-    path = ROOT / "tests" / "strength" / "survivors" / f"{chapter.name}.toml"
-    edits = {edit for exercise in chapter.exercises for edit in exercise.edit}
-    seen = set()
-    for survivor in tomllib.loads(path.read_text(encoding="utf-8"))["survivor"]:
-        assert survivor.keys() == {"edit", "line", "became", "reason"}
-        assert survivor["edit"] in edits
-        module, _, name = survivor["edit"].partition(".")
-        source = (ROOT / "solutions" / chapter.name / f"{module}.py").read_text(encoding="utf-8")
-        body = functions(ast.parse(source))[name]
-        lines = source.splitlines()[body.lineno : body.end_lineno]
-        assert survivor["line"] in [line.strip() for line in lines]
-        for became in survivor["became"]:
-            assert became != survivor["line"]
-            assert (survivor["edit"], survivor["line"], became) not in seen
-            seen.add((survivor["edit"], survivor["line"], became))
-        assert len(survivor["reason"].split()) >= 4
-
-
-@pytest.fixture
+@pytest.fixture(autouse=True)
 def strength(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let tests import the modules of tests/strength."""
     monkeypatch.setattr(sys, "path", [str(ROOT / "tests/strength"), *sys.path])
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-@pytest.mark.usefixtures("strength")
+@by_chapter
+def test_every_exercise_has_three_wrong_submissions(chapter: Chapter) -> None:
+    wrongs = Counter(wrong.edit for wrong in read_wrong(chapter))
+    for exercise in chapter.exercises:
+        assert not exercise.edit or sum(wrongs[e] for e in exercise.edit) >= 3, exercise.id
+
+
+@by_chapter
+def test_a_survivor_changes_a_body_that_students_write_and_has_a_reason(chapter: Chapter) -> None:
+    pytest.importorskip("cosmic_ray")
+    from mutants import read_survivors
+
+    reasons, changes = zip(*read_survivors(chapter), strict=True)
+    assert len({*changes}) == len(changes)
+    assert {edit for edit, *_ in changes} <= {edit for e in chapter.exercises for edit in e.edit}
+    assert min(len(reason.split()) for reason in reasons) >= 4
+
+
+@by_chapter
 def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
     """In a fresh copy, make update changes nothing."""
     import table
-    from autograder.text.marked import between
 
     page = table.PAGE.read_text(encoding="utf-8")
     rows = between(page, table.BEGIN, table.END).splitlines()[2:]
@@ -75,71 +60,80 @@ def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
     assert len(rows) == len(CHAPTERS)
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-@pytest.mark.usefixtures("strength")
+@by_chapter
 def test_the_checks_of_a_chapter_are_strong_and_fair_enough(chapter: Chapter) -> None:
     """A figure from before a change counts as not measured."""
     from kept import SOLUTIONS, mutants_of, seeds_of
 
-    mutants = mutants_of(chapter)
-    assert mutants, (
-        f"a check or the reference has changed: run make measure WHAT=mutants CH={chapter.number}"
-    )
+    mutants, again = mutants_of(chapter), "has changed: run make measure WHAT="
+    assert mutants, f"a check or the reference {again}mutants CH={chapter.number}"
     assert mutants["killed"] / mutants["of"] >= 0.97
     for solution in SOLUTIONS:
         for file, pythons in seeds_of(solution, chapter).items():
-            assert pythons, (
-                f"{file} or the {solution} has changed: "
-                f"run make measure WHAT=seeds CH={chapter.number}"
-            )
+            assert pythons, f"{file} or the {solution} {again}seeds CH={chapter.number}"
             assert min(pythons.values()) >= 1000
 
 
-@pytest.mark.usefixtures("strength")
-def test_a_figure_is_old_once_the_code_that_it_was_measured_on_changes(tmp_path: Path) -> None:
+BEFORE = (
+    '@exercise("B1.1", asks="the sum")\ndef f():\n    """Add both."""\n    g(f"a {x} b", "k")\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("change", "kept"),
+    [
+        (("    g(", "\n    # A check.\n    g("), {True, False}),
+        (("Add both.", "Add two."), {True, False}),
+        (('asks="the sum"', 'asks="a sum"'), {True, False}),
+        (('f"a {x} b"', '"c d"'), {False}),
+        (('f"a {x} b"', '"c d" + y'), set()),
+        (('"k"', '"l"'), set()),
+    ],
+)
+def test_a_figure_is_old_once_the_code_that_it_was_measured_on_changes(
+    change: tuple[str, str], kept: set[bool], tmp_path: Path
+) -> None:
+    """Sentences count for mutants, and not for seeds."""
     from fingerprint import fingerprint
 
-    def of(text: str) -> str:
+    def of(text: str, sentences: bool) -> str:
         (tmp_path / "check.py").write_text(text, encoding="utf-8")
-        return fingerprint([tmp_path / "check.py"])
+        return fingerprint([tmp_path / "check.py"], sentences=sentences)
 
-    before = of('def f():\n    """Return 2."""\n    return 2  # two\n')
-    assert of('# A check.\ndef f():\n    """Return two."""\n\n    return 2\n') == before
-    assert of("def f():\n    return 3\n") != before
-
-
-@pytest.mark.usefixtures("strength")
-def test_sentences_do_not_make_the_figures_of_seeds_old(tmp_path: Path) -> None:
-    from fingerprint import fingerprint
-
-    def of(text: str) -> str:
-        (tmp_path / "check.py").write_text(text, encoding="utf-8")
-        return fingerprint([tmp_path / "check.py"], sentences=False)
-
-    before = of("@exercise('B1.1', asks='what it asks')\ndef f():\n    g(f'a {x} b', 'key')\n")
-    assert of("@exercise('B1.1')\ndef f():\n    # A check.\n    g('c d', 'key')\n") == before
-    assert of("@exercise('B1.1')\ndef f():\n    g('c d', 'keys')\n") != before
-    assert of("@exercise('B1.1')\ndef f():\n    g('c d' + y, 'key')\n") != before
+    after = BEFORE.replace(*change)
+    assert after != BEFORE
+    assert {which for which in (True, False) if of(BEFORE, which) == of(after, which)} == kept
 
 
-@pytest.mark.usefixtures("strength")
 def test_an_old_figure_is_dropped_and_a_new_one_does_not_keep_it(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     import kept
 
-    chapter = CHAPTERS[0]
+    chapter, changed = CHAPTERS[0], set[str]()
+    one, other = kept.files_of_checks(chapter)[:2]
     monkeypatch.setattr(kept, "FILE", tmp_path / "figures.json")
-    monkeypatch.setattr(kept, "of_checks", lambda *_: "before")
+    monkeypatch.setattr(kept, "of_checks", lambda *_: str(changed))
+    monkeypatch.setattr(kept, "of_check_file", lambda check, *_: str(check.name in changed))
+
+    def seeds() -> dict[str, dict[str, int]]:
+        found = kept.seeds_of("reference", chapter)
+        return {name: pythons for name, pythons in found.items() if pythons}
+
     kept.keep_mutants(chapter, killed=1, of=1)
+    for check, python in ((one, "3.11"), (other, "3.11"), (one, "3.12")):
+        kept.keep_seeds("reference", chapter, check, python, 1000)
     assert kept.mutants_of(chapter) == {"killed": 1, "of": 1}
-    monkeypatch.setattr(kept, "of_checks", lambda *_: "after")
+    assert seeds() == {one.name: {"3.11": 1000, "3.12": 1000}, other.name: {"3.11": 1000}}
+    changed.add(one.name)
     assert kept.mutants_of(chapter) == {}
+    assert seeds() == {other.name: {"3.11": 1000}}
     kept.keep_mutants(chapter, killed=2)
+    kept.keep_seeds("reference", chapter, one, "3.12", 1000)
     assert kept.mutants_of(chapter) == {"killed": 2}
+    assert seeds()[one.name] == {"3.12": 1000}
 
 
-@pytest.mark.usefixtures("strength")
 def test_only_the_files_of_failing_checks_have_to_run_again(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -155,31 +149,6 @@ def test_only_the_files_of_failing_checks_have_to_run_again(
     assert run_seeds._failing("reference", files, 2, 1) == {"test_products.py"}
 
 
-@pytest.mark.usefixtures("strength")
-def test_the_seeds_of_a_file_of_checks_are_kept_until_it_changes(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    import kept
-
-    chapter = CHAPTERS[0]
-    changed: set[str] = set()
-    monkeypatch.setattr(kept, "FILE", tmp_path / "figures.json")
-    monkeypatch.setattr(kept, "of_check_file", lambda check, *_: str(check.name in changed))
-    one, other = kept.files_of_checks(chapter)[:2]
-    for check in (one, other):
-        kept.keep_seeds("reference", chapter, check, "3.11", 1000)
-    kept.keep_seeds("reference", chapter, one, "3.12", 1000)
-    found = kept.seeds_of("reference", chapter)
-    assert found[one.name] == {"3.11": 1000, "3.12": 1000}
-    assert [name for name in found if found[name]] == [one.name, other.name]
-    changed.add(one.name)
-    found = kept.seeds_of("reference", chapter)
-    assert [name for name in found if found[name]] == [other.name]
-    kept.keep_seeds("reference", chapter, one, "3.12", 1000)
-    assert kept.seeds_of("reference", chapter)[one.name] == {"3.12": 1000}
-
-
-@pytest.mark.usefixtures("strength")
 def test_a_file_of_checks_changes_with_what_it_imports(tmp_path: Path) -> None:
     """The check imports a module of the solution, which imports another one."""
     from fingerprint import of_check_file
@@ -203,17 +172,15 @@ def test_what_is_measured_is_committed() -> None:
     assert subprocess.run(ignored, cwd=ROOT, check=False).returncode != 0
 
 
-@pytest.mark.usefixtures("strength")
 def test_a_figure_that_was_never_measured_is_a_dash(monkeypatch: pytest.MonkeyPatch) -> None:
     import table
 
     monkeypatch.setattr(table, "run_checks", lambda *_, **__: [])
     monkeypatch.setattr(table, "mutants_of", lambda _: {})
     monkeypatch.setattr(table, "seeds_of", lambda *_: {"test_it.py": {}})
-    assert [cell for cell in table.row(CHAPTERS[0]) if cell == "-"] == ["-"] * 4
+    assert table.row(CHAPTERS[0]).count("-") == 4
 
 
-@pytest.mark.usefixtures("strength")
 def test_no_table_is_written_while_the_second_solution_loses_a_point(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -222,29 +189,27 @@ def test_no_table_is_written_while_the_second_solution_loses_a_point(
     import table
 
     monkeypatch.setattr(sample, "grade_submission", lambda *_: report_of("ada"))
+    monkeypatch.setattr(table, "sample_table", lambda: sample.sample_table(["ada"]))
     before = [page.read_bytes() for page in (table.PAGE, table.CLASS)]
     console = Console(file=io.StringIO())
-    monkeypatch.setattr(table, "sample_table", lambda: sample.sample_table(["ada"]))
     assert not table.write_tables(console)
     words = "sample_class/ada must pass every check, and test_angle of exercise 2.2 says: "
     assert words in console.file.getvalue()
     assert before == [page.read_bytes() for page in (table.PAGE, table.CLASS)]
 
 
-@pytest.mark.usefixtures("strength")
 def test_mutants_differ_in_a_line_of_a_body_and_a_mistake_is_killed() -> None:
     """What means the same survives."""
     pytest.importorskip("cosmic_ray")
     import mutants
 
-    edit, file = "vector.Vector3.normalized", "vector.py"
+    edit = "vector.Vector3.normalized"
     few = replace(CHAPTERS[0], exercises=[e for e in CHAPTERS[0].exercises if edit in e.edit])
     made = [mutant for mutant in mutants.mutants_of(few) if mutant.edit == edit]
-    source = (ROOT / "solutions/ch02_vectors" / file).read_text(encoding="utf-8")
+    source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
     body = functions(ast.parse(source))["Vector3.normalized"]
     assert len(made) >= 10
     for mutant in made:
-        assert mutant.file == file
         ast.parse(mutant.code)
         pairs = zip(source.splitlines(), mutant.code.splitlines(), strict=True)
         (changed,) = [number for number, (old, new) in enumerate(pairs, 1) if old != new]

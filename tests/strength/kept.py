@@ -1,8 +1,7 @@
 """The measured figures of each chapter, in one committed file from which the table is made.
 
-Each figure is kept with a fingerprint of what it was measured on. Once that has changed, the figure
-is old, and counts as not measured. The figures of the mutants are kept by chapter, and those of the
-seeds by file of checks, because runs with many seeds take long.
+Each figure is kept with a fingerprint of what it was measured on, and counts as not measured once
+that has changed. Mutants are kept by chapter, and seeds by file of checks, because they take long.
 """
 
 from __future__ import annotations

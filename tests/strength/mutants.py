@@ -15,6 +15,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -24,7 +25,7 @@ from cosmic_ray import plugins
 from cosmic_ray.ast import ast_nodes, get_ast
 from cosmic_ray.mutating import mutate_code
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import track
 
 from autograder.checks.arrange import shared_by_checks
 from autograder.definitions import functions
@@ -32,11 +33,13 @@ from autograder.manifest import ROOT, Chapter
 from fingerprint import fingerprint
 from kept import FOLDER, keep_mutants
 from ready import Ready
+from wrong import Wrong, body_of
 
 SHARE = 0.97  # least fraction killed of the mutants that differ from the reference
 # Shifts, bits and matrix products fail on every float, so they do not test a check. Nor does "is".
 IMPLAUSIBLE = re.compile("BitAnd|BitOr|BitXor|Shift|MatMult|Invert|Is")
 SEED = "1"
+Change = tuple[str, str, str]  # a body, one of its lines and what it became, without spaces
 
 
 @dataclass(frozen=True)
@@ -53,15 +56,14 @@ class Mutant:
     def key(self) -> str:
         return hashlib.sha256(f"{self.file}\n{self.code}".encode()).hexdigest()
 
+    @property
+    def change(self) -> Change:
+        return (self.edit, bare(self.line), bare(self.became))
 
-@dataclass(frozen=True)
-class Survivor:
-    """Mutants that do the same as the reference, and the reason."""
 
-    edit: str
-    line: str
-    became: list[str]
-    reason: str
+def bare(line: str) -> str:
+    """Return a line without spaces, because a mutation may leave a space too many."""
+    return "".join(line.split())
 
 
 def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
@@ -92,11 +94,9 @@ def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
 
 def _is_python(code: str) -> bool:
     """Return whether the code can be parsed: an operator may insert "not" where it is invalid."""
-    try:
-        ast.parse(code)
-    except SyntaxError:
-        return False
-    return True
+    with suppress(SyntaxError):
+        return bool(ast.parse(code))
+    return False
 
 
 def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, int]]:
@@ -126,15 +126,6 @@ def killer_of(waiting: Ready, mutant: Mutant) -> str:
     return ""
 
 
-def _killer_of(mutant: Mutant, free: Queue[Ready]) -> str:
-    """Return the check that kills a mutant, using one of the waiting processes."""
-    waiting = free.get()
-    try:
-        return killer_of(waiting, mutant)
-    finally:
-        free.put(waiting)
-
-
 def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
     """Run a chapter's mutants that have no result yet, print the survivors, and return success."""
     mutants = {mutant.key: mutant for mutant in mutants_of(chapter)}
@@ -142,25 +133,29 @@ def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
     results = FOLDER / f"mutants_{chapter.name}.jsonl"
     known = dict(_read(results, chapter))
     todo = [mutant for key, mutant in mutants.items() if key not in known]
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-    with (
-        results.open("a", encoding="utf-8") as out,
-        ThreadPoolExecutor(jobs) as pool,
-        Progress(*columns, TimeRemainingColumn(), console=console, transient=True) as progress,
-    ):
-        task = progress.add_task(f"mutants of chapter {chapter.number}", total=len(todo))
-        free: Queue[Ready] = Queue()
-        for _ in range(jobs):
-            free.put(Ready(chapter, SEED))
-        futures = {pool.submit(_killer_of, mutant, free): mutant for mutant in todo}
+    free: Queue[Ready] = Queue()  # the waiting processes
+    for _ in range(jobs):
+        free.put(Ready(chapter, SEED))
+
+    def killer(mutant: Mutant) -> str:
+        waiting = free.get()
         try:
-            for future in as_completed(futures):
-                key, killer = futures[future].key, future.result()
-                known[key] = killer
-                line = {"mutant": key, "killer": killer, "checks": _state(chapter.name, killer)}
+            return killer_of(waiting, mutant)
+        finally:
+            free.put(waiting)
+
+    with results.open("a", encoding="utf-8") as out, ThreadPoolExecutor(jobs) as pool:
+        futures = {pool.submit(killer, mutant): mutant.key for mutant in todo}
+        title = f"mutants of chapter {chapter.number}"
+        try:
+            for future in track(
+                as_completed(futures), title, len(todo), console=console, transient=True
+            ):
+                key, name = futures[future], future.result()
+                known[key] = name
+                line = {"mutant": key, "killer": name, "checks": _state(chapter.name, name)}
                 out.write(json.dumps(line) + "\n")
                 out.flush()
-                progress.update(task, advance=1)
         except BaseException:  # most often Ctrl-C: the results so far are kept
             pool.shutdown(cancel_futures=True)
             raise
@@ -186,13 +181,20 @@ def _state(chapter: str, check: str) -> str:
     return fingerprint(sorted(files))
 
 
-def read_survivors(chapter: Chapter) -> list[Survivor]:
-    """Return the survivors that are known to do the same as the reference."""
-    path = ROOT / "tests" / "strength" / "survivors" / f"{chapter.name}.toml"
-    if not path.exists():
-        return []
-    found = tomllib.loads(path.read_text(encoding="utf-8"))
-    return [Survivor(**entry) for entry in found["survivor"]]
+def read_survivors(chapter: Chapter) -> Iterator[tuple[str, Change]]:
+    """Yield the mutants that are known to do the same as the reference, each after its reason.
+
+    Raises:
+        ValueError: A body does not have a text exactly once.
+    """
+    path = Path(__file__).parent / "survivors" / f"{chapter.name}.toml"
+    for reason, edits in tomllib.loads(path.read_text(encoding="utf-8")).items():
+        for edit, texts in edits.items():
+            before = body_of(chapter, Wrong(edit, reason, "")).splitlines()
+            for old, new in ((old, new) for old, *others in texts for new in others):
+                after = body_of(chapter, Wrong(edit, reason, "", [old, new])).splitlines()
+                (lines,) = (pair for pair in zip(before, after, strict=True) if len({*pair}) > 1)
+                yield reason, (edit, *map(bare, lines))
 
 
 def _print_result(
@@ -204,23 +206,19 @@ def _print_result(
 ) -> bool:
     """Print the fraction that was killed, and survivors without a reason; return success."""
     living = [mutant for key, mutant in mutants.items() if not known[key]]
-    listed = {(s.edit, s.line, became) for s in read_survivors(chapter) for became in s.became}
-    same = [m for m in living if (m.edit, m.line, m.became) in listed]
-    unlisted = [m for m in living if (m.edit, m.line, m.became) not in listed]
+    listed = {change for _, change in read_survivors(chapter)}
+    unlisted = [mutant for mutant in living if mutant.change not in listed]
+    others = listed - {mutant.change for mutant in living}
     for mutant in unlisted:
-        console.print(
-            f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False, soft_wrap=True
-        )
-    others = listed - {(m.edit, m.line, m.became) for m in living}
+        change = f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}"
+        console.print(change, markup=False, soft_wrap=True)
     for edit, line, became in sorted(others):
         console.print(f"does not survive: {edit}: {line} -> {became}", markup=False)
-    killed, others_of = len(mutants) - len(living), len(mutants) - len(same)
+    same = len(living) - len(unlisted)
+    killed, others_of = len(mutants) - len(living), len(mutants) - same
     share = killed / others_of
-    console.print(
-        f"chapter {chapter.number}: {killed} of {others_of} mutants killed, {100.0 * share:.1f} %, "
-        f"and {len(same)} do the same as the reference; {results}",
-        markup=False,
-        soft_wrap=True,
-    )
-    keep_mutants(chapter, killed=killed, of=others_of, same=len(same))
+    result = f"{killed} of {others_of} mutants killed, {100.0 * share:.1f} %, and {same} do the"
+    result = f"chapter {chapter.number}: {result} same as the reference; {results}"
+    console.print(result, markup=False, soft_wrap=True)
+    keep_mutants(chapter, killed=killed, of=others_of, same=same)
     return share >= SHARE and not unlisted and not others

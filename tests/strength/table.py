@@ -16,15 +16,8 @@ BEGIN, END = "<!-- strength: `make update` writes this -->", "<!-- end of streng
 CLASS = ROOT / "sample_class" / "README.md"
 BEGIN_SAMPLE, END_SAMPLE = "<!-- sample: `make update` writes this -->", "<!-- end of sample -->"
 HEAD = [
-    "chapter",
-    "exercises",
-    "checks",
-    "points",
-    "mutants killed",
-    "as right as the reference",
-    "wrong submissions",
-    "reference, seeds",
-    "second solution, seeds",
+    *("chapter", "exercises", "checks", "points", "mutants killed", "as right as the reference"),
+    *("wrong submissions", "reference, seeds", "second solution, seeds"),
 ]
 
 
@@ -48,10 +41,8 @@ def write_tables(console: Console) -> bool:
         path.write_text(with_text(page, begin, end, f"\n{text}\n"), encoding="utf-8", newline="\n")
     console.print(f"the tables are in {PAGE} and {CLASS}", markup=False)
     if any("-" in cells for cells in rows):
-        console.print(
-            "A dash means that a figure is missing. Measure "
-            "them with make measure WHAT=mutants and WHAT=seeds."
-        )
+        measure = "Measure them with make measure WHAT=mutants and WHAT=seeds."
+        console.print(f"A dash means that a figure is missing. {measure}")
     return True
 
 
@@ -64,21 +55,16 @@ def table_of(rows: list[list[str]]) -> str:
 def row(chapter: Chapter) -> list[str]:
     """Return the cells of a chapter's row."""
     checks = run_checks(chapter, [ROOT / "solutions", ROOT / "chapters"], seed="1")
+    by_code = [exercise for exercise in chapter.exercises if exercise.kind != "written"]
     mutants = mutants_of(chapter)
     killed = same = "-"
     if mutants:
         share = 100.0 * mutants["killed"] / mutants["of"]
         killed, same = f"{mutants['killed']} of {mutants['of']}, {share:.1f} %", mutants["same"]
-    return [
-        f"{chapter.number} {chapter.title}",
-        str(sum(exercise.kind != "written" for exercise in chapter.exercises)),
-        str(len(checks)),
-        str(sum(exercise.points for exercise in chapter.exercises if exercise.kind != "written")),
-        killed,
-        str(same),
-        str(len(read_wrong(chapter))),
-        *(_held(chapter, solution) for solution in SOLUTIONS),
-    ]
+    numbers = [len(by_code), len(checks), sum(exercise.points for exercise in by_code)]
+    numbers += [killed, same, len(read_wrong(chapter))]
+    seeds = [_held(chapter, solution) for solution in SOLUTIONS]
+    return [f"{chapter.number} {chapter.title}", *map(str, numbers), *seeds]
 
 
 def _held(chapter: Chapter, solution: str) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ import pytest
 
 from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, load_chapters
+from typed import typed
 
 FOLDER = ROOT / ".vscode"
 SCHEMAS = json.loads(Path(__file__).with_name("editors.schema.json").read_text(encoding="utf-8"))
@@ -32,24 +32,15 @@ LAUNCHES = {entry["name"]: entry for entry in read("launch")["configurations"]}
 def test_a_file_is_valid_and_handed_out(name: str, student: Path) -> None:
     jsonschema.validate(read(name), SCHEMAS[name])
     assert (student / f".vscode/{name}.json").is_file()
-    inputs = read(name).get("inputs", [])
-    used = set(
-        re.findall(r"\$\{input:(\w+)\}", (FOLDER / f"{name}.json").read_text(encoding="utf-8"))
-    )
-    assert used == {each["id"] for each in inputs}
+    used = {*re.findall(r"\$\{input:(\w+)\}", json.dumps(read(name)))}
+    assert used == {each["id"] for each in read(name).get("inputs", [])}
 
 
-def run(words: list[str], cwd: Path, exercise: str = "B2.9") -> subprocess.CompletedProcess[str]:
+def run(words: list[str], cwd: Path) -> subprocess.CompletedProcess[str]:
     """Run a command as the editor does, with this Python and with an answer to its question."""
-    answered = [word.replace("${input:exercise}", exercise) for word in words]
-    return subprocess.run(
-        [sys.executable, *answered],
-        cwd=cwd,
-        input="q\n",
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+    answered = [word.replace("${input:exercise}", "B2.9") for word in words]
+    assert answered.pop(0) == "-m"
+    return typed(*answered, cwd=cwd, text="q\n")
 
 
 @pytest.fixture(scope="module")

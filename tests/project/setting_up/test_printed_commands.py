@@ -31,17 +31,19 @@ def lines_of(page: str, program: str) -> list[list[str]]:
 @pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 @pytest.mark.parametrize("page", PAGES)
 def test_make_accepts_each_line(page: str) -> None:
-    text = (ROOT / page).read_text(encoding="utf-8")
-    assert {*re.findall(r"`make ([\w-]+)`", text)} <= TAKES.keys()
     for _, *words in lines_of(page, "make"):
         command = ["make", "--dry-run", "--old-file=.venv/ready", *words]
         done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
         assert done.returncode == 0, f"{page}: {shlex.join(command)}\n{done.stderr}"
 
 
-@pytest.mark.parametrize("page", PAGES)
-def test_each_variable_is_one_that_a_command_takes(page: str) -> None:
+LESSONS = [page.relative_to(ROOT).as_posix() for page in ROOT.glob("chapters/**/*.md")]
+
+
+@pytest.mark.parametrize("page", [*PAGES, *LESSONS])
+def test_each_command_and_each_variable_exists(page: str) -> None:
     text = (ROOT / page).read_text(encoding="utf-8")
+    assert {*re.findall(r"(?:^(?: {4})?|`)make ([a-z-]+)", text, re.M)} <= TAKES.keys()
     taken = {name for names in TAKES.values() for name in names}
     assert {*re.findall(r"`([A-Z]+)=[^` ]*`", text)} <= taken
 

@@ -37,19 +37,17 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
     return stub_module(text, messages) if messages else text
 
 
-def write_reference(
-    out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
-) -> dict[str, str]:
-    """Write a chapter's released files into ``out``/reference, and return its modules' texts."""
+def write_reference(out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT) -> None:
+    """Write a chapter's released files into ``out``/reference."""
     folder, solution = out / "reference" / whole.name, root / "solutions" / whole.name
     folder.mkdir(parents=True)
-    modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
-    answers = _model_answers(chapter, solution / FILE)
-    for name, text in {**modules, **({FILE: answers} if answers else {})}.items():
+    texts = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
+    if answers := _model_answers(chapter, solution / FILE):
+        texts[FILE] = answers
+    for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     for name in chapter.data_files:
         shutil.copyfile(solution / name, folder / name)
-    return modules
 
 
 def _model_answers(chapter: Chapter, file: Path) -> str:

@@ -115,8 +115,7 @@ def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
         return f"it has no files of {', '.join(sorted(names))}, only of {', '.join(sorted(found))}"
     if staged.misplaced:
         return "; ".join(staged.rejected.values())
-    there = f". There is {', '.join(staged.others)}" if staged.others else ""
-    return f"no folder of a chapter was found, at most three levels down{there}"
+    return "no folder of a chapter was found, at most three levels down"
 
 
 def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:

@@ -73,7 +73,7 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
         raise ValueError(
             f"the submissions must be in an existing folder or zip, got {str(folder)!r}"
         )
-    entries = [_entry(path) for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
+    entries = [_entry(path) for path in sorted(folder.iterdir()) if not is_no_submission(path.name)]
     for one in entries:
         if CHAPTER.fullmatch(one.path.name) and one.path.is_dir():
             raise ValueError(
@@ -117,7 +117,7 @@ def printable(text: str) -> str:
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
-def is_skipped(name: str) -> bool:
+def is_no_submission(name: str) -> bool:
     """Return True if a name in the folder of a class is hidden, or that of an instructor's file."""
     # In Moodle, the name of a student can begin with a dot too.
     return name in SILENT or (name.startswith(".") and not MOODLE.fullmatch(name))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import shutil
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,11 +25,9 @@ from autograder.answers import FILE as ANSWERS
 from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.find import printable
-from autograder.submissions.search import Found, is_skipped, refuse, refuse_all, search
+from autograder.submissions.search import Found, refuse, refuse_all, search
 
 SCENES = "scenes"  # a folder of every handout, which has a links.py of its own
-MOST_PLACES = 3  # how many folders a message lists, if files of one name are in several
-MOST_NAMES = 10  # how many of the other files are listed
 
 
 @dataclass(frozen=True)
@@ -39,7 +37,6 @@ class Staged:
     rejected: dict[str, str]  # modules such as ch02_vectors.vector, each with the reason
     misplaced: list[str]  # those of them whose files were found in the wrong folder
     taken: list[str]  # files such as ch02_vectors/vector.py
-    others: list[str]  # names at the top of the submission from which nothing was taken
     notes: list[str]  # for the instructor; they may quote names of files, but nothing else
     digest: str  # of everything accepted or rejected; with the same one, the grade is the same
     refused: str = ""  # why nothing of the submission could be read, such as a damaged zip
@@ -99,7 +96,6 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
         rejected,
         elsewhere,
         [*taken],
-        _names_of_others(found, taken.values()),
         [printable(note) for note in notes],
         digest.hexdigest(),
         printable(refused),
@@ -150,28 +146,13 @@ def _misplaced(
     places = [p for p in others if SCENES not in p and not (p and p[-1] in homes)]
     if not places:
         return ""
-    places.sort(key=lambda place: (len(place), place))
-    where = [_shown(place) for place in places[:MOST_PLACES]]
-    if places[MOST_PLACES:]:
-        where.append("elsewhere")
+    place = min(places, key=lambda place: (len(place), place))
+    where = "at the top of what was handed in"
+    if place:
+        is_harmless = all(map(HARMLESS.fullmatch, place))
+        where = f"in '{'/'.join(place)}'" if is_harmless else "in another folder"
     which = f"the one for chapter {chapter.number}" if places[1:] else "it"
     return (
-        f"{file} was found {' and '.join(where)}, and not in a folder {chapter.name}. "
+        f"{file} was found {where}, and not in a folder {chapter.name}. "
         f"Put {which} into a folder {chapter.name} and hand in again"
     )
-
-
-def _names_of_others(found: Sequence[Found], taken: Iterable[Found]) -> list[str]:
-    """List some files and folders at the top of a submission from which nothing was taken."""
-    files = {one.file for one in found if one.other and not one.place}
-    folders = {one.place[0] for one in found if one.other and one.place} - files
-    left = sorted((files | folders) - {one.place[0] for one in taken})
-    names = [name + "/" * (name in folders) for name in left if not is_skipped(name)]
-    return [printable(name) for name in names[:MOST_NAMES]]
-
-
-def _shown(place: tuple[str, ...]) -> str:
-    if not place:
-        return "at the top of what was handed in"
-    is_harmless = all(map(HARMLESS.fullmatch, place))
-    return f"in '{'/'.join(place)}'" if is_harmless else "in another folder"

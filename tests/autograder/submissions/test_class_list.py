@@ -68,19 +68,17 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
     ("names", "roster", "found"),
     [
         # A name that is only similar is another student's.
-        *((name, ANN, {"Ann Lee": "", name: name}) for name in ("LeeAnn", "ann", "Ann Lée")),
+        *((name, ANN, {"Ann Lee": "", name: name}) for name in ("ann.lee", "Ann Lée")),
         ("कमल", "1,कमला,,\n", {"कमला": "", "कमल": "कमल"}),  # a vowel sign
         ("annlee_555_7_w", ANN, {"Ann Lee": "annlee_555_7_w"}),
         ("Wei Li|Li Wei", "1,Li Wei,,\n2,Wei Li,,\n", {"Li Wei": "Li Wei", "Wei Li": "Wei Li"}),
         # A participant's number in Moodle is no id.
         (f"Bo_1042_{MOODLE}", ANN + BO, {"Ann Lee": "", "Bo": f"Bo_1042_{MOODLE}"}),
         # The ids distinguish students with the same name. An exact match of a name comes first.
-        ("al7|7", ANN + ANN2, {"Ann Lee (1042)": "al7", "ann lee (7)": "7"}),
         ("Ann Lee (1042)", ANN + ANN2, {"Ann Lee (1042)": "Ann Lee (1042)", "ann lee (7)": ""}),
         ("Ann Lee", ANN + ANN2, {"Ann Lee (1042)": "Ann Lee", "ann lee (7)": ""}),
         # An unusual space is a space.
         ("山田\u3000太郎", "1,山田\u3000太郎,,\n", {"山田 太郎": "山田\u3000太郎"}),
-        ("Ann\u00a0Lee", "1,Ann\u00a0Lee,,\n", {"Ann Lee": "Ann\u00a0Lee"}),
         # A name is one of Canvas's only if all of them look like one download from there.
         *(
             (names, "", {name.removesuffix(".zip"): name for name in names.split("|")})
@@ -227,10 +225,6 @@ def test_a_name_in_a_table_means_one_report_or_is_an_error(
     else:
         assert found.report_of(name) == report
     assert found.students_of("team 1 (Ann, Bo)") == ["Ann", "Bo"]
-
-
-def test_a_dot_in_the_name_of_a_folder_begins_no_suffix(tmp_path: Path) -> None:
-    assert class_in(tmp_path, "ann|ann.lee").report_of("ann") == "ann"
 
 
 def test_moodle_has_the_files_of_a_team_once_for_each_student(tmp_path: Path) -> None:

@@ -84,8 +84,6 @@ def test_paths_that_lead_out_of_the_zip(tmp_path: Path, above: str) -> None:
         ({"method": 97}, UNUSUAL),
         ({"method": zipfile.ZIP_DEFLATED}, SPOILT),
         ({"packed": 3}, SPOILT),
-        ({"packed": LARGEST_FILE + 1}, TOO_LARGE),
-        ({"size": 7}, SPOILT),
         ({"size": LARGEST_FILE + 1}, TOO_LARGE),
         ({"crc": 0}, SPOILT),
         ({"offset": 4_000_000_000}, SPOILT),
@@ -194,9 +192,9 @@ def test_a_huge_directory_costs_little_time(
     assert time.process_time() - begin < 60.0  # it is 2 at most: a hang is what must not be
 
 
-@pytest.mark.parametrize(("said", "why"), [(200_000_000, TOO_LARGE), (10, SPOILT)])
+@pytest.mark.parametrize(("said", "why"), [(50_000_000, TOO_LARGE), (10, SPOILT)])
 def test_a_bomb_is_never_unpacked(tmp_path: Path, said: int, why: str) -> None:
-    made = set_fields(make_zip(tmp_path, {VECTOR: bytes(200_000_000)}), size=said)
+    made = set_fields(make_zip(tmp_path, {VECTOR: bytes(50_000_000)}), size=said)
     tracemalloc.start()
     try:
         assert boxed(made) == only(why)

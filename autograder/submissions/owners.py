@@ -121,12 +121,7 @@ class Owners:
             return
         how = "Rename it to its student's id or email"
         if entry.export and entry.export.platform == "moodle":
-            new = entry.path.name.replace(entry.export.name, "ID", 1)
-            how = (
-                f"Save this assignment's grading worksheet from Moodle as {OF_MOODLE} in "
-                f"{str(entry.path.parent)!r}, or rename the submission to {new!r}, where ID is its "
-                "student's id"
-            )
+            how += f", or save the grading worksheet from Moodle as {OF_MOODLE} beside it"
         lines = " and ".join(str(line) for line in sorted({one.line for one in students}))
         raise ValueError(
             f"{self.path}, lines {lines} match the submission {entry.path.name!r}. {how}"

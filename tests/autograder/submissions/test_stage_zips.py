@@ -22,8 +22,6 @@ from staging import (
     CROWDED,
     DAMAGED,
     EXERCISES,
-    FOLDER,
-    LINK,
     LINKED,
     NO_FILE,
     NOTHING,
@@ -73,11 +71,11 @@ def test_paths_that_lead_out_of_the_zip(tmp_path: Path, above: str) -> None:
 @pytest.mark.parametrize(
     ("special", "why"),
     [
-        ({"mode": stat.S_IFLNK | 0o777}, LINK),
+        ({"mode": stat.S_IFLNK | 0o777}, NO_FILE),
         ({"mode": stat.S_IFIFO | 0o644}, NO_FILE),
-        ({"mode": stat.S_IFDIR | 0o755}, FOLDER),
-        ({"mode": 0, "name": f"{VECTOR}/"}, FOLDER),
-        ({"mode": 0, "name": "ch02_vectors\\vector.py\\"}, FOLDER),
+        ({"mode": stat.S_IFDIR | 0o755}, NO_FILE),
+        ({"mode": 0, "name": f"{VECTOR}/"}, NO_FILE),
+        ({"mode": 0, "name": "ch02_vectors\\vector.py\\"}, NO_FILE),
         ({"flags": 1}, "it is encrypted in the zip: zip it without a password"),
         ({"flags": 1 << 6}, SPOILT),  # another encryption
         ({"method": zipfile.ZIP_BZIP2}, UNUSUAL),

@@ -95,13 +95,6 @@ def read(file: Path) -> Marks:
     return read_marks(file, CHAPTERS, class_of(*STUDENTS))[0]
 
 
-def test_a_file_is_made_with_the_first_mark(file: Path) -> None:
-    change(file, "ada", Mark(2.5, "Say why."))
-    assert file.read_bytes().decode() == f"{HEADER}ada,2.3,2.5,Say why.\n"
-    change(file, "ada", None, Mark(2.5, "Say why."))
-    assert file.read_bytes().decode() == HEADER
-
-
 @pytest.mark.parametrize(
     ("text", "mark", "start"),
     [

@@ -169,7 +169,11 @@ PAGES = {
         ],
         [],
     ),
-    "three that build on it": (report_of(causes=[BUILDS]), [THREE], []),
+    "three that build on it": (
+        report_of(causes=[BUILDS], notes=["two folders: the first was taken"]),
+        [THREE, NOTE],
+        [],
+    ),
     "an earlier chapter first": (  # nothing is wrong in the exercise of the earlier assignment
         replace(blocked(), causes=[cause_of("B2.0", "inherited")]),
         ["Nothing is wrong in these exercises. Fix chapter 2"],
@@ -181,7 +185,6 @@ PAGES = {
         [],
     ),
     "a mark": (MARKED, ["Say why.", "Every written answer is marked."], []),
-    "notes": (report_of(notes=["two folders: the first was taken"]), [NOTE], []),
     "an error of the grader": (
         failed_run(),
         ["Error of the grader, retry.", "Score none yet, of 11", "the disk is full"],

@@ -189,17 +189,6 @@ def test_what_is_only_odd_is_noted(
     assert people.notes == [note.replace("CLASS", str(tmp_path / "class"))]
 
 
-def test_a_student_is_in_exactly_one_state(tmp_path: Path) -> None:
-    found = class_in(tmp_path, "Bo.pdf|1042|1042.pdf|zoe", ANN + BO + CY)
-    states = {m.shown: m.submission and (m.submission.nothing or "graded") for m in found.members}
-    assert states == {
-        "Ann Lee": "graded",
-        "Bo": "'Bo.pdf' cannot be graded: it is neither a folder nor a .zip file",
-        "Cy": None,
-        "zoe": "graded",
-    }
-
-
 @pytest.mark.parametrize(
     ("name", "report"),
     [

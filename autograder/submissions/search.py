@@ -42,7 +42,7 @@ class Found:
 
 
 def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:
-    """Find the files in chapters' folders, with notes, or raise NotTakenError if all are rejected."""
+    """Find files in chapters' folders, with notes, or raise NotTakenError if it is rejected."""
     try:
         mode = submission.lstat().st_mode
         if stat.S_ISLNK(mode):

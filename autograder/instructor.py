@@ -81,7 +81,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 def run_release(arguments: argparse.Namespace) -> int:
     """Write the reference solution for students after the deadline."""
-    from autograder.release.run import run_release
+    from autograder.handouts.release import run_release
 
     return run_release(arguments)
 

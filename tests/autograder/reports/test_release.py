@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from autograder.handouts.release import chosen, release, released_module
 from autograder.manifest import ROOT, load_chapters
-from autograder.release.reference import chosen, released_module
-from autograder.release.run import release
 from small import RIGHT
 from typed import typed
 

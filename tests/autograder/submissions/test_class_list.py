@@ -31,6 +31,8 @@ s_3:
   :submitters:
   - {":name": Stranger}
 """
+OVERLAP = "s_1: {':submitters': [{':name': Ann Lee}, &bo {':name': Bo}]}\n"
+OVERLAP += "s_2: {':submitters': [*bo, {':name': Cy}]}"
 WITH_EVE = "s_1: {':submitters': [{':name': Bo}, {':name': Eve}]}"
 REPOSITORIES = "github_username,roster_identifier,student_repository_name,submission_timestamp\n"
 SHEET = download(Sheet())
@@ -147,6 +149,12 @@ def test_a_platforms_file_says_who_handed_in(
             "s_1: Gradescope says that Ann (group 'a') and Bo (group 'b') handed in together",
         ),
         # Files of platforms
+        (
+            "s_1|s_2",
+            ANN + BO + CY,
+            {GRADESCOPE: OVERLAP},
+            "handed in twice, with different students",
+        ),
         ("s_1", "", {GITHUB: "student,points\nAnn,3\n"}, "line 1: the grades of GitHub Classroom"),
         ("s_1", "", {GRADESCOPE: "- a\n"}, "is not the file of this name in an export from Grades"),
     ],

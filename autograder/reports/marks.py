@@ -44,11 +44,7 @@ Rows = dict[tuple[str, str], Row]  # keyed by the report, or the student without
 
 
 def read_marks(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[Marks, list[str]]:
-    """Read marks.csv, and return the marks and notes on rows that have no effect.
-
-    Raises:
-        ValueError: A line is invalid.
-    """
+    """Read marks.csv, and return the marks and notes on rows that have no effect."""
     rows = read_rows(path, chapters, people)[1].values()
     absent = [row.student for row in rows if not row.report]
     notes = [f"{path}: {', '.join(absent)} handed in nothing, so the marks are not used."]

@@ -16,24 +16,16 @@ PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are rob
 
 @dataclass(frozen=True)
 class Result:
-    """A student's result on one exercise: its status, its points and the verdicts on its checks.
-
-    Attributes:
-        score: The points, or None if nobody has marked the written answer or the grader failed.
-        chapter: The number of the exercise's chapter.
-        score_on_given: The score with our solutions to the earlier chapters.
-        comment: What the person wrote who marked a written answer.
-        reference: The cost and the error of our solution to an open exercise, if known.
-    """
+    """A student's result on one exercise: its status, its points and the verdicts on its checks."""
 
     exercise: Exercise
     status: ExerciseStatus
-    score: float | None
+    score: float | None  # None if nobody has marked the written answer or the grader failed
     checks: list[Verdict]
-    chapter: int = 0
-    score_on_given: float | None = None
-    comment: str = ""
-    reference: Point | None = None
+    chapter: int = 0  # the number of the exercise's chapter
+    score_on_given: float | None = None  # with our solutions to the earlier chapters
+    comment: str = ""  # what the person wrote who marked a written answer
+    reference: Point | None = None  # the cost and the error of our solution to an open exercise
 
     @property
     def physics(self) -> list[Verdict]:

@@ -32,11 +32,9 @@ def mistakes_of(reports: Sequence[StudentReport]) -> tuple[list[Mistake], int]:
     """Collect the mistakes in the reports on a class, with the most common ones first.
 
     Only failed checks count, because the mistake behind a blocked or inherited one lies elsewhere.
-    Messages that differ only in their numbers, which depend on the seed, name the same mistake.
-
-    Returns:
-        The mistakes, and the number of failed checks that name no likely mistake. This includes all
-        hidden checks, because their messages must not reveal what they test.
+    Messages that differ only in their numbers, which depend on the seed, name the same mistake. The
+    failed checks that name no likely mistake are counted, including all hidden checks, because
+    their messages must not reveal what they test.
     """
     found: dict[str, list[tuple[str, str, Verdict]]] = {}
     unexplained = 0

@@ -8,7 +8,7 @@ from pathlib import Path
 from autograder.course.dates import parse_time
 from autograder.course.late import HandedIn
 from autograder.submissions.class_list import ClassList
-from autograder.submissions.csv_rows import Mistakes, read_csv
+from autograder.submissions.csv_rows import read_csv
 
 TIMES = "times.csv"
 HEADER = ["student", "submitted"]
@@ -21,7 +21,7 @@ def times_of(
     """Find out when each report's submission was handed in, with notes on rows without effect.
 
     Unknown times are left out, times.csv takes precedence, and times without a time zone are in
-    ``zone``. ValueError lists the wrong lines of times.csv.
+    ``zone``. A wrong line of times.csv is a ValueError.
     """
     known: dict[str, HandedIn] = {}
     for submission in people.submissions:
@@ -42,30 +42,24 @@ def _of_instructor(
     if not path.exists():
         return {}, []
     table = read_csv(path)
-    if table.header != HEADER:
-        raise ValueError(
-            f"{path}, line 1: the header must be student,submitted, got {table.first_line!r}"
-        )
-    mistakes = Mistakes(path)
+    table.require(HEADER)
     found: dict[str, HandedIn] = {}
     unused = []
-    for line, _, (name, text) in table.rows("cell", mistakes):
+    for line, (name, text) in table.rows():
         try:
             report = people.report_of(name)
         except ValueError as error:
-            mistakes.add(line, str(error))
-            continue
+            raise table.mistake(line, error) from error
         try:
             at = parse_time(text, zone)
-        except ValueError:
-            mistakes.add(line, f"a time looks like {EXAMPLE}, got {text!r}")
-            continue
+        except ValueError as error:
+            words = f"a time looks like {EXAMPLE}, got {text!r}"
+            raise table.mistake(line, words) from error
         if not report:
             unused.append(name)
         elif report in found:
-            mistakes.add(line, f"a second time for {report!r}. Give only one")
+            raise table.mistake(line, f"a second time for {report!r}. Give only one")
         else:
             found[report] = HandedIn(TIMES, at)
-    mistakes.raise_any()
     notes = [f"{path}: {', '.join(unused)} handed in nothing, so the time is not used."]
     return found, notes if unused else []

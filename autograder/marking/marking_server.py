@@ -159,12 +159,9 @@ def mark(
     browser: bool = True,
     root: Path = ROOT,
 ) -> int:
-    """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
+    """Serve the page for marking the exercises in ``chapters`` until the instructor presses Ctrl-C.
 
-    ``chapters`` has only the exercises to mark.
-
-    Raises:
-        ValueError: There is nothing to mark, or marks.csv contains a mistake.
+    A mistake in marks.csv is a ValueError, and so is a class with nothing to mark.
     """
     people = read_class(folder, roster)
     submissions = [one for one in people.submissions if not one.nothing]

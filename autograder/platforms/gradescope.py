@@ -28,7 +28,11 @@ def make_gradescope(work: Work, out: Path, *, unsafe: bool = False) -> None:
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
-    _refuse_other_zip(out)
+    if out.exists() and not _is_ours(out):
+        raise ValueError(
+            f"{out} is another file, such as a download of submissions: give --out a new name "
+            "(make: OUT=)"
+        )
     if unsafe and work.hidden:
         raise ValueError("without a sandbox, students' code could read the hidden checks")
     chapters, given = work.chapters, work.given
@@ -67,19 +71,12 @@ def make_gradescope(work: Work, out: Path, *, unsafe: bool = False) -> None:
     print(f"autograder: {out}, {len(contents)} files, {out.stat().st_size:,} bytes")
 
 
-def _refuse_other_zip(out: Path) -> None:
-    """Raise ValueError if a file that this command has not made would be replaced."""
-    if out.exists():
-        try:
-            with zipfile.ZipFile(out) as file:
-                is_ours = {*SCRIPTS, SETTINGS} <= {*file.namelist()}
-        except zipfile.BadZipFile:
-            is_ours = False
-        if not is_ours:
-            raise ValueError(
-                f"{out} is another file, such as a download of submissions: give --out a new name "
-                "(make: OUT=)"
-            )
+def _is_ours(out: Path) -> bool:
+    try:
+        with zipfile.ZipFile(out) as file:
+            return {*SCRIPTS, SETTINGS} <= {*file.namelist()}
+    except zipfile.BadZipFile:
+        return False
 
 
 def _files(

@@ -22,9 +22,6 @@ from autograder.text.clean import clean_line
 
 CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment ends with its id
 OF_CANVAS = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
-# If the title of a column contains one of these words, Canvas ignores the column.
-NOT_IMPORTED = re.compile(r"(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
-OTHER_COLUMNS = (*OF_CANVAS, "LastName", "FirstName", "Integration ID", "Root Account")
 MOST_IN_MOODLE = 100.0  # Moodle does not import larger grades, unless the site allows it
 NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item
 
@@ -46,10 +43,6 @@ class Column:
             raise ValueError(
                 f"--title must be one line of text, and not begin like a formula, got {title!r}"
             )
-        if title in OTHER_COLUMNS or NOT_IMPORTED.search(title):
-            raise ValueError(
-                f"--title must not be the name of one of Canvas's own columns, got {title!r}"
-            )
         if self.points is not None and not 0 < self.points < float("inf"):
             raise ValueError(f"--points must be a positive number, got {self.points:g}")
 
@@ -69,10 +62,9 @@ def _scaled(
             "with POINTS=."
         )
     if over := sorted(name for name, grade in grades.items() if grade > limit):
-        points = math.floor(100 * limit * most / max(totals.values())) / 100
         lines.append(
             f"{file}: grades above {shown(limit)} were cut, because Moodle accepts no larger "
-            f"ones: {len(over)} ({some(over)}). With POINTS={shown(points)}, no grade is cut."
+            f"ones: {len(over)} ({some(over)}). Choose fewer points with POINTS=."
         )
     return {name: min(grade, limit) for name, grade in grades.items()}, lines
 

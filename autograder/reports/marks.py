@@ -11,7 +11,7 @@ from autograder.manifest import Chapter, Exercise
 from autograder.reports.report import StudentReport
 from autograder.scores import ExerciseStatus
 from autograder.submissions.class_list import ClassList
-from autograder.submissions.csv_rows import Mistakes, read_csv
+from autograder.submissions.csv_rows import read_csv
 
 HEADER = ["student", "exercise", "points", "comment"]
 # A spreadsheet would take such a comment for a formula, so it has an apostrophe in front.
@@ -44,11 +44,7 @@ Rows = dict[tuple[str, str], Row]  # keyed by the report, or the student without
 
 
 def read_marks(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[Marks, list[str]]:
-    """Read marks.csv, and return the marks and notes on rows that have no effect.
-
-    Raises:
-        ValueError: Lines are invalid. The message lists all of them.
-    """
+    """Read marks.csv, and return the marks and notes on rows that have no effect."""
     rows = read_rows(path, chapters, people)[1].values()
     absent = [row.student for row in rows if not row.report]
     notes = [f"{path}: {', '.join(absent)} handed in nothing, so the marks are not used."]
@@ -66,12 +62,9 @@ def read_rows(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[s
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = {exercise.id: exercise for exercise in exercises if exercise.kind == "written"}
     table = read_csv(path)
-    if table.header != HEADER:
-        wanted = ",".join(HEADER)
-        raise ValueError(f"{path}, line 1: the header must be {wanted}, got {table.first_line!r}")
-    mistakes = Mistakes(path)
+    table.require(HEADER)
     found: Rows = {}
-    for line, _, (name, exercise, points_given, comment) in table.rows("comment", mistakes):
+    for line, (name, exercise, points_given, comment) in table.rows():
         try:
             report = people.report_of(name)
             if exercise not in written:
@@ -79,14 +72,12 @@ def read_rows(path: Path, chapters: list[Chapter], people: ClassList) -> tuple[s
                 raise ValueError(f"the exercise must be one of {wanted}, got {exercise!r}")
             points = _points(points_given, table.separator, written[exercise])
         except ValueError as error:
-            mistakes.add(line, str(error))
-            continue
+            raise table.mistake(line, error) from error
         row = Row(name, report, exercise, Mark(points, re.sub(GUARDED, "", comment)), line)
         before = found.setdefault((report or name, exercise), row)
         if before is not row:
             words = f"a second mark for {report or name!r} in {exercise}, as in line"
-            mistakes.add(line, f"{words} {before.line}. Give only one")
-    mistakes.raise_any()
+            raise table.mistake(line, f"{words} {before.line}. Give only one")
     return table.separator, found
 
 

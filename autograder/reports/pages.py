@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,11 @@ def render(template: str, folder: Path = SHARED, **values: Any) -> str:
 
     All values are escaped, so text from students cannot add HTML or scripts to a page.
     """
+    return _environment(folder).get_template(template).render(**values)
+
+
+@cache
+def _environment(folder: Path) -> Environment:
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),
         autoescape=True,
@@ -26,4 +32,4 @@ def render(template: str, folder: Path = SHARED, **values: Any) -> str:
         lstrip_blocks=True,
     )
     environment.filters.update(number=number, clean=clean, check_title=check_title)
-    return environment.get_template(template).render(**values)
+    return environment

@@ -72,7 +72,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
             if not inside and words[:1] in (["def"], ["class"]):
                 scopes.append((depth, "".join(words[1:2]) + setter, words[0] == "def"))
                 setter = ""
-                line = _after_colon(line)
+                line = [] if line[-2].string == ":" else line  # the body may be in the same line
             elif not inside and words[:1] == ["@"]:
                 setter = ".setter" if words[-2:] == [".", "setter"] else ""
                 continue
@@ -174,15 +174,3 @@ def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
             if not (word in known and (of_an_object or called)):
                 word = LOCAL + word
         yield Token(word, token.start, token.end)
-
-
-def _after_colon(line: _Line) -> _Line:
-    """Return the body of a def or class that is in one line with it, or no tokens."""
-    open_brackets = 0
-    for i, token in enumerate(line):
-        if token.type == tokenize.OP:
-            open_brackets += (token.string in "([{") - (token.string in ")]}")
-        if token.string == ":" and not open_brackets:
-            rest = line[i + 1 :]
-            return rest if len(rest) > 1 else []
-    return []

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.progress import track
-
 from autograder.files import is_new
-from autograder.grader.class_folder import SAMPLE
 from autograder.grader.people import differences
 from autograder.manifest import ROOT, Chapter
 from autograder.reports.texts import replace_file
@@ -15,7 +12,6 @@ from autograder.similarity.collect import collect, ground_of
 from autograder.similarity.compare import FEWEST, Comparison, Work
 from autograder.similarity.pages import write_pages
 from autograder.submissions.class_list import read_class
-from autograder.text.wrapping import plain_console
 
 RECORD = "compared.txt"  # names the class, and shows that the folder is of this command
 
@@ -24,47 +20,31 @@ def similarity(
     folder: Path, out: Path, chapters: list[Chapter], roster: Path | None = None, root: Path = ROOT
 ) -> int:
     """Compare the code of each pair of students in a class, and write pages about similar pairs."""
-    _refuse_place(out, folder)
+    record = out / RECORD
+    if out.resolve().is_relative_to(folder.resolve()):
+        raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
+    if not record.is_file() and not is_new(out, record):
+        raise ValueError(
+            f"--out must be a new folder or one with pages of this command, got {str(out)!r}, but "
+            "it has other files. Name another one (make: OUT=)"
+        )
     people = read_class(folder, roster)
     submissions, notes = people.submissions, [*people.notes, *differences(people, [])]
-    console = plain_console()
     ground = ground_of(chapters, root)
     works: list[Work] = []
-    arriving = collect(submissions, ground, root)
-    silent = not console.is_terminal
-    for work, more in track(
-        arriving, "reading", len(submissions), console=console, transient=True, disable=silent
-    ):
+    for work, more in collect(submissions, ground, root):
         notes += [f"{work.student}: {note}" for note in more]
         if work.parts:
             works.append(work)
         else:
             notes.append(f"{work.student} was left out: there is no code to compare")
     comparison = Comparison(works)
-    replace_file(out / RECORD, f"{folder.resolve()}\n")
+    replace_file(record, f"{folder.resolve()}\n")
     index = write_pages(out, comparison, chapters, ground.small, notes)
     identical = [f"identical: {p.one.student} and {p.other.student}" for p in comparison.identical]
     read = f"Read the code of each pair yourself: {index}"
-    for line in [*notes, *identical, _summary(comparison), read]:
-        console.print(line, markup=False, soft_wrap=True)
+    print(*notes, *identical, _summary(comparison), read, sep="\n")
     return 0
-
-
-def _refuse_place(out: Path, folder: Path) -> None:
-    """Raise ValueError if ``out`` has other files, or the pages about another class."""
-    if out.resolve().is_relative_to(folder.resolve()):
-        raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
-    record, other = out / RECORD, ""
-    if record.is_file():
-        before = Path(record.read_text(encoding="utf-8").rstrip("\n"))
-        other = "" if before in (folder.resolve(), SAMPLE) else f"the pages about {before}"
-    elif not is_new(out, record):
-        other = "other files"
-    if other:
-        raise ValueError(
-            f"--out must be a new folder or one with pages about this class, got {str(out)!r}, but "
-            f"it has {other}. Name another one (make: OUT=)"
-        )
 
 
 def _summary(comparison: Comparison) -> str:

@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 
 from autograder.submissions.exports import without_suffix
-from autograder.submissions.find import Entry, Submission, contents, find_entries, printable
+from autograder.submissions.find import Submission, contents, find_entries, printable
 from autograder.submissions.names import Names, letters
 from autograder.submissions.owners import Owners, Who
 from autograder.submissions.platform_files import Uploads
@@ -109,7 +109,7 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
     entries = find_entries(folder, owners.knows)
     problems: list[str] = []
     notes: list[str] = []
-    found: dict[Who, list[Entry]] = {}
+    found: dict[Who, list[Submission]] = {}
     for entry in entries:
         try:
             who = owners.of(entry)
@@ -119,7 +119,7 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
         if entry.is_by_student or isinstance(who[0], Student):
             found.setdefault(who, []).append(entry)
         else:
-            notes.append(f"{printable(entry.path.name)} was left out: {entry.problem}")
+            notes.append(f"{printable(entry.path.name)} was left out: {entry.nothing}")
     submissions: dict[Who, Submission] = {}
     seen: dict[Student | str, Who] = {}
     for who, uploaded in found.items():
@@ -143,13 +143,13 @@ def read_class(folder: Path, roster: Path | None = None) -> ClassList:
     return ClassList(_members(owners, submissions), owners.has_roster, notes)
 
 
-def _order(entry: Entry) -> tuple[int, int]:
+def _order(entry: Submission) -> tuple[int, int]:
     return entry.export.order if entry.export else (0, 0)
 
 
-def _chosen(entries: Sequence[Entry]) -> Submission:
+def _chosen(entries: Sequence[Submission]) -> Submission:
     """Choose what is graded: of the uploads of one student to a platform, the last one."""
-    usable = [entry for entry in entries if not entry.problem]
+    usable = [entry for entry in entries if not entry.nothing]
     last = max(usable or entries, key=_order)
     uploaders = {entry.export and entry.export.student for entry in usable}
     is_ordered = len(uploaders) == 1 and None not in uploaders
@@ -160,15 +160,15 @@ def _chosen(entries: Sequence[Entry]) -> Submission:
         raise ValueError(f"must hand in only once, got {names}. Keep one of them")
     notes, nothing = [], []
     for entry in entries:
-        name, why = printable(entry.path.name), entry.problem
+        name, why = printable(entry.path.name), entry.nothing
         nothing.append(f"'{name}' cannot be graded: {why}")
         if entry is not last:
             again = "it was uploaded earlier. Put all files into one zip"
             why = why or ("it has the same files" if entry in rivals else again)
             notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
     if usable:
-        return Submission("", last.path, export=last.export, notes=tuple(notes))
-    return Submission("", last.path, export=last.export, nothing="; ".join(nothing))
+        return replace(last, notes=tuple(notes))
+    return replace(last, nothing="; ".join(nothing))
 
 
 def _members(owners: Owners, submissions: Mapping[Who, Submission]) -> list[Member]:

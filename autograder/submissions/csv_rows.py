@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,24 +21,6 @@ def as_cell(text: str) -> str:
     return FORMULA.sub(r"\1\2'", clean_line(text))
 
 
-class Mistakes:
-    """Collects the mistakes in a table, so that the instructor sees all of them at once."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.found: list[tuple[int, str]] = []
-
-    def add(self, line: int, words: str) -> None:
-        """Record a mistake in a line of the table."""
-        self.found.append((line, words))
-
-    def raise_any(self) -> None:
-        """Raise a ValueError that lists the mistakes by line, if there are any."""
-        lines = [f"{self.path}, line {line}: {words}" for line, words in sorted(self.found)]
-        if lines:
-            raise ValueError("\n".join(lines))
-
-
 @dataclass(frozen=True)
 class Table:
     """The contents of a CSV file, with the names of its columns in lower case."""
@@ -49,11 +31,10 @@ class Table:
     first_line: str
     header: list[str]
 
-    def rows(self, longest: str, mistakes: Mistakes) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows below the header, each with its first and last line number.
+    def rows(self) -> Iterator[tuple[int, list[str]]]:
+        """Yield the rows below the header, each with the number of its first line.
 
-        Blank rows are skipped, and missing cells at the end of a row are empty. ``longest`` is what
-        the message calls the cell that probably contains a separator, such as "comment".
+        Blank rows are skipped, and missing cells at the end of a row are empty.
         """
         # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
@@ -66,13 +47,23 @@ class Table:
                 while cells and not cells[-1]:
                     cells.pop()  # spreadsheets pad rows
                 if line > 1 and len(cells) > width:
-                    words = f"there must be {width} cells, got {len(cells)}. Put a {longest} that "
-                    mistakes.add(line, f"{words}contains {self.separator!r} in quotes")
-                elif line > 1 and cells:
-                    yield line, reader.line_num, cells + [""] * (width - len(cells))
+                    words = f"there must be {width} cells, got {len(cells)}. Put a cell that "
+                    raise self.mistake(line, f"{words}contains {self.separator!r} in quotes")
+                if line > 1 and cells:
+                    yield line, cells + [""] * (width - len(cells))
                 line = reader.line_num + 1
         except csv.Error as error:
-            mistakes.add(line, f"{error}. Close the quote")
+            raise self.mistake(line, f"{error}. Close the quote") from error
+
+    def mistake(self, line: int, words: object) -> ValueError:
+        """Return an error that names a line of the table."""
+        return ValueError(f"{self.path}, line {line}: {words}")
+
+    def require(self, header: Sequence[str]) -> None:
+        """Raise ValueError if the table has another header."""
+        if self.header != [*header]:
+            words = f"the header must be {','.join(header)}, got {self.first_line!r}"
+            raise self.mistake(1, words)
 
 
 def read_csv(path: Path) -> Table:

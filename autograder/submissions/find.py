@@ -31,23 +31,12 @@ BY_STUDENTS = re.compile(
 
 
 @dataclass(frozen=True)
-class Entry:
-    """A folder or file in the folder of a class."""
-
-    path: Path
-    name: str  # without the suffix of a file, such as ann for ann.zip
-    problem: str = ""  # why it cannot be graded, such as "it is a symbolic link"
-    export: Exported | None = None  # the parsed name, if Canvas or Moodle gave it
-
-    @property
-    def is_by_student(self) -> bool:
-        """True if it was surely handed in, even if nobody on a roster has this name."""
-        return not self.problem or bool(self.export) or bool(BY_STUDENTS.search(self.path.name))
-
-
-@dataclass(frozen=True)
 class Submission:
-    """What a student, or a group of students, has handed in: a folder or a zip."""
+    """What a student, or a group of students, has handed in: a folder or a zip.
+
+    In the list of ``find_entries``, ``student`` is the name of the folder or zip, such as ann for
+    ann.zip, and the names are not known yet.
+    """
 
     student: str  # the name of the student or of the group in the reports
     path: Path
@@ -55,7 +44,12 @@ class Submission:
     export: Exported | None = None  # the parsed name, if Canvas or Moodle gave it
     upload: Upload | None = None  # what a platform's file says about it
     notes: tuple[str, ...] = ()  # for the student too, such as on files that were not used
-    nothing: str = ""  # why nothing of it can be graded
+    nothing: str = ""  # why nothing of it can be graded, such as "it is a symbolic link"
+
+    @property
+    def is_by_student(self) -> bool:
+        """True if it was surely handed in, even if nobody on a roster has this name."""
+        return not self.nothing or bool(self.export) or bool(BY_STUDENTS.search(self.path.name))
 
     @property
     def late(self) -> bool:
@@ -63,7 +57,7 @@ class Submission:
         return self.export is not None and self.export.late
 
 
-def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Entry]:
+def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Submission]:
     """List what was handed in, without the instructor's own files, hidden files and caches.
 
     A name counts as Canvas's if all folders and zips look like one download, or if ``is_known``
@@ -73,14 +67,14 @@ def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Ent
         raise ValueError(
             f"the submissions must be in an existing folder or zip, got {str(folder)!r}"
         )
-    entries = [_entry(path) for path in sorted(folder.iterdir()) if not is_skipped(path.name)]
+    entries = [_entry(path) for path in sorted(folder.iterdir()) if not is_no_submission(path.name)]
     for one in entries:
         if CHAPTER.fullmatch(one.path.name) and one.path.is_dir():
             raise ValueError(
                 f"{str(folder)!r} has a folder {one.path.name} and so is the work of one student. "
                 "Name the folder above it, which has a folder or a zip for each student"
             )
-    usable = [one for one in entries if not one.problem]
+    usable = [one for one in entries if not one.nothing]
     has_folders = any(one.path.is_dir() for one in usable)  # which Canvas does not have
     is_download = look_like_canvas([one.export for one in usable]) and not has_folders
     for i, one in enumerate(entries):
@@ -117,13 +111,13 @@ def printable(text: str) -> str:
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
-def is_skipped(name: str) -> bool:
+def is_no_submission(name: str) -> bool:
     """Return True if a name in the folder of a class is hidden, or that of an instructor's file."""
     # In Moodle, the name of a student can begin with a dot too.
     return name in SILENT or (name.startswith(".") and not MOODLE.fullmatch(name))
 
 
-def _entry(path: Path) -> Entry:
+def _entry(path: Path) -> Submission:
     mode = path.lstat().st_mode
     is_zip = stat.S_ISREG(mode) and path.suffix.lower() == ".zip"
     # Rosters have ordinary spaces, but names in Japanese often have a wide one.
@@ -138,4 +132,4 @@ def _entry(path: Path) -> Entry:
     export = read_export(name)
     if export and not export.is_file:
         problem = "it is text that was typed into the platform"
-    return Entry(path, name, problem, export)
+    return Submission(name, path, export=export, nothing=problem)

@@ -8,7 +8,6 @@ from collections.abc import Hashable, Iterable, Sequence
 from typing import Generic, TypeVar
 
 from autograder.submissions.csv_rows import as_cell
-from autograder.text.similar import nearest
 
 T = TypeVar("T", bound=Hashable)
 MOST_LISTED = 5
@@ -23,13 +22,11 @@ class Names(Generic[T]):
 
     def __init__(self, people: Iterable[tuple[T, str, Sequence[str]]]) -> None:
         self.labels: dict[T, str] = {}
-        self._plain: dict[str, T] = {}
         # The strictest form of a name is the first. Each form has everyone whom it fits.
         self._levels = [defaultdict[str, dict[T, None]](dict) for _ in _levels("")]
         for who, label, names in people:
             self.labels[who] = label
             for name in filter(None, names):
-                self._plain.setdefault(_plain(name), who)
                 for level, forms in zip(self._levels, _levels(name), strict=True):
                     for form in forms - {""}:
                         level[form][who] = None
@@ -51,9 +48,7 @@ class Names(Generic[T]):
         if found:
             labels = " and ".join(self.labels[who] for who in found)
             return ValueError(f"{text!r} could be {labels}. Write the id or the email")
-        close = nearest(_plain(text), self._plain)
-        meant = f" Did you mean {self.labels[self._plain[close]]}?" if close else ""
-        return UnknownNameError(f"there is no student {text!r}.{meant}")
+        return UnknownNameError(f"there is no student {text!r}.")
 
 
 def some(names: Sequence[str]) -> str:
@@ -85,10 +80,3 @@ def _levels(text: str) -> list[set[str]]:
     if text.strip().isdecimal():  # a spreadsheet makes 42 of 00042
         loose.add(text.strip().lstrip("0"))
     return [{_exact(text)}, {key(text), key(as_cell(text))}, loose]
-
-
-def _plain(name: str) -> str:
-    """Return a name without accents, with its words in order, to find similar names."""
-    text = unicodedata.normalize("NFKD", name).casefold()
-    bare = "".join(character for character in text if not unicodedata.combining(character))
-    return " ".join(sorted(bare.replace(",", " ").split()))

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from autograder.submissions.exports import OF_MOODLE, Exported
-from autograder.submissions.find import Entry, printable
+from autograder.submissions.find import Submission, printable
 from autograder.submissions.names import Names, key, letters
 from autograder.submissions.platform_files import Upload, Uploads
 from autograder.submissions.roster import Student
@@ -32,17 +32,17 @@ class Owners:
         """Return True if the roster has a student with the number or the name from Canvas."""
         return any(self._on_canvas(export))
 
-    def of(self, entry: Entry) -> Who:
+    def of(self, entry: Submission) -> Who:
         """Return the students to whom a submission belongs, or its name if they are not known."""
         upload, export = self._uploads.of(entry.path), entry.export
         found = self._uploaders(entry, upload) if upload else []
         if not found:
-            found = self._of_export(entry, export) if export else self._names.all_of(entry.name)
+            found = self._of_export(entry, export) if export else self._names.all_of(entry.student)
             self._refuse_rivals(entry, found)
         if found:
             return self._with_groups(found)
         name = printable(self._uploads.name_of(entry.path))
-        return (name or (export.student if export else entry.name),)
+        return (name or (export.student if export else entry.student),)
 
     def label(self, who: Who) -> str:
         """Return how an error message calls these students."""
@@ -57,7 +57,7 @@ class Owners:
         left = {*self.roster} - {one for who in submissions for one in who}
         return [*dict.fromkeys(self._with_groups([one]) for one in self.roster if one in left)]
 
-    def _uploaders(self, entry: Entry, upload: Upload) -> list[Student]:
+    def _uploaders(self, entry: Submission, upload: Upload) -> list[Student]:
         """Return the students whom a platform's file names, as far as the roster has them."""
         also = (entry.export.name,) if entry.export else ()  # which must not disagree
         known: list[Student] = []
@@ -90,7 +90,7 @@ class Owners:
             if student in students or (student.group and key(student.group) in groups)
         )
 
-    def _of_export(self, entry: Entry, export: Exported) -> list[Student]:
+    def _of_export(self, entry: Submission, export: Exported) -> list[Student]:
         """Find the students whom a platform's name for an upload could mean."""
         if export.platform == "moodle":  # its number means a participant in one assignment
             return self._names.all_of(export.name)
@@ -115,18 +115,13 @@ class Owners:
         by_name = [student for student in self.roster if name in student.canvas_names]
         return [student for student in self.roster if key(student.id) == number], by_name
 
-    def _refuse_rivals(self, entry: Entry, students: Sequence[Student]) -> None:
+    def _refuse_rivals(self, entry: Submission, students: Sequence[Student]) -> None:
         """Raise ValueError if a submission could be that of students who hand in separately."""
         if len({self._with_groups([student]) for student in students}) < 2:
             return
         how = "Rename it to its student's id or email"
         if entry.export and entry.export.platform == "moodle":
-            new = entry.path.name.replace(entry.export.name, "ID", 1)
-            how = (
-                f"Save this assignment's grading worksheet from Moodle as {OF_MOODLE} in "
-                f"{str(entry.path.parent)!r}, or rename the submission to {new!r}, where ID is its "
-                "student's id"
-            )
+            how += f", or save the grading worksheet from Moodle as {OF_MOODLE} beside it"
         lines = " and ".join(str(line) for line in sorted({one.line for one in students}))
         raise ValueError(
             f"{self.path}, lines {lines} match the submission {entry.path.name!r}. {how}"

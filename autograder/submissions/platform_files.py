@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.dates import parse_time
-from autograder.submissions.csv_rows import Mistakes, read_csv
+from autograder.submissions.csv_rows import read_csv
 from autograder.submissions.exports import OF_MOODLE, read_export, without_suffix
 from autograder.submissions.names import letters, some
 
@@ -119,20 +119,17 @@ def _of_github(path: Path) -> dict[str, Upload]:
         return {}
     table = read_csv(path)
     if REPOSITORY not in table.header:
-        raise ValueError(
-            f"{path}, line 1: the grades of GitHub Classroom have a column {REPOSITORY}, got "
-            f"{table.first_line!r}. Rename the file if it is another one"
-        )
+        words = f"the grades of GitHub Classroom have a column {REPOSITORY}, got"
+        problem = f"{words} {table.first_line!r}. Rename the file if it is another one"
+        raise table.mistake(1, problem)
     found: dict[str, Upload] = {}
-    mistakes = Mistakes(path)
-    for _, _, cells in table.rows("cell", mistakes):
+    for _, cells in table.rows():
         row = dict(zip(table.header, cells, strict=True))
         if name := row[REPOSITORY]:
             before = found.get(name, Upload(""))
             at = max(filter(None, (before.at, _time(row.get(SUBMITTED)))), default=None)
             people = [*before.people, *([(who,)] if (who := row.get(IDENTIFIER)) else [])]
             found[name] = Upload("GitHub Classroom", tuple(dict.fromkeys(people)), at)
-    mistakes.raise_any()
     return found
 
 

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from autograder.submissions.csv_rows import FORMULA, Mistakes, Table, read_csv
+from autograder.submissions.csv_rows import FORMULA, read_csv
 from autograder.submissions.names import key, letters
 from autograder.text.clean import clean_line
 
 COLUMNS = ("id", "name", "email", "login")
 GROUP = "group"
-ROUNDED = re.compile(r"[0-9]([.,][0-9]+)?[eE][+][0-9]+")  # such as 1.23457E+11
 UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a student
 
 
@@ -43,40 +41,29 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Read the students on a roster, in its order. Other columns are ignored."""
     table = read_csv(path)
-    places = _places(table)
+    for name in (*COLUMNS, GROUP):
+        count = table.header.count(name)
+        if count > 1 or (count == 0 and name != GROUP):
+            header = f"The header must have {','.join(COLUMNS)}, got {table.first_line!r}"
+            raise table.mistake(1, f"there are {count} columns {name!r}. {header}")
     students: list[Student] = []
     lines: dict[tuple[str, str], int] = {}
-    mistakes = Mistakes(path)
-    for line, _, cells in table.rows("cell", mistakes):
-        values = {name: clean_line(cells[place]).strip() for name, place in places.items()}
-        found = [f"the {name} is empty" for name in ("id", "name") if not values[name]]
+    for line, cells in table.rows():
+        row = dict(zip(table.header, cells, strict=True))
+        values = {name: clean_line(row.get(name, "")).strip() for name in (*COLUMNS, GROUP)}
+        for name in ("id", "name"):
+            if not values[name]:
+                raise table.mistake(line, f"the {name} is empty")
         for name, value in [(name, values[name]) for name in UNIQUE if values[name]]:
             about = f"the {name} {value!r}"
             # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
-                found.append(f"{about} must not begin like a spreadsheet formula")
-            if ROUNDED.fullmatch(value):
-                found.append(f"{about} was rounded by a spreadsheet. Format its column as text")
+                raise table.mistake(line, f"{about} must not begin like a spreadsheet formula")
             before = lines.setdefault((name, key(value)), line)
             if before != line:
-                found.append(f"{about} is already in line {before}. Give each student one row")
-        for words in found:
-            mistakes.add(line, words)
+                words = f"{about} is already in line {before}. Give each student one row"
+                raise table.mistake(line, words)
         students.append(Student(**values, line=line))
-    mistakes.raise_any()
     if not students:
         raise ValueError(f"{path} has no students below its header")
     return students
-
-
-def _places(table: Table) -> dict[str, int]:
-    """Find the position of every column, or raise ValueError if one is missing or appears twice."""
-    for name in (*COLUMNS, GROUP):
-        count = table.header.count(name)
-        if count > 1 or (count == 0 and name != GROUP):
-            problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"
-            raise ValueError(
-                f"{table.path}, line 1: {problem}. The header must have {','.join(COLUMNS)}, "
-                f"got {table.first_line!r}"
-            )
-    return {name: table.header.index(name) for name in (*COLUMNS, GROUP) if name in table.header}

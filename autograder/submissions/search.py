@@ -38,11 +38,11 @@ class Found:
     file: str
     read: Read
     doubtful: bool = False
-    other: bool = False  # no file of this name is wanted in this folder
+    other: bool = False  # the folder is a chapter's, but no file of this name is wanted
 
 
 def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:
-    """Find all files of a submission, with notes, or raise NotTakenError if it is rejected."""
+    """Find files in chapters' folders, with notes, or raise NotTakenError if it is rejected."""
     try:
         mode = submission.lstat().st_mode
         if stat.S_ISLNK(mode):
@@ -72,7 +72,7 @@ def refuse_all(wanted: Wanted, reason: str, place: tuple[str, ...] = ()) -> list
     ]
 
 
-def is_skipped(name: str) -> bool:
+def is_hidden_or_cache(name: str) -> bool:
     """Return True if a folder is hidden, or one that programs create, such as __pycache__."""
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
@@ -87,13 +87,10 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
     for place in places:  # which grows, so that each level is searched before the next
         chapters = wanted if len(place) < DEEPEST else {}
         own = {name: wanted[name] for name in place[-1:] if name in wanted}
-        asked = {*chapters}.union(*own.values())  # they are found among any number of others
         try:
-            entries = sorted(
-                os.scandir(submission.joinpath(*place)),
-                key=lambda entry: (entry.name not in asked, entry.name),
-            )[: max(0, left + 1) + len(asked)]
-            modes = {one.name: one.stat(follow_symlinks=False).st_mode for one in entries}
+            entries = sorted(os.scandir(submission.joinpath(*place)), key=lambda one: one.name)
+            first = entries[: max(0, left + 1)]
+            modes = {one.name: one.stat(follow_symlinks=False).st_mode for one in first}
         except OSError as error:
             if not place:
                 raise
@@ -105,7 +102,7 @@ def _search_folder(submission: Path, wanted: Wanted) -> tuple[list[Found], list[
         for name, mode in modes.items():
             read = partial(read_file, submission.joinpath(*place, name))
             found += _sort_out(place, name, mode, read, wanted)
-            if is_skipped(name):
+            if is_hidden_or_cache(name):
                 continue
             if stat.S_ISDIR(mode) and len(place) < DEEPEST:
                 places.append((*place, name))
@@ -136,24 +133,18 @@ def _search_zip(path: Path, wanted: Wanted) -> list[Found]:
     if len(zipped.infolist()) > MOST_ENTRIES:
         raise NotTakenError(f"the zip contains more than {MOST_ENTRIES:,} files and folders")
     found: dict[tuple[tuple[str, ...], str, bool], Found] = {}
-    unsafe: list[Found] = []
     for entry in zipped.infolist():
         name = path_in_zip(entry)
         *folders, last = name.split("/")
         place = tuple(folders)
-        if is_unsafe(name):
-            if place and last in wanted.get(place[-1], ()):
-                reason = "its path in the zip is absolute or has dots in it"
-                unsafe += refuse_all({place[-1]: [last]}, reason)
-            continue
-        if len(place) > DEEPEST or any(map(is_skipped, place)):
+        if is_unsafe(name) or len(place) > DEEPEST or any(map(is_hidden_or_cache, place)):
             continue
         mode = stat.S_IFDIR if is_folder(entry) else entry.external_attr >> 16
         for one in _sort_out(place, last, mode, partial(read_entry, zipped, entry), wanted):
             key = one.place, one.file, one.doubtful
             twice = key in found
             found[key] = replace(one, read=refuse("it is in the zip twice")) if twice else one
-    return [*found.values(), *unsafe]
+    return [*found.values()]
 
 
 def _sort_out(
@@ -165,6 +156,6 @@ def _sort_out(
         found += refuse_all({name: wanted[name]}, LINKED_FOLDER, place)
     if place and name in wanted.get(place[-1], ()):
         found.append(Found(place, name, read))
-    elif not stat.S_ISDIR(mode):
+    elif place and place[-1] in wanted and not stat.S_ISDIR(mode):
         found.append(Found(place, name, refuse("it is not a file of this chapter"), other=True))
     return found

@@ -13,15 +13,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
-from rich.console import Console
-from rich.progress import track
 
 from autograder.accepted_files import NotTakenError
 from autograder.file_lock import locked
 from autograder.files import is_new, replace_bytes
-from autograder.submissions.find import SILENT, is_skipped, printable
+from autograder.submissions.find import SILENT, is_no_submission, printable
 from autograder.submissions.zips import is_folder, is_unsafe, open_zip, path_in_zip, read_entry
-from autograder.text.wrapping import plain_console
 
 MARKER = ".unpacked.json"
 COUNTS = (".zip", ".py", ".md", ".csv")  # we unpack no content of other types
@@ -55,14 +52,14 @@ def class_folder(path: Path) -> Path:
         return path
     if path.suffix.lower() != ".zip":
         raise ValueError(f"the submissions must be a folder or a .zip file, got {str(path)!r}")
-    folder, console = path.with_suffix(""), plain_console()
+    folder = path.with_suffix("")
     with locked(path.with_name(f".{path.name}.lock")):  # another command may be unpacking it
         unpacked, digest = _read_marker(folder), _digest(path)
         if unpacked.zip != digest:
-            unpacked = _unpack(path, folder, unpacked, digest, console)
-    count = f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries"
-    for line in [*unpacked.notes, count]:
-        console.print(line, markup=False, soft_wrap=True)
+            unpacked = _unpack(path, folder, unpacked, digest)
+    for note in unpacked.notes:
+        print(note)
+    print(f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries")
     return folder
 
 
@@ -77,7 +74,7 @@ def refuse_newer_zip(folder: Path) -> None:
             )
 
 
-def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
+def _unpack(path: Path, folder: Path, before: Unpacked, digest: str) -> Unpacked:
     """Unpack a zip, after deleting the submissions from an earlier version of it."""
     try:
         file = open_zip(path)
@@ -103,9 +100,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         for one in [there[name] for name in before.names if name in there]:
             shutil.rmtree(one) if one.is_dir() and not one.is_symlink() else one.unlink()
         _write_marker(folder, Unpacked("", names, []))
-        silent = not console.is_terminal
-        shown = track(files, "unpacking", console=console, transient=True, disable=silent)
-        unpacked = Unpacked(digest, names, notes + _write(folder, file, shown))
+        unpacked = Unpacked(digest, names, notes + _write(folder, file, files))
     _write_marker(folder, unpacked)
     return unpacked
 
@@ -123,7 +118,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[File], list[str]]:
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
             if parts[1:] and _is_path(parts[0]):
                 files.append((parts[:1], None))
-        elif not is_skipped(parts[0]):
+        elif not is_no_submission(parts[0]):
             is_left_out = any(part.startswith(".") or part in SILENT for part in parts[1:])
             files.append((parts, None if is_left_out or is_folder(entry) else entry))
     return files, notes

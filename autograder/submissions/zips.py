@@ -48,11 +48,8 @@ def is_unsafe(name: str) -> bool:
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
     """Read a file of a zip into memory, or raise NotTakenError."""
     mode = entry.external_attr >> 16
-    if stat.S_ISLNK(mode):
-        raise NotTakenError("it is a symbolic link")
-    if is_folder(entry):
-        raise NotTakenError("it is a folder")
-    if stat.S_IFMT(mode) not in (0, stat.S_IFREG):  # 0: written by a system without modes
+    # Mode 0 is written by a system without modes.
+    if is_folder(entry) or stat.S_IFMT(mode) not in (0, stat.S_IFREG):
         raise NotTakenError("it is not a regular file")
     if entry.flag_bits & ENCRYPTED:
         raise NotTakenError("it is encrypted in the zip: zip it without a password")

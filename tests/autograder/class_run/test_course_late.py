@@ -178,8 +178,7 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     assert (late["ann"].days, late["ann"].deduction) == (4, 4 * 1.4), "of 14 points possible"
     assert (late["bob"].days, late["bob"].deduction) == (None, 0)
     first, second, third = notes
-    who = "there is no student 'anne'. Did you mean ann?"
-    assert first == f"Extension of 'anne' in the course file: {who}"
+    assert first == "Extension of 'anne' in the course file: there is no student 'anne'."
     assert second.startswith("The submission time is unknown for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {folder / 'times.csv'}.")
     assert third == "Late: 1. With a penalty: 1."
@@ -189,7 +188,7 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     ("extensions", "words"),
     [
         ({"Bo Roe": FALL}, r"'Bo Roe' could be Bo Roe \(8\) and Bo Roe \(9\)"),
-        ({"Ann Le": FALL}, r"there is no student 'Ann Le'. Did you mean Ann Lee\?"),
+        ({"Ann Le": FALL}, r"there is no student 'Ann Le'\."),
         ({"7": FALL, "Ann Lee": SPRING}, "'7' is the same student and has another date"),
     ],
 )

@@ -65,12 +65,12 @@ def test_answers_are_collected_as_they_were_handed_in(folder: Path) -> None:
 
 
 def test_the_order_is_no_order_of_names_and_stays_as_it_is(folder: Path) -> None:
-    orders = []
-    for _ in range(2):
-        tasks = collect_tasks(read_class(folder).submissions, select_chapters("2"))
-        orders.append([[answer.submission.student for answer in task.answers] for task in tasks])
-    (first, second), again = orders
-    assert [first, second] == again
+    first, second, *again = (
+        [answer.submission.student for answer in task.answers]
+        for _ in range(2)
+        for task in collect_tasks(read_class(folder).submissions, select_chapters("2"))
+    )
+    assert again == [first, second]
     assert sorted(first) != first != second
 
 
@@ -125,9 +125,8 @@ def test_the_server_takes_valid_marks_of_its_own_page_alone(address: str, folder
         ({"Content-Type": "text/plain"}, 415),
     ):
         assert ask(address, "marks.json", good, **headers)[0] == wanted, headers
-    marks: list[Any] = [{"points": points, "comment": ""} for points in (1.5, -1, True, "1")]
-    marks += [{"points": float("nan"), "comment": ""}, {"points": 1, "comment": "x" * 5000}]
-    marks += [{"points": 1}, 7]
+    marks: list[Any] = [{"points": p, "comment": ""} for p in (1.5, -1, True, "1", float("nan"))]
+    marks += [{"points": 1, "comment": "x" * 5000}, {"points": 1}, 7]
     bad = [{**good, "mark": mark} for mark in marks]
     bad += [[], {**good, "code": "ann"}, {**good, "exercise": "2.9"}]
     for body in (*bad, b"[" * 100_000, b"9" * 5000, b"\xff"):

@@ -147,11 +147,9 @@ def test_student_code_cannot_read_the_reference_beside_it(tree: Path) -> None:
     secret = tree / "source/solutions/ch02_vectors/vector.py"
     assert "class Vector3" in secret.read_text(encoding="utf-8")
     spy = f"raise RuntimeError(open({str(secret)!r}).read())"
-    hand_in(tree, answers_of("sample_class/ada") | {"ch03_laws_of_motion/particle.py": spy})
+    hand_in(tree, {"ch03_laws_of_motion/particle.py": spy})
     results, printed = run(tree)
-    assert points_of(CH02) <= results["score"] < points_of(CH02, CH03), (
-        "the module that spies fails"
-    )
+    assert results["score"] == 0, "the module that spies fails"
     assert "PermissionError" in json.dumps(results)
     assert "class Vector3" not in json.dumps(results) + printed
 
@@ -162,12 +160,7 @@ def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: P
     results, printed = run(tree)
     assert results["score"] == 0
     assert "nothing to grade: no folder of a chapter was found" in results["output"]
-    assert "There is notes/" in results["output"]
     assert "that contains folders of chapters: ch02_vectors/vector.py, " in results["output"]
-    hand_in(tree, {"vector.py": ""})  # the file alone, without its folder
-    results, printed = run(tree)
-    assert results["score"] == 0
-    assert "vector.py was found at the top of what was handed in, and not" in results["output"]
     assert "grading submission, seed" in printed
 
 
@@ -187,7 +180,7 @@ def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: P
 def test_where_the_grader_does_not_come_to_its_end_nothing_it_said_counts(
     tree: Path, missing: str, script: str, sentence: str
 ) -> None:
-    hand_in(tree, answers_of("sample_class/ada"))
+    hand_in(tree, {"ch02_vectors/vector.py": ""})
     (tree / "results").mkdir()
     (tree / "results/results.json").write_text('{"score": 81}', encoding="utf-8")
     python, broken = tree.parent / "python", tree / missing

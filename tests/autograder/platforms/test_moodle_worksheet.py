@@ -23,11 +23,9 @@ LAYOUTS: dict[str, tuple[Sheet, tuple[object, ...]]] = {
     "anonymous": (Sheet(anonymous=True, teams=True, overrides=True), ("", "", "", AT)),
     "no e-mail": (Sheet(identity=("idnumber",)), ("Ann Lee", "", "u77", AT)),
     "only the name": (Sheet(identity=()), ("Ann Lee", "", "", AT)),
-    "a user name": (Sheet(identity=("username", "idnumber", "email")), ALL),
     "not certain": (Sheet(identity=("username", "idnumber")), ("Ann Lee", "", "", AT)),
     "the same phones": (Sheet(identity=("idnumber", "phone1")), ("Ann Lee", "", "u77", AT)),
     "everything": (Sheet(overrides=True, teams=True, workflow=True, online_text=True), ALL),
-    "no comments": (Sheet(comments=False), ALL),
     "nothing to hand in": (Sheet(submissions=False, graded={12: "5.00"}), (*ALL[:3], None)),
     "equal grades": (Sheet(workflow=True, graded=dict.fromkeys(PEOPLE, "80.00")), ALL),
 }
@@ -72,11 +70,11 @@ def test_what_a_worksheet_shows_is_read_and_only_the_cells_of_the_grades_change(
     assert cells(worksheet.filled({"12": 87.5})) == expected
 
 
-@pytest.mark.parametrize("end", ["\n", "\r\n"])
-@pytest.mark.parametrize("separator", [",", ";"])
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+@pytest.mark.parametrize(
+    ("separator", "end", "encoding"), [(",", "\n", "utf-8"), (";", "\r\n", "utf-8-sig")]
+)
 def test_the_form_of_the_file_stays_as_it_was(
-    tmp_path: Path, end: str, separator: str, encoding: str
+    tmp_path: Path, separator: str, end: str, encoding: str
 ) -> None:
     text = io.StringIO(newline="")
     writer = csv.writer(text, delimiter=separator, lineterminator=end)
@@ -133,6 +131,4 @@ def test_a_class_may_have_no_worksheet_but_not_one_in_another_encoding(tmp_path:
     with pytest.raises(ValueError, match=r"worksheet\.csv, line 1: this is not UTF-8"):
         read(tmp_path, download(Sheet(GERMAN)), "cp1252")
     read(tmp_path, download(Sheet()))
-    worksheet = worksheet_in(tmp_path)
-    assert worksheet is not None
-    assert len(worksheet.rows) == len(PEOPLE)
+    assert worksheet_in(tmp_path) is not None

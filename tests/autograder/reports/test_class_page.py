@@ -17,7 +17,6 @@ from autograder.analysis.common_mistakes import misconceptions, mistakes_of
 from autograder.analysis.discrimination import FEWEST, discrimination
 from autograder.checks.verdict import Verdict
 from autograder.message import Kind, Message
-from autograder.release.pages import Compared, Pair, write_page
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.report import StudentReport
 from graded import CHAPTERS, SHOUT, check, class_of, failed_run, hostile, report_of, with_exercise
@@ -150,7 +149,6 @@ def test_the_page_shows_the_class_without_names(tmp_path: Path) -> None:
 def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
-    pair = Pair("Vector3.dot", f"return self.x  # {SHOUT}", None)
     everybody = [*class_of_twenty(), failed_run(), report_of()]
     index = write_index(tmp_path, CHAPTERS, everybody, class_of())
     page = write_feedback(tmp_path, report_of())
@@ -158,7 +156,6 @@ def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     for path, size in (
         *((path, size) for path in (page, index) for size in (narrow, wide)),
         (write_class_page(tmp_path, CHAPTERS, [*everybody, hostile()]), narrow),
-        (write_page(tmp_path, SHOUT, [Compared("2.2 Angles", [pair])], ["2.3"]), wide),
     ):
         assert SHOUT not in path.read_text(encoding="utf-8")
         viewport = {"width": size[0], "height": 900}

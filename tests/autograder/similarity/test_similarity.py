@@ -66,9 +66,9 @@ def test_functions_have_the_names_of_the_manifest() -> None:
     names = {function.name: " ".join(function.words) for function in functions}
     assert list(names) == ["", "A.mass", "A.mass.setter", "A.one", "two", "three", "text"]
     assert names["A.mass.setter"] == "self . ~m = ~m ;"
-    assert names["A.one"] == "return 1.0 ;"
+    assert names["A.one"] == "def ~one ( self ) : return 1.0 ;"
     assert names["two"] == "def ~inner ( ) : ; pass ;"
-    assert names["three"] == "return ~a [ ~b : ] ;"
+    assert names["three"].endswith(") : return ~a [ ~b : ] ;")
     assert names["text"] == "raise ~ValueError ( ' ' , ~a ) ;", "on every Python"
 
 

@@ -15,7 +15,7 @@ ANN, BO, CY = "1042,Ann Lee,ann@x.org,al7\n", "7,Bo,bo@x.org,\n", "8,Cy,,\n"
 ANN2, ONEILL = "7,ann lee,,\n", '7,"O\'Neill, Bo",,\n'
 TEAM = "1,Ann,,,team 1\n2,Bo,,,team 1\n"
 MOODLE = "assignsubmission_file"
-ANN_9, ANN_12 = (f"Ann Lee_{number}_{MOODLE}" for number in (9, 12))
+ANN_12 = f"Ann Lee_12_{MOODLE}"
 BO_13 = f"Bo O'Neill_13_{MOODLE}"
 HEADER = "id,name,email,login\n"
 GRADESCOPE, GITHUB, WORKSHEET = "submission_metadata.yml", "grades.csv", "worksheet.csv"
@@ -31,6 +31,8 @@ s_3:
   :submitters:
   - {":name": Stranger}
 """
+OVERLAP = "s_1: {':submitters': [{':name': Ann Lee}, &bo {':name': Bo}]}\n"
+OVERLAP += "s_2: {':submitters': [*bo, {':name': Cy}]}"
 WITH_EVE = "s_1: {':submitters': [{':name': Bo}, {':name': Eve}]}"
 REPOSITORIES = "github_username,roster_identifier,student_repository_name,submission_timestamp\n"
 SHEET = download(Sheet())
@@ -68,19 +70,17 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
     ("names", "roster", "found"),
     [
         # A name that is only similar is another student's.
-        *((name, ANN, {"Ann Lee": "", name: name}) for name in ("LeeAnn", "ann", "Ann Lée")),
+        *((name, ANN, {"Ann Lee": "", name: name}) for name in ("ann", "Ann Lée")),
         ("कमल", "1,कमला,,\n", {"कमला": "", "कमल": "कमल"}),  # a vowel sign
         ("annlee_555_7_w", ANN, {"Ann Lee": "annlee_555_7_w"}),
         ("Wei Li|Li Wei", "1,Li Wei,,\n2,Wei Li,,\n", {"Li Wei": "Li Wei", "Wei Li": "Wei Li"}),
         # A participant's number in Moodle is no id.
         (f"Bo_1042_{MOODLE}", ANN + BO, {"Ann Lee": "", "Bo": f"Bo_1042_{MOODLE}"}),
         # The ids distinguish students with the same name. An exact match of a name comes first.
-        ("al7|7", ANN + ANN2, {"Ann Lee (1042)": "al7", "ann lee (7)": "7"}),
         ("Ann Lee (1042)", ANN + ANN2, {"Ann Lee (1042)": "Ann Lee (1042)", "ann lee (7)": ""}),
         ("Ann Lee", ANN + ANN2, {"Ann Lee (1042)": "Ann Lee", "ann lee (7)": ""}),
         # An unusual space is a space.
         ("山田\u3000太郎", "1,山田\u3000太郎,,\n", {"山田 太郎": "山田\u3000太郎"}),
-        ("Ann\u00a0Lee", "1,Ann\u00a0Lee,,\n", {"Ann Lee": "Ann\u00a0Lee"}),
         # A name is one of Canvas's only if all of them look like one download from there.
         *(
             (names, "", {name.removesuffix(".zip"): name for name in names.split("|")})
@@ -138,8 +138,7 @@ def test_a_platforms_file_says_who_handed_in(
         ("bo_1042_7_w.zip|1042|al7", ANN + BO, {}, "must hand in only once, got '1042' and 'al7'"),
         ("bo_1042_7_w.zip|1042|al7", ANN + BO, {}, "lines 2 and 3 match"),
         ("cy_1042_7_w.zip", ANN + BO, {}, "its number 1042 is that of Ann Lee in line 2"),
-        (ANN_9, f"{ANN}7,Ann Lee,,\n", {}, f"rename the submission to 'ID_9_{MOODLE}', where ID"),
-        (BO_13, NAMESAKES, {}, "Save this assignment's grading worksheet from Moodle as"),
+        (BO_13, NAMESAKES, {}, "or save the grading worksheet from Moodle as"),
         # Groups
         ("Bo|Ann", TEAM, {}, "lines 2 and 3: Ann and Bo must hand in only once"),
         ("team 1 (Ann, Bo)|Ann", TEAM, {}, "would both be called 'team 1 (Ann, Bo)'. Rename"),
@@ -150,6 +149,12 @@ def test_a_platforms_file_says_who_handed_in(
             "s_1: Gradescope says that Ann (group 'a') and Bo (group 'b') handed in together",
         ),
         # Files of platforms
+        (
+            "s_1|s_2",
+            ANN + BO + CY,
+            {GRADESCOPE: OVERLAP},
+            "handed in twice, with different students",
+        ),
         ("s_1", "", {GITHUB: "student,points\nAnn,3\n"}, "line 1: the grades of GitHub Classroom"),
         ("s_1", "", {GRADESCOPE: "- a\n"}, "is not the file of this name in an export from Grades"),
     ],
@@ -192,17 +197,6 @@ def test_what_is_only_odd_is_noted(
     assert people.notes == [note.replace("CLASS", str(tmp_path / "class"))]
 
 
-def test_a_student_is_in_exactly_one_state(tmp_path: Path) -> None:
-    found = class_in(tmp_path, "Bo.pdf|1042|1042.pdf|zoe", ANN + BO + CY)
-    states = {m.shown: m.submission and (m.submission.nothing or "graded") for m in found.members}
-    assert states == {
-        "Ann Lee": "graded",
-        "Bo": "'Bo.pdf' cannot be graded: it is neither a folder nor a .zip file",
-        "Cy": None,
-        "zoe": "graded",
-    }
-
-
 @pytest.mark.parametrize(
     ("name", "report"),
     [
@@ -210,9 +204,7 @@ def test_a_student_is_in_exactly_one_state(tmp_path: Path) -> None:
         ("8", ""),  # has handed in nothing
         ("42", "José Ñandú"),  # as a spreadsheet writes the id
         ("Ann Lee", "!'Ann Lee' could be Ann Lee (1042) and Ann Lee (8). Write the id or the"),
-        ("Jose Nandu", "!there is no student 'Jose Nandu'. Did you mean José Ñandú?"),
-        ("Ñandú", "!there is no student 'Ñandú'. Did you mean José Ñandú?"),
-        ("Eve Nobody", "!there is no student 'Eve Nobody'."),
+        ("Jose Nandu", "!there is no student 'Jose Nandu'."),
         ("Ann", "team 1 (Ann, Bo)"),
         ("2", "team 1 (Ann, Bo)"),
         ("team 1", "team 1 (Ann, Bo)"),
@@ -270,18 +262,15 @@ def test_a_roster_is_read_as_spreadsheets_write_it(tmp_path: Path, content: str,
 @pytest.mark.parametrize(
     ("content", "line", "words"),
     [
-        ("id,name,email\n1,Ann,a@x\n", 1, "no column 'login'. The header must have id,name,email,"),
+        ("id,name,email\n1,Ann,a@x\n", 1, "are 0 columns 'login'. The header must have id,name,e"),
         ("id,name,id,email,login\n", 1, "there are 2 columns 'id'"),
-        ("", 1, "no column 'id'"),
         (HEADER + "1,Ann,,\n\n2,Bo,,\n01,Cy,,\n1,Di,,\n", 6, "the id '1' is already in line 2"),
         (HEADER + "1,Ann,a@x,\n2,Bo,A@X,\n", 3, "the email 'A@X' is already in line 2"),
         (HEADER + ",Ann,a@x,\n", 2, "the id is empty"),
         (HEADER + "1,Lee, Ann,a@x,al\n", 2, "must be 4 cells, got 5. Put a cell that contains ','"),
         (HEADER + "1;Ann;a@x;al\n", 2, "the name is empty"),
         (HEADER + '1,"Ann,a@x,al\n2,Bo,b@x,bo\n', 2, "Close the quote"),
-        (HEADER + ",Ann,,\n1,,,\n", 3, "the name is empty"),  # all lines at once
         (HEADER + "=1+1,Ann,,\n", 2, "the id '=1+1' must not begin like a spreadsheet formula"),
-        (HEADER + "1.23457E+11,Ann,,\n", 2, "the id '1.23457E+11' was rounded by a spreadsheet"),
     ],
 )
 def test_a_mistake_in_a_roster_is_reported_with_its_line(

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from autograder.submissions.class_list import read_class
 from autograder.submissions.find import file_name
-from autograder.text.clean import clean, clean_line
+from autograder.text.clean import clean
 
 
 def test_folders_and_zips_are_submissions_sorted_by_student(tmp_path: Path) -> None:
@@ -112,29 +112,6 @@ def test_file_names_are_safe_short_and_each_students_own(names: list[str]) -> No
         assert not name.startswith(".")
         assert not set(name) & set('/\\\0<>:"|?*')
         assert name.isprintable()
-
-
-WORDS = "Åsa B, O'Neill, 王, 🦊, [red], <b>, =1, \\x1b"
-
-
-@pytest.mark.parametrize(
-    ("text", "shown"),
-    [
-        (WORDS, WORDS),
-        ("two\n\tlines", "two\n\tlines"),
-        ("\x1b[2J\x07", "\\x1b[2J\\x07"),
-        ("\x9b1m\x00\ud800", "\\x9b1m\\x00\\ud800"),
-        ("\u202ereversed\u200b\ufffe", "\\u202ereversed\\u200b\\ufffe"),
-        ("a\r\nb\rc\u2028d\x0be", "a\nb\nc\nd\ne"),
-        ("10\u00a0kg", "10 kg"),
-    ],
-)
-def test_what_cannot_be_printed_is_shown_as_an_escape(text: str, shown: str) -> None:
-    assert clean(text) == shown
-
-
-def test_a_line_has_no_second_one() -> None:
-    assert clean_line("a\r\nb\tc") == "a b c"
 
 
 @given(st.text(st.characters(codec=None)))

@@ -14,7 +14,7 @@ from autograder.manifest import load_chapters
 from autograder.submissions import unpack
 from autograder.submissions.class_list import read_class
 from autograder.submissions.unpack import class_folder
-from staging import CODE, EXERCISES, OF_CH03, TAKEN, VECTOR, boxed, make_zip, zip_of
+from staging import CODE, EXERCISES, OF_CH03, TAKEN, VECTOR, boxed, make_folder, zip_of
 
 WORK = zip_of({f"work/{VECTOR}": CODE})
 
@@ -82,11 +82,8 @@ def test_every_file_that_students_hand_in_is_unpacked(tmp_path: Path) -> None:
 
 
 def test_the_zips_in_a_folder_count_like_folders(tmp_path: Path) -> None:
-    folder = tmp_path / "ann"
-    folder.mkdir()
-    make_zip(folder, {VECTOR: CODE}).rename(folder / "a.zip")
-    make_zip(folder, {EXERCISES: CODE}).rename(folder / "b.zip")
-    (folder / "c.zip").write_bytes(b"no zip")
+    zips = {"a.zip": zip_of({VECTOR: CODE}), "b.zip": zip_of({EXERCISES: CODE}), "c.zip": b"no zip"}
+    folder = make_folder(tmp_path, zips)
     (folder / "d.zip").symlink_to(folder / "a.zip")
     files, missing, notes = boxed(folder)
     assert files == {VECTOR: CODE}
@@ -173,7 +170,7 @@ def test_a_hostile_zip_of_a_class_writes_nowhere_else(
     notes = capsys.readouterr().out
     assert notes.count(" was left out: ") == len(bad) + 1, notes
     assert "bomb_1_2_w.zip was left out: it is larger than 10,000 bytes" in notes
-    assert "carl/x.py was left out: it is a symbolic link" in notes
+    assert "carl/x.py was left out: it is not a regular file" in notes
 
 
 @pytest.mark.parametrize(

@@ -149,7 +149,7 @@ def test_only_a_grade_that_moodle_would_reject_is_cut(tmp_path: Path) -> None:
     assert import_into_canvas(rows_of(paths[0]))[0][77] == "14.5"
     cut = next(line for line in lines if "were cut" in line)
     assert "moodle.csv: grades above 100 were cut, because Moodle accepts no larger ones" in cut
-    assert "2 (Ann Lee; O'Neill, Bo). With POINTS=90.9, no grade is cut." in cut
+    assert "2 (Ann Lee; O'Neill, Bo). Choose fewer points with POINTS=." in cut
     paths, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column("Lab 1", 90.9))
     grades = import_into_moodle(rows_of(paths[1]), "ID number")
     assert (grades["77"], grades["u8"]) == (94.15, 99.99)
@@ -194,7 +194,7 @@ def test_the_worksheet_from_moodle_gets_grades_in_its_own_points(
     assert upload(paths[0].read_bytes(), sheet) == ({12: half, 14: 20.0}, [])
     assert "Not in worksheet.csv from Moodle: zoe." in "".join(lines)
     if points != 16:  # of 20, 17.5 points of 14 are exactly 20
-        assert "1 (Bo O'Neill_14). With POINTS=16, no grade is cut." in "".join(lines)
+        assert "1 (Bo O'Neill_14). Choose fewer points with POINTS=." in "".join(lines)
 
 
 def test_a_worksheet_of_another_assignment_is_not_filled(tmp_path: Path) -> None:
@@ -216,10 +216,8 @@ def test_without_a_worksheet_the_instructor_hears_where_to_save_it(tmp_path: Pat
     assert write_uploads(tmp_path, CHAPTERS, ClassList([]), [], Column()) == ([], [])
 
 
-@pytest.mark.parametrize(
-    "title", ["=Lab", "a\nb", " ", "ID", "Final Grade", "Override Score (Fall)", "x;=1"]
-)
-def test_a_title_that_canvas_would_not_import_is_refused(title: str) -> None:
+@pytest.mark.parametrize("title", ["=Lab", "a\nb", " ", "x;=1"])
+def test_a_title_that_is_no_cell_is_refused(title: str) -> None:
     with pytest.raises(ValueError, match="--title must"):
         Column(title)
     with pytest.raises(ValueError, match="--points must be a positive number, got 0"):

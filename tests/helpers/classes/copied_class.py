@@ -22,19 +22,11 @@ from wrong import body_of, read_wrong
 COPIED = 0.85  # fraction of the exercises; the others are the copier's own work
 Bodies = dict[tuple[str, str], str]  # by file, such as ch02_vectors/vector.py, and function
 Files = dict[str, str]
-HABITS = [
-    "swap operands",
-    "halve",
-    "flip comparisons",
-    "expand +=",
-    "whole numbers",
-    "name results",
-]
+HABITS = ["swap operands", "expand +=", "whole numbers", "name results"]
 NAMES = (
     "a b c d e f g h i j k m n p q r s t u w val tmp res out num cur acc cnt idx item thing old "
     "new left right first second total diff amount part length vec pos speed step size factor"
 )
-REMARKS = ("# see the book", "# as in the lesson", "# careful here", "# TODO tidy up", "# works")
 Body = list[ast.stmt]
 
 
@@ -163,7 +155,7 @@ class Student(ast.NodeTransformer):
         body = []
         for statement in map(self.visit, parsed(source)):
             body += statement if isinstance(statement, list) else [statement]
-        return written(renamed(body, self.rng, parameters), self.rng)
+        return written(renamed(body, self.rng, parameters))
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
@@ -196,8 +188,8 @@ class Student(ast.NodeTransformer):
 
 
 def disguised(source: str, rng: Random, parameters: Iterable[str] = ()) -> str:
-    """Return a body whose variables are renamed, statements reordered, and comments changed."""
-    return written(renamed(reordered(parsed(source), rng), rng, parameters), rng)
+    """Return a body whose variables are renamed and whose statements are reordered."""
+    return written(renamed(reordered(parsed(source), rng), rng, parameters))
 
 
 def renamed(body: Body, rng: Random, parameters: Iterable[str]) -> Body:
@@ -231,18 +223,17 @@ def reordered(body: Body, rng: Random) -> Body:
 def independent(one: ast.stmt, other: ast.stmt) -> bool:
     if not all(isinstance(statement, (ast.Assign, ast.AugAssign)) for statement in (one, other)):
         return False
-    return not (targets(one) & names_in(other) or targets(other) & names_in(one))
+    return not (stored(one) & names_in(other) or stored(other) & names_in(one))
 
 
-def targets(statement: ast.stmt) -> set[str]:
-    found = getattr(statement, "targets", None) or [getattr(statement, "target", None)]
-    parts = [part for target in found for part in getattr(target, "elts", [target])]
-    return {ast.unparse(part) for part in parts}
+def names_in(statement: ast.stmt, context: type = ast.expr_context) -> set[str]:
+    kinds = (ast.Name, ast.Attribute, ast.Subscript)
+    found = [node for node in ast.walk(statement) if isinstance(node, kinds)]
+    return {ast.unparse(node) for node in found if isinstance(node.ctx, context)}
 
 
-def names_in(statement: ast.stmt) -> set[str]:
-    nodes = ast.walk(statement)
-    return {ast.unparse(node) for node in nodes if isinstance(node, (ast.Name, ast.Attribute))}
+def stored(statement: ast.stmt) -> set[str]:
+    return names_in(statement, ast.Store)
 
 
 def parsed(source: str) -> Body:
@@ -251,11 +242,5 @@ def parsed(source: str) -> Body:
     return function.body
 
 
-def written(body: Iterable[ast.stmt], rng: Random) -> str:
-    """Return the source code of a body, with a few comments added."""
-    lines: list[str] = []
-    for statement in body:
-        if rng.random() < 0.2:
-            lines.append(rng.choice(REMARKS))
-        lines.append(ast.unparse(ast.fix_missing_locations(statement)))
-    return "\n".join(lines)
+def written(body: Iterable[ast.stmt]) -> str:
+    return "\n".join(ast.unparse(ast.fix_missing_locations(statement)) for statement in body)

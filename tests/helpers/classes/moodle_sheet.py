@@ -63,7 +63,6 @@ class Sheet:
     workflow: bool = False  # a column for the marker and one for the state
     online_text: bool = False
     submissions: bool = True  # False if there is nothing to hand in
-    comments: bool = True
     graded: dict[int, str] = field(default_factory=dict)
 
 
@@ -89,12 +88,8 @@ def download(sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE) -> 
         row = {say.recordid: f"{say.hiddenuser}{number}"}
         if not sheet.anonymous:
             row[say.fullname] = name
-            known = {
-                "idnumber": idnumber,
-                "email": email,
-                "phone1": "0301234",
-                "username": f"user{number}",
-            }
+            known = {"idnumber": idnumber, "email": email, "phone1": "0301234"}
+            known["username"] = f"user{number}"
             for each in sheet.identity:
                 row[getattr(say, each, each)] = known[each]
         row[say.status] = say.submitted if there else "-"
@@ -114,8 +109,7 @@ def download(sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE) -> 
         if sheet.online_text:
             row["online text"] = '<p>It took me\n"4, 5" hours.</p>' if number == 12 else ""
         row[say.lastmodifiedgrade] = say.time if number in sheet.graded else "-"
-        if sheet.comments:
-            row[say.comments] = '<p>Well done,\nAnn; "really"</p>' if number == 12 else ""
+        row[say.comments] = '<p>Well done,\nAnn; "really"</p>' if number == 12 else ""
         rows.append(row)
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, [*rows[0]], lineterminator="\n")
@@ -144,7 +138,7 @@ def upload(
     for cells, before in zip(rows, old, strict=True):
         row = dict(zip(header, cells, strict=True))
         number = int(row[say.recordid][len(say.hiddenuser) :])
-        if sheet.comments and row[say.comments] != before[say.comments]:
+        if row[say.comments] != before[say.comments]:
             changed.append(number)
         grade = row[say.gradenoun].replace(" ", "").replace(say.decsep, ".")  # unformat_float()
         if (

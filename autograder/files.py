@@ -8,8 +8,6 @@ import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-LITTLE = 1_000_000  # bytes
-
 
 def replace_bytes(path: Path, content: bytes) -> None:
     """Replace the contents of a file, or leave them untouched if anything goes wrong.
@@ -36,11 +34,6 @@ def replace_table(path: Path, rows: Iterable[Sequence[str]]) -> None:
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     replace_bytes(path, text.getvalue().encode("utf-8", errors="backslashreplace"))
-
-
-def is_full(folder: Path) -> bool:
-    """Return True if the disk that contains ``folder`` has less than 1 MB of free space."""
-    return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:

@@ -21,7 +21,7 @@ class SandboxSettings:
     level: dict[str, bool]  # the layers of protection to use, which are the fields of sandbox.Level
     missing: dict[str, Message] = field(default_factory=dict)  # why each module was rejected
     hidden: Path | None = None  # a folder of checks of which students see only a short rationale
-    compiled: Path | None = None  # a folder that keeps the submission's compiled code between runs
+    compiled: Path | None = None  # a folder that keeps the submission's bytecode between runs
 
 
 @dataclass(frozen=True)

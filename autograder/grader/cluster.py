@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from autograder.grader.conditions import Conditions, OnceForAll, grader_digest, run_key
+from autograder.grader.conditions import Conditions, grader_digest, run_key
 from autograder.grader.grading import (
     grade_staged,
     grade_submission,
@@ -133,7 +133,7 @@ def grade_over(
         yield report
 
 
-_once: dict[str, OnceForAll] = {}  # on a worker, what is the same for all students, by assignment
+_found: dict[str, Any] = {}  # on a worker, what is the same for all students, by assignment
 
 
 def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) -> StudentReport:
@@ -141,7 +141,7 @@ def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) ->
     from distributed import get_worker
 
     check_worker(job)
-    once = _once.setdefault(repr((str(job.here.root), job.key)), OnceForAll())
+    found = _found.setdefault(repr((str(job.here.root), job.key)), {})
     # Dask removes the folder of a worker, with all its files, however the worker dies.
     tempfile.tempdir = get_worker().local_directory
     try:
@@ -151,8 +151,9 @@ def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) ->
         ):
             _write_tree(job.hidden, Path(hidden))
             _write_tree(tree, Path(box))
-            conditions = replace(job.here, hidden=Path(hidden) if job.hidden else None)
-            return grade_staged(conditions, submission, staged, Path(box), once)
+            own = Path(hidden) if job.hidden else None
+            conditions = replace(job.here, hidden=own, found=found)
+            return grade_staged(conditions, submission, staged, Path(box))
     except Exception as error:  # of the grader
         return report_of_failure(job.conditions, submission.student, repr(error))
 

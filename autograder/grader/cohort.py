@@ -136,7 +136,7 @@ def _begin(
         "chapters": [chapter.number for chapter in work.chapters],
         "given": [chapter.number for chapter in work.given],
     }
-    refuse_other_grades(out, before, record, people)
+    refuse_other_grades(out, before, record)
     refuse_dropped(before, record, is_regrade=options.student is not None)
     conditions = Conditions(
         work.chapters,

@@ -15,14 +15,6 @@ from autograder.submissions.csv_rows import as_cell
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
-# These may have changed since the class was graded. If so, the log contains a note.
-MAY_DIFFER = {
-    "checks": "the checks or the reference",
-    "grader": "the grader",
-    "python": "Python",
-    "level": "the sandbox",
-    "time_limit": "the time limit of a check",
-}
 
 
 class Regrade:
@@ -56,13 +48,8 @@ class Regrade:
                 f"{'; '.join(sorted(changed))}). Grade all of it again with --seed {key.seed} "
                 f"(make: SEED={key.seed}, without STUDENT=), which keeps what has not changed"
             )
-        differing = [
-            words
-            for name, words in MAY_DIFFER.items()
-            if any(getattr(run, name) != getattr(key, name) for run in runs)
-        ]
-        words = f"Changed since the class was graded: {', '.join(differing)}."
-        self.note = words if differing else ""
+        changed_since = "The checks, the grader or the machine have changed since then."
+        self.note = changed_since if any(run != key for run in runs) else ""
         self.why = " ".join(filter(None, (why, self.note)))
 
     def log(self, report: StudentReport) -> str:

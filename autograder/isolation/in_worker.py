@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import hashlib
 import importlib.abc
+import importlib.util
 import os
 import re
 import sys
@@ -27,11 +27,14 @@ from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
 from autograder.diagnosis.undefined import while_imported
+from autograder.files import replace_bytes
 from autograder.isolation.handles import ObjectHandle, Session, WorkerFailure
 from autograder.isolation.launcher import Launcher
 from autograder.isolation.sandbox import Level
 from autograder.message import Message
 
+# The beginning of bytecode that Python does not compare with the source.
+NOT_COMPARED = importlib.util.MAGIC_NUMBER + bytes([1]) + bytes(11)
 LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
 PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
@@ -57,8 +60,8 @@ class InWorker:
                 Level(**worker.level),
                 [str(folder) for folder in self.engine],
                 probes,
-                Path(config.stack_file).parent,
                 config.time_limit,
+                worker.compiled,
             )
             for probes in dict.fromkeys([worker.probes, worker.hidden_probes])
         ]
@@ -80,13 +83,10 @@ class InWorker:
 
         If a module cannot be imported, the checks that need it fail.
         """
-        compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
-            if module not in self.broken and (code := self._code_of(module, file)):
-                compiled[module] = code
+            if module not in self.broken:
+                self._compile(module, file)
         self.stop()  # from here on the workers run the student's code
-        for launcher in self.launchers:
-            launcher.hand_over(compiled)
         for module in self.modules:
             if module not in self.broken:
                 self._import(module)
@@ -103,24 +103,15 @@ class InWorker:
                     found.setdefault(module, file)
         return found
 
-    def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the bytecode of a module, perhaps from an earlier run, or None if it has none."""
-        text = f"{file}\n".encode() + file.read_bytes()
-        kept = Path(self.worker.compiled) / hashlib.sha256(text).hexdigest()
-        if kept.exists():
-            return kept.read_bytes()
-        code = self._compile(module, file)
-        if code is not None:
-            part = kept.with_suffix(".part")  # this process may be killed at any time
-            part.write_bytes(code)
-            part.replace(kept)
-        return code
+    def _compile(self, module: str, file: Path) -> None:
+        """Compile a file where Python looks for its bytecode, unless an earlier run has done so.
 
-    def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a student's file in a worker that has not yet run any student code.
-
-        All later workers use this bytecode, so student code must get no chance to tamper with it.
+        All later workers load this bytecode, so a worker that runs no student code makes it.
         """
+        name = f"{file.stem}.{sys.implementation.cache_tag}.pyc"
+        kept = Path(self.worker.compiled, *file.parent.parts[1:], name)
+        if kept.exists():
+            return
         if module in self.modules:
             self.send(Importing(module))
         code = None
@@ -128,7 +119,8 @@ class InWorker:
             code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
         if module in self.modules:
             self.send(Imported())
-        return base64.b64decode(code) if type(code) is str else None
+        if type(code) is str:
+            replace_bytes(kept, NOT_COMPARED + base64.b64decode(code))
 
     def _import(self, module: str) -> None:
         self.send(Importing(module))

@@ -169,12 +169,11 @@ def test_every_console_prints_texts_as_they_are() -> None:
     [
         (f"a = {3000 * '['}{3000 * ']'}", "is not valid TOML"),
         (f"{LAB}out_of = {DIGITS}", "is not valid TOML"),
-        (f"{LAB}out_of = {400 * '9'}", "out_of: expected int <= 1000000, got 999"),
+        (f"{LAB}out_of = {400 * '9'}", "out_of: Expected int <= 1000000"),
         (f"{LAB}due = 0001-01-01T00:00:00+14:00", "lab1, due must be from 1970 to 2999, got"),
         (f'time_zone = "Asia/Tokyo"\n{LAB}due = 9999-12-31T23:59:59', "lab1, due must be from"),
-        (LAB.replace("lab1", "\\u001b[31m"), r"digits, - and _, got '\x1b[31m'"),
     ],
-    ids=["nested", "long number", "large number", "year 1", "year 9999", "escape"],
+    ids=["nested", "long number", "large number", "year 1", "year 9999"],
 )
 def test_an_odd_course_file_is_refused_in_a_sentence(tmp_path: Path, text: str, words: str) -> None:
     path = tmp_path / "course.toml"

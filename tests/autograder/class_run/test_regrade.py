@@ -90,7 +90,7 @@ def test_other_conditions_are_refused_and_a_changed_check_is_logged(small: Small
     checks.write_text(CHECKS.replace("quadruple(3) == 12", "quadruple(3) == 9"), encoding="utf-8")
     assert small.grade(seed=None, student="bob", why="the check was wrong") == 0
     assert small.scores()["bob"] == 6.0
-    why = "the check was wrong Changed since the class was graded: the checks or the reference."
+    why = "the check was wrong The checks, the grader or the machine have changed since then."
     assert small.table("regrades.csv")[0]["why"] == why
 
 

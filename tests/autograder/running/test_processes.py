@@ -64,7 +64,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def start(folder: Path, seconds: float = 5.0) -> Launcher:
-    return Launcher(LEVEL, [str(folder)], str(folder), folder, seconds)
+    return Launcher(LEVEL, [str(folder)], str(folder), seconds)
 
 
 @pytest.fixture
@@ -160,7 +160,7 @@ def judge(tmp_path: Path) -> Iterator[Callable[..., ForkedJudge]]:
     (tmp_path / "config.pickle").write_text("{}", encoding="utf-8")
     started: list[ForkedJudge] = []
     with (tmp_path / "stderr.txt").open("w+b") as stderr:
-        rest = tmp_path, environment(), stderr
+        rest = tmp_path, environment, stderr
 
         def fork(config: str = "config.pickle") -> ForkedJudge:
             started.append(ForkedJudge(Path(config), *rest))
@@ -206,7 +206,7 @@ import contextlib, os, sys
 from pathlib import Path
 from autograder.isolation.judges import ForkedJudge
 
-ForkedJudge(Path("none"), Path(sys.argv[1]), dict(os.environ), open(os.devnull, "w+b"))
+ForkedJudge(Path("none"), Path(sys.argv[1]), lambda: dict(os.environ), open(os.devnull, "w+b"))
 for status in Path("/proc").glob("[0-9]*/stat"):
     with contextlib.suppress(OSError):  # a process that has just ended
         if status.read_text().rpartition(")")[2].split()[1] == str(os.getpid()):

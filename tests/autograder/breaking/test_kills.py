@@ -55,12 +55,6 @@ from pathlib import Path
 from autograder.submissions.unpack import class_folder
 class_folder(Path(sys.argv[1]))
 """
-CHART = """
-import sys
-from studies import charts
-charts.QUICK = (1, 1e-3, 1e-3)
-sys.exit(charts.main(sys.argv[1:]))
-"""
 PLACE = """
 import shutil, sys
 from pathlib import Path
@@ -146,35 +140,6 @@ def test_a_killed_grading_keeps_every_report(
     assert [*out.glob(".temporary"), *out.rglob("*.tmp"), *temporary.iterdir()] == []
 
 
-def test_a_killed_comparison_has_no_index_of_other_pairs(tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    command = ["-m", "autograder", "similarity", "sample_class", "--chapters", "2", "--out"]
-
-    def check(_: bool) -> None:
-        assert half_written(out) == []
-        index = out / "index.html"
-        if index.exists():
-            linked = re.findall(r'href="(pairs/[^"]*)"', index.read_text(encoding="utf-8"))
-            assert all((out / name).exists() for name in linked)
-
-    victim = Victim([*command, str(out)], out, Random(SEED))
-    killed_again_and_again(victim, lambda folder: texts(folder, "*.html"), check)
-
-
-def test_a_killed_release_is_not_called_complete(tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    command = ["-m", "autograder", "release", "2", "--out", str(out)]
-
-    def check(_: bool) -> None:
-        record = out / "released.txt"
-        if record.exists() and "interrupted" not in record.read_text(encoding="utf-8"):
-            assert (out / "reference/ch02_vectors/vector.py").exists()
-            assert half_written(out) == []
-
-    victim = Victim(command, out, Random(SEED))
-    killed_again_and_again(victim, lambda folder: texts(folder / "reference"), check)
-
-
 def test_a_class_whose_unpacking_is_killed_is_unpacked_again(tmp_path: Path) -> None:
     work = {f"student {n}/ch02_vectors/vector.py": f"x = {n}\n".encode() for n in range(8)}
     zipped = make_zip(tmp_path, work).rename(tmp_path / "lab1.zip")
@@ -182,22 +147,6 @@ def test_a_class_whose_unpacking_is_killed_is_unpacked_again(tmp_path: Path) -> 
     script.write_text(UNPACK, encoding="utf-8")
     victim = Victim([str(script), str(zipped)], tmp_path / "lab1", Random(SEED))
     killed_again_and_again(victim, lambda folder: texts(folder, "*.py"), lambda _: None)
-
-
-def test_killed_charts_keep_their_rounds(tmp_path: Path) -> None:
-    out, script = tmp_path / "out", tmp_path / "chart.py"
-    script.write_text(CHART, encoding="utf-8")
-    command = [str(script), "--quick", "--scene", "linear drag", "--out", str(out)]
-
-    def check(_: bool) -> None:
-        for name in ("measured.json", "index.html", "points.csv"):
-            assert str(out / name) not in half_written(out)
-
-    victim = Victim(command, out, Random(SEED))
-    names = lambda folder: dict.fromkeys(texts(folder), "")  # noqa: E731
-    killed_again_and_again(victim, names, check)
-    assert half_written(out) == []
-    assert json.loads((out / "measured.json").read_text(encoding="utf-8"))["rounds"] == 1
 
 
 def test_a_site_is_whole_although_its_build_is_killed(tmp_path: Path) -> None:

@@ -26,7 +26,6 @@ from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
 from autograder.student.chapter_results import ChapterResults
 from autograder.student.screen import first_open, points_of
-from copies import copy_tree
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, SmallClass, on_gradescope
 from typed import typed
@@ -311,18 +310,3 @@ def test_the_exercise_of_an_earlier_assignment_is_named_first_and_earns_nothing(
     assert not any("causes" in report for report in small.results().values())
     assert "earlier assignment" not in small.everything(), "whole chapters have none"
     assert "Fix <a" in small.text("feedback/bob.html")
-
-
-def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
-    ids = 'B2.1", "B2.2", "B2.3", "B2.4", "B2.9'
-    lab3 = course(tmp_path, EARLIER.format(ids, "B2.10"))["lab3"]
-    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "ada/ch02_vectors")
-    vector = tmp_path / "ada/ch02_vectors/vector.py"
-    right = vector.read_text(encoding="utf-8")
-    wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
-    assert wrong != right
-    vector.write_text(wrong, encoding="utf-8")
-    results = gradescope_results(on_gradescope(lab3, tmp_path, tmp_path / "ada"))
-    assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results["output"]
-    most = {test["number"]: test["max_score"] for test in results["tests"]}
-    assert most == {"B2.10": 4, "B2.9": 0}

@@ -149,12 +149,6 @@ def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
     assert not (small.out / "results").exists()
 
 
-def test_hidden_probes_do_not_take_the_place_of_public_ones(small: SmallClass) -> None:
-    (small.root / "tests/ch90_small/probes.py").touch()
-    with pytest.raises(ValueError, match=r"probes\.py has the name of a public file"):
-        small.grade(hidden=hidden(small.place / "hidden", **{"probes.py": ""}))
-
-
 def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
     small: SmallClass, for_students: Callable[[], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

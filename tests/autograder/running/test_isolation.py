@@ -156,18 +156,6 @@ def test_no_verdict_hangs_on_what_an_object_says_of_itself(session: Session, use
         eval(use, {"box": name(session, "Box")(4), "math": math})
 
 
-NUMBERS = [True, 0, -(2**70), 0.1, math.inf, -0.0]
-
-
-@pytest.mark.parametrize(
-    "value", [None, *NUMBERS, "", "é\ud800\n", [], (1, [2, (3,)]), {"a": {1: 2}}], ids=repr
-)
-def test_plain_values_cross_as_they_are(session: Session, value: Any) -> None:
-    back = name(session, "same")(value)
-    assert type(back) is type(value)
-    assert repr(back) == repr(value)
-
-
 def test_only_exact_types_cross_by_value(session: Session) -> None:
     lie = name(session, "Lie")(2.0)
     assert type(lie) is not float
@@ -293,7 +281,7 @@ def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Le
     assert all_of_them == set()
 
 
-@pytest.mark.parametrize("most", range(20, 34))
+@pytest.mark.parametrize("most", [20, 28, 30, 33])
 def test_a_sandbox_works_however_many_files_its_runner_has_open(level: Level, most: int) -> None:
     """Some descriptors of a worker have fixed numbers, up to 31."""
     with contextlib.ExitStack() as files:

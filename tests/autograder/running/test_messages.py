@@ -21,7 +21,6 @@ from autograder.diagnosis.none_values import none_in
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import ExpectationError, Message
-from autograder.text.similar import nearest
 from calls import calls
 from compared import difference, relation
 from copies import copy_tree
@@ -273,13 +272,6 @@ def test_a_deleted_function_and_a_deleted_class() -> None:
         says_basis = Message(says.format("basis"))
         same = explain_deleted(says_basis, "B2.10", edits, lambda _, is_=defined: is_)
         assert same == says_basis
-
-
-def test_short_and_special_names_are_near_to_nothing() -> None:
-    assert nearest("veloctiy", ["velocity", "position", "__init__"]) == "velocity"
-    assert nearest("vx", ["v", "vy"]) == ""
-    assert nearest("init", ["__init__"]) == ""
-    assert nearest("zebra", ["velocity"]) == ""
 
 
 def test_the_latest_chapter_that_defines_a_name_counts() -> None:

@@ -14,10 +14,7 @@ Definition = ast.FunctionDef | ast.ClassDef
 
 
 def scopes(tree: ast.Module) -> dict[str, tuple[Scope, dict[str, Definition]]]:
-    """Find the functions and classes of a module (keyed by ""), and the methods of each class.
-
-    A property appears under its name, such as mass, and its setter as mass.setter.
-    """
+    """Find the functions and classes of a module (keyed by ""), and the methods of each class."""
     owners = {"": tree} | {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     return {
         name: (owner, {_name(node): node for node in owner.body if isinstance(node, Definition)})
@@ -75,10 +72,7 @@ def defined_name(node: ast.stmt) -> str:
 
 
 def bound_names(tree: ast.Module) -> set[str]:
-    """List every name that a module or one of its classes defines with def, class, = or import.
-
-    A name assigned with = may be a property, so it is listed with ".setter" too.
-    """
+    """List every name that a module or one of its classes defines with def, class, = or import."""
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
     return {*_bound(tree)} | {f"{own.name}.{name}" for own in classes for name in _bound(own)}
 
@@ -92,7 +86,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
             case ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
                 yield name
             case ast.Name(id=name, ctx=ast.Store()):
-                yield from (name, f"{name}.setter")
+                yield from (name, f"{name}.setter")  # it may be a property
             case ast.alias(name=name, asname=other):
                 yield other or name
             case _:

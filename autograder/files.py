@@ -42,10 +42,7 @@ def temporary_of(path: Path) -> Path:
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return True if a folder is missing or empty, so that results can be written there.
-
-    An unfinished copy of ``first``, the file that every run writes first, does not count.
-    """
+    """Return True if a folder is missing, or has at most an unfinished ``first`` file of a run."""
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}
 
 

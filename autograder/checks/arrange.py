@@ -26,10 +26,7 @@ class SandboxSettings:
 
 @dataclass(frozen=True)
 class Request:
-    """A request to run some of a chapter's checks on the code in the folders of ``engine``.
-
-    Without ``sandbox``, it runs in the same process as the checks.
-    """
+    """A request to run some of a chapter's checks on the code in the folders of ``engine``."""
 
     chapter: Chapter
     engine: list[Path]

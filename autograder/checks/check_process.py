@@ -37,10 +37,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Stop the check processes of all threads, and start no new ones inside the ``with`` block.
-
-    The runs of checks raise GraderError.
-    """
+    """Stop the check processes of all threads, and start no new ones inside the ``with`` block."""
     _stopping.set()
     for process in list(_processes):
         _kill(process)

@@ -44,10 +44,7 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 
 
 class Recorder:
-    """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
-
-    ``engine`` runs the student's code, by default as the configuration says.
-    """
+    """A pytest plugin that selects the checks to run, and reports the verdicts."""
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
         self.config = config

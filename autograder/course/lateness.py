@@ -52,10 +52,7 @@ def lateness(
 def _extensions(
     deadline: Deadline, people: ClassList
 ) -> tuple[dict[str, list[datetime]], list[str]]:
-    """Find out which reports the extensions in the course file apply to.
-
-    Without a roster, a name that nobody has may be that of a student who has not handed in yet.
-    """
+    """Find out which reports the extensions in the course file apply to."""
     granted: dict[str, list[datetime]] = {}
     of_member: dict[Member, tuple[str, datetime]] = {}
     notes: list[str] = []
@@ -80,10 +77,7 @@ def _extensions(
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission to Gradescope is, from the metadata that Gradescope provides.
-
-    If one of several authors has an extension, it applies to the whole group.
-    """
+    """Compute how late a submission to Gradescope is, from the metadata of Gradescope."""
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
     except (KeyError, TypeError, ValueError, AttributeError):

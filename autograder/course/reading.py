@@ -19,11 +19,7 @@ from autograder.text.clean import clean_line
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
-    """Read a course file. Relative paths in it are resolved from the folder that contains it.
-
-    Raises:
-        ValueError: The file has a mistake. The message names the key, its value and what is wanted.
-    """
+    """Read a course file. Relative paths in it are resolved from the folder that contains it."""
     table = read_tables(path)
     works: list[Work] = []
     try:

@@ -63,10 +63,7 @@ def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> 
 
 
 def refuse_other_grades(out: Path, old: dict[str, Any], new: dict[str, Any]) -> None:
-    """Raise ValueError if ``out`` has the grades of another class or of another assignment.
-
-    The grades of the sample class may be replaced.
-    """
+    """Raise ValueError if ``out`` has the grades of another class or of another assignment."""
     before, folder = _folder_in(old), Path(new["folder"])
     if before is None or before == SAMPLE:
         return
@@ -96,10 +93,7 @@ def _described(record: dict[str, Any]) -> str:
 
 
 def refuse_dropped(old: dict[str, Any], new: dict[str, Any], *, is_regrade: bool) -> None:
-    """Raise ValueError if a run drops the roster or the hidden checks, or a regrade has new ones.
-
-    With a roster, the reports have other names, so the first such run is one of the whole class.
-    """
+    """Raise ValueError if a run drops the roster or hidden checks, or a regrade has new ones."""
     for key, what in (("roster", "a roster"), ("checks", "hidden checks")):
         option = f"--{key} (make: {key.upper()}=)"
         if old.get(key) and not new[key]:

@@ -50,10 +50,7 @@ class ClassRun:
     reused: list[str] = field(default_factory=list)  # the students whose reports were kept
 
     def collect(self, submissions: list[Submission], grade_all: GradeAll) -> list[StudentReport]:
-        """Grade the submissions, show a progress bar, and return the reports in the same order.
-
-        The function ``grade_all`` yields the reports that cannot be kept, in any order.
-        """
+        """Grade the submissions, show a progress bar, and return the reports in the same order."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),

@@ -103,10 +103,7 @@ def connect(address: str, conditions: Conditions, console: Console) -> Iterator[
 def grade_over(
     client: Client, conditions: Conditions, submissions: list[Submission]
 ) -> Generator[StudentReport]:
-    """Grade submissions on the cluster, and yield each report when it arrives.
-
-    The files of a submission are sent as data, so the machines need no shared disk.
-    """
+    """Grade submissions on the cluster, and yield each report when it arrives."""
     from distributed import KilledWorker, as_completed
 
     job = Job.of(conditions)

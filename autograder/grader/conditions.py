@@ -51,11 +51,7 @@ class Conditions:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises, and of their prerequisites.
-
-        ``missing`` has the reason for each rejected module of the submission. The compiled code is
-        kept in the folder ``compiled`` for later runs. Raise GraderError if the checks cannot run.
-        """
+        """Run the checks of a chapter's graded exercises, and of their prerequisites."""
         if exercises is None:
             exercises = [e.id for e in chapter.exercises if e.kind != "written"]
         if not exercises:
@@ -157,10 +153,7 @@ def on_reference(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
 
 
 def check_hidden(conditions: Conditions) -> None:
-    """Raise ValueError if hidden checks are missing, cannot be run, or fail on the reference.
-
-    A hidden check that fails on the reference contains a mistake and would cost students points.
-    """
+    """Raise ValueError if hidden checks are missing, cannot be run, or fail on the reference."""
     hidden = conditions.hidden
     if hidden is None:
         return

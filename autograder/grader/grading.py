@@ -82,10 +82,7 @@ def grade_staged(
 def still_valid(
     conditions: Conditions, submission: Submission, report: StudentReport
 ) -> StudentReport | None:
-    """Return an earlier report with today's notes, or None if other files would be graded now.
-
-    A student may have handed in files since then that are not graded, such as a PDF.
-    """
+    """Return an earlier report with today's notes, or None if other files would be graded now."""
     new = _nothing(conditions, submission)
     if new is None:
         with staged_files(conditions, submission) as (staged, _):
@@ -98,10 +95,7 @@ def still_valid(
 
 
 def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
-    """Say why nothing of a submission can be graded, or return "" if something can.
-
-    Work on other chapters than the graded ones cannot be graded, and is not worth 0 points either.
-    """
+    """Say why nothing of a submission can be graded, which is not worth 0 points, or return ""."""
     rejected = [module for module in staged.rejected if module not in staged.misplaced]
     found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *rejected]}
     names = {chapter.name for chapter in graded}

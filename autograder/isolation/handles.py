@@ -82,10 +82,7 @@ class Session:
             self.dead = Message("the process of the student's code has ended", kind=Kind.LEFT)
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request to the worker, and return its answer or raise the exception of its code.
-
-        Without a valid answer, this method raises WorkerFailure.
-        """
+        """Send a request to the worker. Return its answer, or raise the exception of its code."""
         if self.dead:
             raise WorkerFailure(self.dead)
         self._last += 1

@@ -79,10 +79,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Compile the student's modules, and find out which of them cannot be imported.
-
-        If a module cannot be imported, the checks that need it fail.
-        """
+        """Compile the student's modules, and find out which of them cannot be imported."""
         for module, file in self._files().items():
             if module not in self.broken:
                 self._compile(module, file)
@@ -173,10 +170,7 @@ class InWorker:
         return self.launcher.stop_worker()
 
     def _on_hang(self) -> NoReturn:
-        """Save a stack trace of student code that has taken too long, and exit this process.
-
-        The runner then starts another process for the remaining checks.
-        """
+        """Save a stack trace of student code that has taken too long, and exit this process."""
         stack = self.launcher.stack() or "the worker wrote no stack"
         Path(self.config.stack_file).write_text(stack, encoding="utf-8")
         os._exit(1)  # then the launcher ends, and its worker too

@@ -167,10 +167,7 @@ class Launcher:
         return _text(self._worker.stack)
 
     def how_it_ended(self) -> str:
-        """Explain to the student in one sentence why the worker ended.
-
-        If it was killed from outside, which code in the sandbox cannot do, raise LauncherError.
-        """
+        """Explain to the student in one sentence why the worker ended."""
         try:
             answer = self._ask("wait")
         except (OSError, EOFError) as error:

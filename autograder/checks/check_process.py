@@ -122,7 +122,7 @@ def run_process(run: Listener) -> Ending:
 def _start(config: Config, folder: Path, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
     file = folder / "config.pickle"  # too long for a command line; no one else may write to it
     file.write_bytes(pickle.dumps(config))
-    if config.worker:
+    if config.level is not None:
         from autograder.isolation.judges import ForkedJudge  # not in handouts
 
         return ForkedJudge(file, Path(config.root), environment, stderr)

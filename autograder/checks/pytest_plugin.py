@@ -50,12 +50,12 @@ class Recorder:
         self.config = config
         self.send = send
         self.engine: InProcess | InWorker
-        if engine or not config.worker:
+        if engine or config.level is None:
             self.engine = engine or InProcess(config)
         else:
             from autograder.isolation.in_worker import InWorker  # not in handouts
 
-            self.engine = InWorker(config, config.worker)
+            self.engine = InWorker(config)
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:

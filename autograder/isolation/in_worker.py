@@ -22,7 +22,7 @@ from types import ModuleType
 from typing import Any, NoReturn
 
 from autograder.at_home.in_process import Send
-from autograder.checks.arrange import Config, Workers
+from autograder.checks.arrange import Config
 from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
@@ -51,19 +51,18 @@ class InWorker:
 
     session: Session | None = None
 
-    def __init__(self, config: Config, worker: Workers) -> None:
+    def __init__(self, config: Config) -> None:
         self.config = config
         self.engine = [Path(folder).resolve() for folder in config.engine]
-        self.worker = worker
         self.launchers = [
             Launcher(
-                Level(**worker.level),
+                Level(**(config.level or {})),
                 [str(folder) for folder in self.engine],
                 probes,
                 config.time_limit,
-                worker.compiled,
+                config.compiled,
             )
-            for probes in dict.fromkeys([worker.probes, worker.hidden_probes])
+            for probes in config.probes
         ]
         self.launcher = self.launchers[0]  # the one that forks the current worker
         self.launcher.start()  # in the background, while pytest collects the checks
@@ -93,7 +92,7 @@ class InWorker:
         """Find the files that a worker may import: the student's modules and the probes."""
         packages = sorted({module.partition(".")[0] for module in self.modules})
         found: dict[str, Path] = {}
-        for folder in [*self.engine, Path(self.worker.probes)]:
+        for folder in [*self.engine, Path(self.config.probes[0])]:
             for package in packages:
                 for file in sorted((folder / package).rglob("*.py")):
                     module = ".".join(file.relative_to(folder).with_suffix("").parts)
@@ -106,7 +105,7 @@ class InWorker:
         All later workers load this bytecode, so a worker that runs no student code makes it.
         """
         name = f"{file.stem}.{sys.implementation.cache_tag}.pyc"
-        kept = Path(self.worker.compiled, *file.parent.parts[1:], name)
+        kept = Path(self.config.compiled, *file.parent.parts[1:], name)
         if kept.exists():
             return
         if module in self.modules:

@@ -15,8 +15,6 @@ import pytest
 
 from autograder.checks.asked import about, short_numbers
 from autograder.checks.runner import run_checks
-from autograder.definitions import module_that_defines
-from autograder.diagnosis.deleted import explain_deleted
 from autograder.diagnosis.none_values import none_in
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
@@ -75,17 +73,6 @@ def test_a_name_that_the_block_changes_stays_a_name() -> None:
         k = k + 1.0
         make(k)
     assert about.call == "k = k + 1.0; make(k)"
-
-
-def test_a_long_matrix_has_a_line_for_each_row() -> None:
-    short, long = range(9), [i / 7.0 for i in range(12)]
-    with calls("cause"):
-        make(*[*short])
-    with calls("cause", more=True):
-        make(*long)
-    one, *rows = about.call.splitlines()
-    assert one.startswith("make(*[*short]); make(0.0, ")
-    assert [row.count(",") for row in (one, *rows)] == [4, 4, 3]
 
 
 def test_a_second_block_continues_the_call_and_may_use_the_result_of_the_first() -> None:
@@ -255,34 +242,6 @@ def test_a_slip_is_explained(slip: dict[str, Any], where: str, tmp_path: Path) -
             assert re.search(pattern, "\n".join(messages), re.DOTALL), text
         assert all(text in said for text in slip.get("every", ()) for said in messages)
         assert not any(text in said for text in slip.get("never", ()) for said in messages)
-
-
-def test_a_deleted_function_and_a_deleted_class() -> None:
-    edits = {"B2.1": ["vector.Vector3.copy", "vector.Vector3.clear"], "B2.10": ["vector.basis"]}
-    says = "ch02_vectors/vector.py does not define {}"
-    there = {"Vector3", "Vector3.clear"}
-    for name, exercise, gone in (
-        ("basis", "B2.10", "vector.py no longer defines it"),
-        ("Vector3", "B2.1", "stub of Vector3.copy is gone"),
-    ):
-        message = explain_deleted(Message(says.format(name)), "B2.10", edits, lambda _: there)
-        assert gone in message.likely
-        assert exercise in message.likely
-    for defined in (None, {*there, "basis"}):
-        says_basis = Message(says.format("basis"))
-        same = explain_deleted(says_basis, "B2.10", edits, lambda _, is_=defined: is_)
-        assert same == says_basis
-
-
-def test_the_latest_chapter_that_defines_a_name_counts() -> None:
-    for name, file, module in (
-        ("Particle", "ch03_laws_of_motion/exercises.py", "ch03_laws_of_motion.particle"),
-        ("Particle", "ch07_constraints/links.py", "ch05_forces.particle"),
-        ("Rod", "ch08_mass_aggregate/bridge.py", "ch07_constraints.links"),
-        ("Rod", "ch06_springs/springs.py", ""),  # a later chapter defines it
-        ("Vector", "ch06_springs/springs.py", ""),
-    ):
-        assert module_that_defines(name, file, [ROOT / "chapters"]) == module
 
 
 @pytest.mark.parametrize(

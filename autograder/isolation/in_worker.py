@@ -35,7 +35,6 @@ from autograder.message import Message
 
 # The beginning of bytecode that Python does not compare with the source.
 NOT_COMPARED = importlib.util.MAGIC_NUMBER + bytes([1]) + bytes(11)
-LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
 PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 Current = Callable[[], Session | None]  # returns the session of the current check, if there is one
@@ -112,7 +111,7 @@ class InWorker:
             self.send(Importing(module))
         code = None
         with contextlib.suppress(WorkerFailure):  # Python itself may fail on the file
-            code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
+            code = self._worker().ask("compile", str(file))
         if module in self.modules:
             self.send(Imported())
         if type(code) is str:
@@ -146,10 +145,10 @@ class InWorker:
         names = found if type(found) is list else []
         return {name for name in names if type(name) is str} or None
 
-    def _worker(self, new: bool = False) -> Session:
-        """Return the session with a ``new`` or the current worker, with all of its time left."""
+    def _worker(self) -> Session:
+        """Return the session with the current worker or a new one, with all of its time left."""
         session = self.session
-        if new or session is None or session.dead:
+        if session is None or session.dead:
             session = self.start()
         session.restart_clock()
         return session

@@ -14,9 +14,9 @@ import pytest
 
 from autograder.commands import sentence
 from autograder.course.late import late_of
+from autograder.course.lateness import times_of
 from autograder.course.model import Deadline
 from autograder.course.reading import read_course
-from autograder.course.times import times_of
 from autograder.files import is_new, replace_bytes, temporary_of
 from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters

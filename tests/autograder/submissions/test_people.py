@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.course.times import times_of
+from autograder.course.lateness import times_of
 from autograder.platforms.uploads import Column
 from autograder.submissions.unpack import class_folder
 from listed import class_in

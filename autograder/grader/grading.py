@@ -166,7 +166,7 @@ class _Submitted:
     conditions: Conditions
     staged: Staged
     engine: list[Path]
-    compiled: Path  # the folder for compiled code, which all checks share
+    compiled: Path  # the folder for the bytecode of ``engine``, which all checks share
     start: float  # when grading began, in seconds
 
     def grade(self, chapter: Chapter) -> _Graded:
@@ -210,8 +210,10 @@ class _Submitted:
             for module, why in self.staged.rejected.items()
             if not any((folder / file_of(module)).exists() for folder in engine)
         }
+        # The student's code can read the bytecode, and must not find that of the reference later.
+        compiled = self.compiled if engine == self.engine else None
         return self.conditions.run(
-            chapter, engine, missing=missing, run_limit=limit, compiled=self.compiled
+            chapter, engine, missing=missing, run_limit=limit, compiled=compiled
         )
 
     def _results(self, chapter: Chapter, verdicts: list[Verdict]) -> list[Result]:

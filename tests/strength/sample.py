@@ -6,7 +6,7 @@ import io
 from collections.abc import Sequence
 
 from autograder.grader.class_run import print_class
-from autograder.grader.conditions import Conditions, OnceForAll
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -26,9 +26,9 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
     Raises:
         ValueError: Ada's work, the second right solution, loses a point.
     """
-    assignment, once = Conditions(load_chapters(), "1", Level()), OnceForAll()
+    assignment = Conditions(load_chapters(), "1", Level())
     reports = [
-        grade_submission(assignment, Submission(student, ROOT / "sample_class" / student), once)
+        grade_submission(assignment, Submission(student, ROOT / "sample_class" / student))
         for student in students
     ]
     for report in reports:

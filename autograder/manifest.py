@@ -20,9 +20,13 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 WANTED: dict[str, tuple[str, Callable[[Any], bool]]] = {
     "str": ("a string", lambda value: isinstance(value, str)),
     "float": ("a positive number", lambda value: type(value) in (int, float) and value > 0),
-    "list[str]": ("a list", lambda value: isinstance(value, list)),
+    "list[str]": (
+        "a list of strings",
+        lambda value: isinstance(value, list) and all(isinstance(text, str) for text in value),
+    ),
     "kind": (f"one of {', '.join(KINDS)}", lambda kind: kind in KINDS),
     "stars": ("1, 2 or 3", lambda stars: stars in (1, 2, 3)),
+    "chart": ("the names of the cost and the error", lambda axes: len(axes) in (0, 2)),
 }
 
 

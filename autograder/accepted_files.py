@@ -79,11 +79,7 @@ def refuse_renamed(chapter: Chapter, file: str, there: Iterable[str]) -> None:
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Read a student's file, which errors call ``what``, without following a link.
-
-    Raises:
-        NotTakenError: It is not a regular file, has more than ``largest`` bytes, or is unreadable.
-    """
+    """Read a student's file, which errors call ``what``, without following a link."""
     try:
         _check_kind(path.lstat(), largest, what)
         with open(path, "rb", opener=_open) as file:

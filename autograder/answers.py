@@ -60,10 +60,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """An exercise with a written answer, and the student's section for it, if it can be found.
-
-    ``problems`` says what is wrong with that section, such as a duplicate heading.
-    """
+    """An exercise with a written answer, and the student's section for it, if it can be found."""
 
     exercise: Exercise
     file: Path

@@ -107,11 +107,8 @@ def sentence(error: Exception) -> str:
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the folders in which to look for the code to check: ``folder``, and then chapters/.
-
-    Only chapters/ has the files that students do not edit. The tuned engine replaces only some
-    modules of solutions/, so that folder is between the two.
-    """
+    """Return the folders in which to look for the code to check: ``folder``, and then chapters/."""
+    # Only chapters/ has the files that students do not edit. The tuned engine is not a whole one.
     below = ("solutions", "chapters") if ROOT / folder == ROOT / TUNED else ("chapters",)
     engine = [ROOT / name for name in dict.fromkeys((folder, *below))]
     if not engine[0].is_dir():

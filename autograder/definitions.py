@@ -14,10 +14,7 @@ Definition = ast.FunctionDef | ast.ClassDef
 
 
 def scopes(tree: ast.Module) -> dict[str, tuple[Scope, dict[str, Definition]]]:
-    """Find the functions and classes of a module (keyed by ""), and the methods of each class.
-
-    A property appears under its name, such as mass, and its setter as mass.setter.
-    """
+    """Find the functions and classes of a module (keyed by ""), and the methods of each class."""
     owners = {"": tree} | {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     return {
         name: (owner, {_name(node): node for node in owner.body if isinstance(node, Definition)})

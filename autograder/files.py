@@ -8,8 +8,6 @@ import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-LITTLE = 1_000_000  # bytes
-
 
 def replace_bytes(path: Path, content: bytes) -> None:
     """Replace the contents of a file, or leave them untouched if anything goes wrong.
@@ -38,21 +36,13 @@ def replace_table(path: Path, rows: Iterable[Sequence[str]]) -> None:
     replace_bytes(path, text.getvalue().encode("utf-8", errors="backslashreplace"))
 
 
-def is_full(folder: Path) -> bool:
-    """Return True if the disk that contains ``folder`` has less than 1 MB of free space."""
-    return shutil.disk_usage(folder).free < LITTLE
-
-
 def temporary_of(path: Path) -> Path:
     """Return the path of the temporary file that is written first and then moved to ``path``."""
     return path.with_name(path.name + ".tmp")
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return True if a folder is missing or empty, so that results can be written there.
-
-    An unfinished copy of ``first``, the file that every run writes first, does not count.
-    """
+    """Return True if a folder is missing, or has at most an unfinished ``first`` file of a run."""
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}
 
 

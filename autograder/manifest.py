@@ -16,18 +16,14 @@ from typing import Any
 ROOT = Path(__file__).parent.parent
 KINDS = ("build", "exercise", "mini-project", "project", "written")
 FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
-# What a value must be, by the type of its field and by its key.
-Demand = tuple[str, Callable[[Any], bool]]
-ANY: Demand = ("", lambda _: True)
-TYPES: dict[str, Demand] = {
+# What a value must be, by the type of its field or by its key.
+WANTED: dict[str, tuple[str, Callable[[Any], bool]]] = {
     "str": ("a string", lambda value: isinstance(value, str)),
     "float": ("a positive number", lambda value: type(value) in (int, float) and value > 0),
     "list[str]": (
         "a list of strings",
         lambda value: isinstance(value, list) and all(isinstance(text, str) for text in value),
     ),
-}
-VALUES: dict[str, Demand] = {
     "kind": (f"one of {', '.join(KINDS)}", lambda kind: kind in KINDS),
     "stars": ("1, 2 or 3", lambda stars: stars in (1, 2, 3)),
     "chart": ("the names of the cost and the error", lambda axes: len(axes) in (0, 2)),
@@ -127,14 +123,14 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def _check(where: str, entry: dict[str, Any], kind: type) -> None:
-    """Check the keys of a table and their values, as TYPES and VALUES want them."""
+    """Check the keys of a table and their values."""
     known = {item.name: item for item in fields(kind)}
     if unknown := entry.keys() - known.keys():
         raise ValueError(f"{where}: unknown key {min(unknown)!r}")
     for name, item in known.items():
         if name not in entry and item.default is item.default_factory is MISSING:
             raise ValueError(f"{where}: {name!r} is missing")
-        for wanted, fits in (TYPES.get(str(item.type), ANY), VALUES.get(name, ANY)):
+        for wanted, fits in (WANTED[key] for key in (str(item.type), name) if key in WANTED):
             if name in entry and not fits(entry[name]):
                 raise ValueError(f"{where}: {name} must be {wanted}, got {entry[name]!r}")
 

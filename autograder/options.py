@@ -20,10 +20,7 @@ Table = dict[str, dict[str, Any]]
 
 @cache
 def read_table(name: str) -> Table:
-    """Return the commands of a table, each with its help and its options in order.
-
-    The options are keyed by the variables of make, in capitals, or by other names in lower case.
-    """
+    """Return the commands of a table, each with its help and its options in order."""
     text = (ROOT / "autograder" / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     for command in table["command"].values():

@@ -21,15 +21,12 @@ class SandboxSettings:
     level: dict[str, bool]  # the layers of protection to use, which are the fields of sandbox.Level
     missing: dict[str, Message] = field(default_factory=dict)  # why each module was rejected
     hidden: Path | None = None  # a folder of checks of which students see only a short rationale
-    compiled: Path | None = None  # a folder that keeps the submission's compiled code between runs
+    compiled: Path | None = None  # a folder that keeps the submission's bytecode between runs
 
 
 @dataclass(frozen=True)
 class Request:
-    """A request to run some of a chapter's checks on the code in the folders of ``engine``.
-
-    Without ``sandbox``, it runs in the same process as the checks.
-    """
+    """A request to run some of a chapter's checks on the code in the folders of ``engine``."""
 
     chapter: Chapter
     engine: list[Path]
@@ -37,21 +34,6 @@ class Request:
     seed: str
     sandbox: SandboxSettings | None = None
     root: Path = ROOT
-
-
-@dataclass(frozen=True)
-class Workers:
-    """Settings for the sandboxed worker processes that run a student's code.
-
-    A probe is a part of a check that has to run in the same process as the student's code, which
-    can therefore read it. Only the workers of hidden checks, whose output students never see, may
-    use the folder ``hidden_probes``, which contains the probes of hidden checks as well.
-    """
-
-    level: dict[str, bool]
-    probes: str
-    hidden_probes: str
-    compiled: str
 
 
 @dataclass(frozen=True)
@@ -66,7 +48,9 @@ class Config:
     modules: list[str]  # the student's modules to import before the checks
     complete: list[str]  # the files that students use but did not write
     graded: dict[str, list[str]]  # the files that the grader will have too, by chapter
-    worker: Workers | None
+    level: dict[str, bool] | None  # that of the sandbox, if there is one
+    probes: list[str]  # folders of probes: of public checks, and if there are any, of hidden ones
+    compiled: str  # the folder for bytecode
     exercises: list[str]
     seed: str
     time_limit: float
@@ -103,7 +87,9 @@ def arrange(
             package: [file for file in files if f"{package}.{file}" not in broken]
             for package, files in graded_files(load_chapters(root)).items()
         },
-        worker=_workers(folder, chapter.name, root, sandbox) if sandbox else None,
+        level=sandbox.level if sandbox else None,
+        probes=_put_probes(folder, chapter.name, root, sandbox.hidden) if sandbox else [],
+        compiled=str((sandbox and sandbox.compiled) or folder / "compiled"),
         exercises=request.exercises,
         seed=request.seed,
         time_limit=time_limit,
@@ -131,23 +117,22 @@ def _put_checks(place: Path, name: str, root: Path, hidden: Path) -> list[str]:
     return [f"tests/hidden/{name}"]
 
 
-def _workers(folder: Path, name: str, root: Path, sandbox: SandboxSettings) -> Workers:
-    """Create the folders for the worker processes, and return the workers' settings."""
+def _put_probes(folder: Path, name: str, root: Path, hidden: Path | None) -> list[str]:
+    """Copy the probes of a chapter into new folders, of which the second has the hidden ones too.
+
+    A probe is a part of a check that has to run in the same process as the student's code, which
+    can therefore read it. Only the workers of hidden checks, whose output students never see, may
+    use the second folder.
+    """
+    (folder / "compiled").mkdir()
     probes = [*(root / "tests" / name).glob("*probes.py")]
-    public = hidden = _put_probes(folder / "probes", name, probes)
-    if sandbox.hidden and (secret := [*(sandbox.hidden / name).glob("*probes.py")]):
-        hidden = _put_probes(folder / "hidden_probes", name, probes + secret)
-    compiled = sandbox.compiled or folder / "compiled"
-    compiled.mkdir(exist_ok=True)
-    return Workers(sandbox.level, public, hidden, str(compiled))
-
-
-def _put_probes(folder: Path, name: str, probes: list[Path]) -> str:
-    """Copy the probes of a chapter into a new folder, and return it."""
-    (folder / name).mkdir(parents=True)
-    for file in probes:
-        shutil.copyfile(file, folder / name / file.name)
-    return str(folder)
+    secret = [*(hidden / name).glob("*probes.py")] if hidden else []
+    folders = [folder / "probes", folder / "hidden_probes"][: 2 if secret else 1]
+    for place, files in zip(folders, (probes, probes + secret), strict=False):
+        (place / name).mkdir(parents=True)
+        for file in files:
+            shutil.copyfile(file, place / name / file.name)
+    return [*map(str, folders)]
 
 
 def _modules(chapter: Chapter, chapters: list[Chapter], request: Request) -> list[str]:

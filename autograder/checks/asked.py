@@ -84,10 +84,7 @@ def short_numbers(text: str) -> str:
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Decorate a helper so that it restores the parts of the failure message when it returns.
-
-    If the helper raises an exception, its own parts are kept, because the message needs them.
-    """
+    """Decorate a helper so that it restores the parts of the failure message when it returns."""
 
     @wraps(helper)
     def run(*arguments: Parameters.args, **keywords: Parameters.kwargs) -> Returned:

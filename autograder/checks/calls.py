@@ -36,10 +36,6 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return True if an expression creates an object of the class that contains a method.
-
-    It does so for vector.Vector3.dot if it calls Vector3. For a function outside any class, the
-    result is always True.
-    """
+    """Return True if an expression creates an object of the class that contains a method."""
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

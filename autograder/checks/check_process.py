@@ -21,7 +21,6 @@ from typing import IO, TYPE_CHECKING, Protocol
 from autograder.checks.arrange import Config
 from autograder.checks.forked import how_it_ended
 from autograder.diagnosis.explain import explain_hang
-from autograder.files import is_full
 from autograder.manifest import ROOT
 from autograder.message import Kind, Message
 
@@ -38,10 +37,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Stop the check processes of all threads, and start no new ones inside the ``with`` block.
-
-    The runs of checks raise GraderError.
-    """
+    """Stop the check processes of all threads, and start no new ones inside the ``with`` block."""
     _stopping.set()
     for process in list(_processes):
         _kill(process)
@@ -119,8 +115,6 @@ def run_process(run: Listener) -> Ending:
                     process.stdin.close()
             stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
             said = stderr.read().decode("utf-8", errors="replace").strip()
-        if not said and is_full(folder):
-            said = f"the disk of {folder.parent} is full"
         stack = stack_file.read_text(encoding="utf-8", errors="replace")
     return Ending(stack, silent, code, said)
 
@@ -128,10 +122,10 @@ def run_process(run: Listener) -> Ending:
 def _start(config: Config, folder: Path, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
     file = folder / "config.pickle"  # too long for a command line; no one else may write to it
     file.write_bytes(pickle.dumps(config))
-    if config.worker:
+    if config.level is not None:
         from autograder.isolation.judges import ForkedJudge  # not in handouts
 
-        return ForkedJudge(file, Path(config.root), environment(), stderr)
+        return ForkedJudge(file, Path(config.root), environment, stderr)
     return subprocess.Popen(
         [sys.executable, "-m", "autograder.checks.pytest_plugin", str(file)],
         cwd=config.root,

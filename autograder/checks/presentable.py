@@ -13,10 +13,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 
 
 def presentable(message: Message) -> Message:
-    """Escape special characters, remove memory addresses, and shorten long texts.
-
-    All text that comes from a student's code passes through this function.
-    """
+    """Escape special characters, remove memory addresses, and shorten long texts."""
     message = with_texts(message, lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else with_texts(message, _cut)
 

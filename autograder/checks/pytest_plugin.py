@@ -43,21 +43,18 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 
 
 class Recorder:
-    """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
-
-    ``engine`` runs the student's code, by default as the configuration says.
-    """
+    """A pytest plugin that selects the checks to run, and reports the verdicts."""
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
         self.config = config
         self.send = send
         self.engine: InProcess | InWorker
-        if engine or not config.worker:
+        if engine or config.level is None:
             self.engine = engine or InProcess(config)
         else:
             from autograder.isolation.in_worker import InWorker  # not in handouts
 
-            self.engine = InWorker(config, config.worker)
+            self.engine = InWorker(config)
 
     def pytest_sessionstart(self) -> None:
         """Import the student's modules before pytest collects the checks that use them."""

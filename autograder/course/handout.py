@@ -35,10 +35,7 @@ def manifest_of(text: str, chapter: Chapter) -> str:
 
 
 def about(work: Work, on_github: Mapping[str, float] | None = None) -> str:
-    """Write the README section about an assignment, or "" if the work is whole chapters.
-
-    ``on_github`` has the points on GitHub Classroom, if they differ from the others.
-    """
+    """Write the README section about an assignment, or "" if the work is whole chapters."""
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name

@@ -51,11 +51,7 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, granted: Sequence[datetime], said: HandedIn | None, possible: float
 ) -> Late:
-    """Compute the lateness of a submission and the resulting penalty, with an explanation.
-
-    ``granted`` are the extensions of the students who handed in together. The latest one applies to
-    all. There is no penalty if the submission time is unknown.
-    """
+    """Compute the lateness of a submission and the resulting penalty, with an explanation."""
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
     was = f"It was due {clock(due)}{' (extended)' if granted else ''}."
     if said is None:

@@ -1,9 +1,12 @@
-"""Find out how late the students of a class are, with the extensions of the course file."""
+"""Find out when students handed in, and how late that is with the extensions of the course file.
+
+Times of files are not used, since copying changes them.
+"""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from datetime import UTC, datetime
+from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +14,16 @@ from autograder.course.dates import parse_time
 from autograder.course.late import HandedIn, late_of
 from autograder.course.model import Deadline
 from autograder.course.points import points_of
-from autograder.course.times import TIMES, times_of
 from autograder.manifest import Chapter
 from autograder.reports.report import Late
 from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.csv_rows import read_csv
 from autograder.submissions.names import Names, UnknownNameError, some
 from autograder.submissions.roster import read_roster
+
+TIMES = "times.csv"
+HEADER = ["student", "submitted"]
+EXAMPLE = "2026-10-23 20:15 or 2026-10-23T20:15:00+02:00"
 
 
 def lateness(
@@ -52,10 +59,7 @@ def lateness(
 def _extensions(
     deadline: Deadline, people: ClassList
 ) -> tuple[dict[str, list[datetime]], list[str]]:
-    """Find out which reports the extensions in the course file apply to.
-
-    Without a roster, a name that nobody has may be that of a student who has not handed in yet.
-    """
+    """Find out which reports the extensions in the course file apply to."""
     granted: dict[str, list[datetime]] = {}
     of_member: dict[Member, tuple[str, datetime]] = {}
     notes: list[str] = []
@@ -80,10 +84,7 @@ def _extensions(
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission to Gradescope is, from the metadata that Gradescope provides.
-
-    If one of several authors has an extension, it applies to the whole group.
-    """
+    """Compute how late a submission to Gradescope is, from the metadata of Gradescope."""
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
     except (KeyError, TypeError, ValueError, AttributeError):
@@ -120,3 +121,53 @@ def for_gradescope(deadline: Deadline, roster: Path | None) -> Deadline:
         if any(extensions.setdefault(key, due) != due for key in keys):
             raise ValueError(f"{about} {student.name} has two dates")
     return replace(deadline, extensions=extensions)
+
+
+def times_of(
+    folder: Path, people: ClassList, zone: tzinfo
+) -> tuple[dict[str, HandedIn], list[str]]:
+    """Find out when each report's submission was handed in, with notes on rows without effect.
+
+    Unknown times are left out, times.csv takes precedence, and times without a time zone are in
+    ``zone``. A wrong line of times.csv is a ValueError.
+    """
+    known: dict[str, HandedIn] = {}
+    for submission in people.submissions:
+        if submission.export and submission.export.platform == "canvas":
+            # Canvas marks late submissions in the file name, but does not say how late they are.
+            known[submission.student] = HandedIn("Canvas", late=submission.late)
+        if (upload := submission.upload) and upload.at:
+            at = upload.at if upload.at.tzinfo else upload.at.replace(tzinfo=zone, fold=1)
+            known[submission.student] = HandedIn(upload.source, at)
+    written, notes = _of_instructor(folder / TIMES, people, zone)
+    return known | written, notes
+
+
+def _of_instructor(
+    path: Path, people: ClassList, zone: tzinfo
+) -> tuple[dict[str, HandedIn], list[str]]:
+    """Read the times in times.csv, the file of the instructor."""
+    if not path.exists():
+        return {}, []
+    table = read_csv(path)
+    table.require(HEADER)
+    found: dict[str, HandedIn] = {}
+    unused = []
+    for line, (name, text) in table.rows():
+        try:
+            report = people.report_of(name)
+        except ValueError as error:
+            raise table.mistake(line, error) from error
+        try:
+            at = parse_time(text, zone)
+        except ValueError as error:
+            words = f"a time looks like {EXAMPLE}, got {text!r}"
+            raise table.mistake(line, words) from error
+        if not report:
+            unused.append(name)
+        elif report in found:
+            raise table.mistake(line, f"a second time for {report!r}. Give only one")
+        else:
+            found[report] = HandedIn(TIMES, at)
+    notes = [f"{path}: {', '.join(unused)} handed in nothing, so the time is not used."]
+    return found, notes if unused else []

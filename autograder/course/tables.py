@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-from datetime import date, datetime
+from datetime import datetime
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import msgspec
 from msgspec import Meta, Struct
@@ -14,18 +13,6 @@ from autograder.text.clean import clean_line
 
 Amount = Annotated[int, Meta(gt=0, le=1_000_000)] | Annotated[float, Meta(gt=0, le=1_000_000)]
 PerDay = Annotated[int, Meta(ge=0, le=1_000_000)] | Annotated[float, Meta(ge=0, le=1_000_000)]
-# How a message says what msgspec expects, and what it found out about a table.
-WORDS = {
-    "Object contains unknown field": "there is no key",
-    "Object missing required field": "it must have",
-    "Expected": "expected",
-    "matching regex '^[A-Za-z0-9][A-Za-z0-9_-]*$'": "of letters, digits, - and _",
-    "datetime": "time such as 2026-10-23 23:59:00 without quotes",
-    "array": "list",
-    "object": "table",
-    " | null": "",
-    "`": "",
-}
 
 
 class LateTable(Struct, forbid_unknown_fields=True):
@@ -80,24 +67,7 @@ def read_tables(path: Path) -> CourseTable:
     try:
         return msgspec.convert(data, CourseTable, builtin_types=(datetime,))
     except msgspec.ValidationError as error:
-        raise ValueError(f"{path}: {clean_line(_explained(str(error), data))}") from error
-
-
-def _explained(message: str, data: Any) -> str:
-    """Say where in a course file a value is wrong, what is wanted there, and what was found."""
-    words, _, place = message.partition(" - at `$.")
-    words = words.partition(", got ")[0]
-    for old, new in WORDS.items():
-        words = words.replace(old, new)
-    value = data
-    for key in re.findall(r"\w+", place):  # the keys of points and extensions are not named
-        value = value[int(key) if isinstance(value, list) else key]
-    place = place.replace("[...]", "").rstrip("`")
-    if number := re.match(r"assignment\[(\d+)\]\.?", place):
-        table = data["assignment"][int(number[1])]
-        name = table.get("name") if isinstance(table, dict) else None
-        name = name or int(number[1]) + 1
-        place = f"assignment {name}, {place[number.end() :]}".rstrip(", ")
-    text = str(value) if isinstance(value, date) else repr(value)  # a datetime is a date, too
-    got = f", got {text:.60}" if words.startswith("expected") else ""
-    return ": ".join(filter(None, [place, f"{words}{got}"]))
+        words, _, place = str(error).replace("`", "").partition(" - at $.")
+        raise ValueError(
+            f"{path}: {clean_line(f'{place}: {words}' if place else words)}"
+        ) from error

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 from autograder.manifest import ROOT
-from autograder.submissions.class_list import ClassList
 from autograder.submissions.find import RECORD, Submission, file_name
 
 SAMPLE = (ROOT / "sample_class").resolve()
@@ -63,30 +62,19 @@ def refuse_place(out: Path, folder: Path, submissions: Sequence[Submission]) -> 
             )
 
 
-def refuse_other_grades(
-    out: Path, old: dict[str, Any], new: dict[str, Any], people: ClassList
-) -> None:
-    """Raise ValueError if ``out`` has the grades of another class or of another assignment.
-
-    The grades of the sample class may be replaced. If the folder of the class has moved, the same
-    students must have handed in.
-    """
+def refuse_other_grades(out: Path, old: dict[str, Any], new: dict[str, Any]) -> None:
+    """Raise ValueError if ``out`` has the grades of another class or of another assignment."""
     before, folder = _folder_in(old), Path(new["folder"])
     if before is None or before == SAMPLE:
         return
     what = advice = ""
     if before != folder:
-        names = {file_name(one.student) for one in people.submissions}
-        there = [path.stem for path in (out / "results").glob("*.json")]
-        same = sum(name in names for name in there)
-        if before.exists() or 2 * same < len(there):
-            what = f"the grades of the class in {before}, and not in {folder}"
-        if 2 * same > len(there):  # else, marks.csv and times.csv would silently stay behind
-            advice = (
-                "If this is a newer download of the same work, give it the name of the older one, "
-                f"{before.name}, so that marks.csv and times.csv still count. "
-            )
-    if not what and "chapters" in old and _described(old) != _described(new):
+        what = f"the grades of the class in {before}, and not in {folder}"
+        advice = (  # otherwise, marks.csv and times.csv would silently stay behind
+            "If this is a newer download of the same work, give it the name of the older one, "
+            f"{before.name}, so that marks.csv and times.csv still count. "
+        )
+    elif "chapters" in old and _described(old) != _described(new):
         what = f"the grades of {_described(old)}, and not of {_described(new)}"
     if what:
         raise ValueError(
@@ -105,10 +93,7 @@ def _described(record: dict[str, Any]) -> str:
 
 
 def refuse_dropped(old: dict[str, Any], new: dict[str, Any], *, is_regrade: bool) -> None:
-    """Raise ValueError if a run drops the roster or the hidden checks, or a regrade has new ones.
-
-    With a roster, the reports have other names, so the first such run is one of the whole class.
-    """
+    """Raise ValueError if a run drops the roster or hidden checks, or a regrade has new ones."""
     for key, what in (("roster", "a roster"), ("checks", "hidden checks")):
         option = f"--{key} (make: {key.upper()}=)"
         if old.get(key) and not new[key]:

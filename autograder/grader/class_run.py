@@ -16,7 +16,7 @@ from rich.table import Table
 
 from autograder.checks.check_process import is_stopped, stopping
 from autograder.checks.runner import GraderError
-from autograder.grader.conditions import Conditions, OnceForAll
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission, report_of_failure, still_valid
 from autograder.grader.regrade import Regrade
 from autograder.manifest import load_chapters
@@ -50,10 +50,7 @@ class ClassRun:
     reused: list[str] = field(default_factory=list)  # the students whose reports were kept
 
     def collect(self, submissions: list[Submission], grade_all: GradeAll) -> list[StudentReport]:
-        """Grade the submissions, show a progress bar, and return the reports in the same order.
-
-        The function ``grade_all`` yields the reports that cannot be kept, in any order.
-        """
+        """Grade the submissions, show a progress bar, and return the reports in the same order."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -129,10 +126,9 @@ def grade_here(
     conditions: Conditions, jobs: int, submissions: list[Submission]
 ) -> Generator[StudentReport]:
     """Grade submissions on this machine, up to ``jobs`` at a time, and yield each report."""
-    once = OnceForAll()
 
     def grade(submission: Submission) -> StudentReport:
-        report = grade_submission(conditions, submission, once)
+        report = grade_submission(conditions, submission)
         if is_stopped():
             raise GraderError("the run was stopped")  # while this submission was being graded
         return report

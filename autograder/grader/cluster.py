@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from autograder.grader.conditions import Conditions, OnceForAll, grader_digest, run_key
+from autograder.grader.conditions import Conditions, grader_digest, run_key
 from autograder.grader.grading import (
     grade_staged,
     grade_submission,
@@ -67,8 +67,8 @@ class Job:
 
 
 @contextmanager
-def connect(address: str, conditions: Conditions, console: Console) -> Iterator[Client]:
-    """Connect to the scheduler of a Dask cluster, and print how many workers can grade."""
+def connect(address: str, console: Console) -> Iterator[Client]:
+    """Connect to the scheduler of a Dask cluster, and print how many workers it has."""
     try:
         from distributed import Client
     except ImportError as error:
@@ -76,37 +76,18 @@ def connect(address: str, conditions: Conditions, console: Console) -> Iterator[
             "--cluster needs Dask, which is not installed. Run "
             f"{shown_python()} autograder/make_venv.py everything"
         ) from error
-    try:
-        client = Client(address, timeout=CONNECTED_WITHIN, set_as_default=False)
-    except (OSError, ValueError) as error:
-        raise ValueError(
-            "--cluster must be the address of a Dask scheduler, such as tcp://host:8786, "
-            f"got {address!r}: {error}"
-        ) from error
-    with client:
+    with Client(address, timeout=CONNECTED_WITHIN, set_as_default=False) as client:
         console.print(f"Waiting for the workers of {address}.", markup=False)
-        try:
-            client.wait_for_workers(1, timeout=WORKERS_WITHIN)
-        except TimeoutError as error:
-            raise ValueError(
-                f"the cluster {address} had no worker within {WORKERS_WITHIN:g} seconds; {START}"
-            ) from error
-        outcomes = client.run(*_call(check_worker, Job.of(conditions)), on_error="return")
-        for worker, outcome in outcomes.items():
-            if isinstance(outcome, Exception):
-                raise ValueError(_refusal(f"the worker {worker}", outcome)) from outcome
-        threads = sum(client.nthreads().values())
-        console.print(f"Workers: {len(outcomes)}. Submissions at a time: {threads}.")
+        client.wait_for_workers(1, timeout=WORKERS_WITHIN)
+        threads = client.nthreads()
+        console.print(f"Workers: {len(threads)}. Submissions at a time: {sum(threads.values())}.")
         yield client
 
 
 def grade_over(
     client: Client, conditions: Conditions, submissions: list[Submission]
 ) -> Generator[StudentReport]:
-    """Grade submissions on the cluster, and yield each report when it arrives.
-
-    The files of a submission are sent as data, so the machines need no shared disk.
-    """
+    """Grade submissions on the cluster, and yield each report when it arrives."""
     from distributed import KilledWorker, as_completed
 
     job = Job.of(conditions)
@@ -129,11 +110,11 @@ def grade_over(
         except CancelledError as error:
             raise ConnectionError("the scheduler of the cluster is gone") from error
         except Exception as error:  # errors of grading are in the report
-            raise ValueError(_refusal("a worker that joined later", error)) from error
+            raise ValueError(f"a worker cannot grade: {error or repr(error)}; {START}") from error
         yield report
 
 
-_once: dict[str, OnceForAll] = {}  # on a worker, what is the same for all students, by assignment
+_found: dict[str, Any] = {}  # on a worker, what is the same for all students, by assignment
 
 
 def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) -> StudentReport:
@@ -141,7 +122,7 @@ def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) ->
     from distributed import get_worker
 
     check_worker(job)
-    once = _once.setdefault(repr((str(job.here.root), job.key)), OnceForAll())
+    found = _found.setdefault(repr((str(job.here.root), job.key)), {})
     # Dask removes the folder of a worker, with all its files, however the worker dies.
     tempfile.tempdir = get_worker().local_directory
     try:
@@ -151,8 +132,9 @@ def grade_there(job: Job, submission: Submission, staged: Staged, tree: Tree) ->
         ):
             _write_tree(job.hidden, Path(hidden))
             _write_tree(tree, Path(box))
-            conditions = replace(job.here, hidden=Path(hidden) if job.hidden else None)
-            return grade_staged(conditions, submission, staged, Path(box), once)
+            own = Path(hidden) if job.hidden else None
+            conditions = replace(job.here, hidden=own, found=found)
+            return grade_staged(conditions, submission, staged, Path(box))
     except Exception as error:  # of the grader
         return report_of_failure(job.conditions, submission.student, repr(error))
 
@@ -163,28 +145,14 @@ def check_worker(job: Job) -> None:
     own = run_key(replace(job.here, level=level))
     if own.grader != _GRADER:
         raise ValueError("the autograder has changed since the worker was started: restart it")
-    names = {
-        "python": f"Python {own.python} instead of {job.key.python}",
-        "grader": "another version of autograder/",
-        "checks": "another version of tests/, solutions/ or chapters/",
-        "level": f"another sandbox: {level}",
-    }
-    differences = [
-        words for name, words in names.items() if getattr(own, name) != getattr(job.key, name)
-    ]
-    if differences:
-        raise ValueError(f"it has {'; '.join(differences)}")
+    parts = ("python", "grader", "checks", "level")
+    if other := [name for name in parts if getattr(own, name) != getattr(job.key, name)]:
+        raise ValueError(f"it has another version of: {', '.join(other)}")
 
 
 @cache  # because testing the sandbox takes a moment
 def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
-
-
-def _refusal(worker: str, error: Exception) -> str:
-    if isinstance(error, ValueError):
-        return f"{worker} cannot grade for this machine: {error}"
-    return f"{worker} cannot load the autograder: {error!r}; {START}"
 
 
 class _Call:

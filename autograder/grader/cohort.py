@@ -136,7 +136,7 @@ def _begin(
         "chapters": [chapter.number for chapter in work.chapters],
         "given": [chapter.number for chapter in work.given],
     }
-    refuse_other_grades(out, before, record, people)
+    refuse_other_grades(out, before, record)
     refuse_dropped(before, record, is_regrade=options.student is not None)
     conditions = Conditions(
         work.chapters,
@@ -162,7 +162,7 @@ def _graded(run: ClassRun, people: ClassList, options: ClassOptions) -> list[Stu
     submissions = [one for one in people.submissions if wanted in (None, one.student)]
     with temporary_files_in(run.out), ExitStack() as stack:
         if options.cluster:
-            client = stack.enter_context(connect(options.cluster, run.conditions, run.console))
+            client = stack.enter_context(connect(options.cluster, run.console))
             reports = run.collect(submissions, partial(grade_over, client, run.conditions))
         else:
             on_linux = sys.platform == "linux"

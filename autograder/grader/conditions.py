@@ -6,9 +6,9 @@ import contextlib
 import hashlib
 import platform
 import tempfile
-import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import wraps
 from pathlib import Path
 
 from autograder.checks.arrange import SandboxSettings, shared_by_checks
@@ -34,6 +34,7 @@ class Conditions:
     root: Path = ROOT
     time_limit: float = Limits.check
     earlier: Mapping[str, str] = field(default_factory=dict)  # as in ``Work``
+    found: dict[tuple[str, str], list[Verdict]] = field(default_factory=dict)  # for all students
 
     @property
     def reference(self) -> list[Path]:
@@ -50,11 +51,7 @@ class Conditions:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises, and of their prerequisites.
-
-        ``missing`` has the reason for each rejected module of the submission. The compiled code is
-        kept in the folder ``compiled`` for later runs. Raise GraderError if the checks cannot run.
-        """
+        """Run the checks of a chapter's graded exercises, and of their prerequisites."""
         if exercises is None:
             exercises = [e.id for e in chapter.exercises if e.kind != "written"]
         if not exercises:
@@ -115,27 +112,23 @@ def _digest(files: Iterable[Path]) -> str:
     return digest.hexdigest()
 
 
-class OnceForAll:
-    """A cache of check results that are the same for every student, shared by all threads."""
+Run = Callable[[Conditions, Chapter], list[Verdict]]
 
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._found: dict[tuple[str, str], list[Verdict]] = {}
 
-    def get(
-        self,
-        run: Callable[[Conditions, Chapter], list[Verdict]],
-        conditions: Conditions,
-        chapter: Chapter,
-    ) -> list[Verdict]:
-        """Return the results of ``run``, which the first thread calls while the others wait."""
+def once_for_all(run: Run) -> Run:
+    """Decorate a function whose results are the same for every student, and keep them."""
+
+    @wraps(run)
+    def keep(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
         key = (run.__name__, chapter.name)
-        with self._lock:
-            if key not in self._found:
-                self._found[key] = run(conditions, chapter)
-            return self._found[key]
+        if key not in conditions.found:
+            conditions.found[key] = run(conditions, chapter)
+        return conditions.found[key]
+
+    return keep
 
 
+@once_for_all
 def on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
     """Check a chapter of which no file was handed in, on the reference of earlier chapters."""
     root = conditions.root
@@ -149,6 +142,7 @@ def on_nothing(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
             return conditions.run(chapter, engine)
 
 
+@once_for_all
 def on_reference(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
     """Check the reference on the exercises with a chart, or return an empty list."""
     if has_reference(chapter, conditions.root):
@@ -159,10 +153,7 @@ def on_reference(conditions: Conditions, chapter: Chapter) -> list[Verdict]:
 
 
 def check_hidden(conditions: Conditions) -> None:
-    """Raise ValueError if hidden checks are missing, cannot be run, or fail on the reference.
-
-    A hidden check that fails on the reference contains a mistake and would cost students points.
-    """
+    """Raise ValueError if hidden checks are missing, cannot be run, or fail on the reference."""
     hidden = conditions.hidden
     if hidden is None:
         return
@@ -172,12 +163,6 @@ def check_hidden(conditions: Conditions) -> None:
         raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
     for chapter in graded:
         folder = hidden / chapter.name
-        for probes in (conditions.root / "tests" / chapter.name).glob("*probes.py"):
-            if (folder / probes.name).exists():
-                raise ValueError(
-                    f"{folder / probes.name} has the name of a public file. "
-                    "Rename it to hidden_probes.py"
-                )
         exercises = [exercise.id for exercise in chapter.exercises]
         try:
             verdicts = conditions.run(chapter, conditions.reference, exercises=exercises)

@@ -20,7 +20,7 @@ from autograder.diagnosis.earlier_chapters import (
     with_given,
 )
 from autograder.diagnosis.undefined import file_of
-from autograder.grader.conditions import Conditions, OnceForAll, on_nothing, on_reference
+from autograder.grader.conditions import Conditions, on_nothing, on_reference
 from autograder.manifest import Chapter, load_chapters
 from autograder.message import Message
 from autograder.reports.report import Cause, StudentReport
@@ -49,21 +49,19 @@ def staged_files(conditions: Conditions, submission: Submission) -> Iterator[tup
         yield stage(submission.path, chapters, Path(folder), conditions.root), Path(folder)
 
 
-def grade_submission(
-    conditions: Conditions, submission: Submission, once: OnceForAll | None = None
-) -> StudentReport:
+def grade_submission(conditions: Conditions, submission: Submission) -> StudentReport:
     """Grade one student's submission, and return a report even if the grader itself fails."""
     if report := _nothing(conditions, submission):
         return report
     try:
         with staged_files(conditions, submission) as (staged, box):
-            return grade_staged(conditions, submission, staged, box, once or OnceForAll())
+            return grade_staged(conditions, submission, staged, box)
     except Exception as error:  # an error of the grader must not stop the rest of the class
         return report_of_failure(conditions, submission.student, repr(error))
 
 
 def grade_staged(
-    conditions: Conditions, submission: Submission, staged: Staged, box: Path, once: OnceForAll
+    conditions: Conditions, submission: Submission, staged: Staged, box: Path
 ) -> StudentReport:
     """Grade the files of a submission that were copied to the folder ``box``."""
     if report := _nothing(conditions, submission, staged):
@@ -73,7 +71,7 @@ def grade_staged(
         with_given(conditions.given, [box], conditions.root) as engine,
         tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
     ):
-        submitted = _Submitted(conditions, once, staged, engine, Path(compiled), start)
+        submitted = _Submitted(conditions, staged, engine, Path(compiled), start)
         graded = [submitted.grade(chapter) for chapter in conditions.chapters]
     notes = [*submission.notes, *staged.notes]
     report = _report(conditions, submission.student, graded, notes)
@@ -84,10 +82,7 @@ def grade_staged(
 def still_valid(
     conditions: Conditions, submission: Submission, report: StudentReport
 ) -> StudentReport | None:
-    """Return an earlier report with today's notes, or None if other files would be graded now.
-
-    A student may have handed in files since then that are not graded, such as a PDF.
-    """
+    """Return an earlier report with today's notes, or None if other files would be graded now."""
     new = _nothing(conditions, submission)
     if new is None:
         with staged_files(conditions, submission) as (staged, _):
@@ -100,10 +95,7 @@ def still_valid(
 
 
 def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
-    """Say why nothing of a submission can be graded, or return "" if something can.
-
-    Work on other chapters than the graded ones cannot be graded, and is not worth 0 points either.
-    """
+    """Say why nothing of a submission can be graded, which is not worth 0 points, or return ""."""
     found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *staged.rejected]}
     names = {chapter.name for chapter in graded}
     if staged.refused or found & names:
@@ -157,10 +149,9 @@ class _Submitted:
     """The files of a submission, ready to be checked."""
 
     conditions: Conditions
-    once: OnceForAll
     staged: Staged
     engine: list[Path]
-    compiled: Path  # the folder for compiled code, which all checks share
+    compiled: Path  # the folder for the bytecode of ``engine``, which all checks share
     start: float  # when grading began, in seconds
 
     def grade(self, chapter: Chapter) -> _Graded:
@@ -177,7 +168,7 @@ class _Submitted:
         again: list[Verdict] = []
         try:
             if is_empty:
-                verdicts = self.once.get(on_nothing, conditions, chapter)
+                verdicts = on_nothing(conditions, chapter)
             else:
                 verdicts = self.run(chapter, self.engine)
         except GraderError as error:
@@ -204,8 +195,10 @@ class _Submitted:
             for module, why in self.staged.rejected.items()
             if not any((folder / file_of(module)).exists() for folder in engine)
         }
+        # The student's code can read the bytecode, and must not find that of the reference later.
+        compiled = self.compiled if engine == self.engine else None
         return self.conditions.run(
-            chapter, engine, missing=missing, run_limit=limit, compiled=self.compiled
+            chapter, engine, missing=missing, run_limit=limit, compiled=compiled
         )
 
     def _results(self, chapter: Chapter, verdicts: list[Verdict]) -> list[Result]:
@@ -213,7 +206,7 @@ class _Submitted:
         results = results_of(chapter, verdicts)
         if not any(result.on_chart for result in results):
             return results
-        ours = self.once.get(on_reference, self.conditions, chapter)
+        ours = on_reference(self.conditions, chapter)
         points = {v.exercise: v.on_chart for v in reversed(ours) if v.on_chart}
         return [
             replace(r, reference=points.get(r.exercise.id) if r.on_chart else None) for r in results

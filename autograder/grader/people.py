@@ -26,10 +26,7 @@ def people_of(folder: Path, out: Path, roster: Path | None) -> ClassList:
 
 
 def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str]:
-    """List students who handed in nothing, or nothing to grade, or who are not on the roster.
-
-    If the roster has a name that is similar to that of a submission, suggest to rename it.
-    """
+    """List students who handed in nothing, or nothing to grade, or who are not on the roster."""
     changed = [f"{report.student} {exercise}" for report in reports for exercise in report.changed]
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."

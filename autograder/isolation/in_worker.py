@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import hashlib
 import importlib.abc
+import importlib.util
 import os
 import re
 import sys
@@ -22,17 +22,19 @@ from types import ModuleType
 from typing import Any, NoReturn
 
 from autograder.at_home.in_process import Send
-from autograder.checks.arrange import Config, Workers
+from autograder.checks.arrange import Config
 from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import GOING_FURTHER, Fault, StudentLeft
 from autograder.diagnosis.undefined import while_imported
+from autograder.files import replace_bytes
 from autograder.isolation.handles import ObjectHandle, Session, WorkerFailure
 from autograder.isolation.launcher import Launcher
 from autograder.isolation.sandbox import Level
 from autograder.message import Message
 
-LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
+# The beginning of bytecode that Python does not compare with the source.
+NOT_COMPARED = importlib.util.MAGIC_NUMBER + bytes([1]) + bytes(11)
 PACKAGE = re.compile(rf"ch\d\d_\w+(\.{GOING_FURTHER})?")
 CHAPTER_MODULE = re.compile(rf"{PACKAGE.pattern}(\.\w+)?")
 Current = Callable[[], Session | None]  # returns the session of the current check, if there is one
@@ -48,19 +50,18 @@ class InWorker:
 
     session: Session | None = None
 
-    def __init__(self, config: Config, worker: Workers) -> None:
+    def __init__(self, config: Config) -> None:
         self.config = config
         self.engine = [Path(folder).resolve() for folder in config.engine]
-        self.worker = worker
         self.launchers = [
             Launcher(
-                Level(**worker.level),
+                Level(**(config.level or {})),
                 [str(folder) for folder in self.engine],
                 probes,
-                Path(config.stack_file).parent,
                 config.time_limit,
+                config.compiled,
             )
-            for probes in dict.fromkeys([worker.probes, worker.hidden_probes])
+            for probes in config.probes
         ]
         self.launcher = self.launchers[0]  # the one that forks the current worker
         self.launcher.start()  # in the background, while pytest collects the checks
@@ -76,17 +77,11 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Compile the student's modules, and find out which of them cannot be imported.
-
-        If a module cannot be imported, the checks that need it fail.
-        """
-        compiled: dict[str, bytes] = {}
+        """Compile the student's modules, and find out which of them cannot be imported."""
         for module, file in self._files().items():
-            if module not in self.broken and (code := self._code_of(module, file)):
-                compiled[module] = code
+            if module not in self.broken:
+                self._compile(module, file)
         self.stop()  # from here on the workers run the student's code
-        for launcher in self.launchers:
-            launcher.hand_over(compiled)
         for module in self.modules:
             if module not in self.broken:
                 self._import(module)
@@ -96,39 +91,31 @@ class InWorker:
         """Find the files that a worker may import: the student's modules and the probes."""
         packages = sorted({module.partition(".")[0] for module in self.modules})
         found: dict[str, Path] = {}
-        for folder in [*self.engine, Path(self.worker.probes)]:
+        for folder in [*self.engine, Path(self.config.probes[0])]:
             for package in packages:
                 for file in sorted((folder / package).rglob("*.py")):
                     module = ".".join(file.relative_to(folder).with_suffix("").parts)
                     found.setdefault(module, file)
         return found
 
-    def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the bytecode of a module, perhaps from an earlier run, or None if it has none."""
-        text = f"{file}\n".encode() + file.read_bytes()
-        kept = Path(self.worker.compiled) / hashlib.sha256(text).hexdigest()
-        if kept.exists():
-            return kept.read_bytes()
-        code = self._compile(module, file)
-        if code is not None:
-            part = kept.with_suffix(".part")  # this process may be killed at any time
-            part.write_bytes(code)
-            part.replace(kept)
-        return code
+    def _compile(self, module: str, file: Path) -> None:
+        """Compile a file where Python looks for its bytecode, unless an earlier run has done so.
 
-    def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a student's file in a worker that has not yet run any student code.
-
-        All later workers use this bytecode, so student code must get no chance to tamper with it.
+        All later workers load this bytecode, so a worker that runs no student code makes it.
         """
+        name = f"{file.stem}.{sys.implementation.cache_tag}.pyc"
+        kept = Path(self.config.compiled, *file.parent.parts[1:], name)
+        if kept.exists():
+            return
         if module in self.modules:
             self.send(Importing(module))
         code = None
         with contextlib.suppress(WorkerFailure):  # Python itself may fail on the file
-            code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
+            code = self._worker().ask("compile", str(file))
         if module in self.modules:
             self.send(Imported())
-        return base64.b64decode(code) if type(code) is str else None
+        if type(code) is str:
+            replace_bytes(kept, NOT_COMPARED + base64.b64decode(code))
 
     def _import(self, module: str) -> None:
         self.send(Importing(module))
@@ -147,10 +134,10 @@ class InWorker:
         self.send(Broken(module, message))
         self.stop()  # the next worker starts with this module marked as broken
 
-    def _worker(self, new: bool = False) -> Session:
-        """Return the session with a ``new`` or the current worker, with all of its time left."""
+    def _worker(self) -> Session:
+        """Return the session with the current worker or a new one, with all of its time left."""
         session = self.session
-        if new or session is None or session.dead:
+        if session is None or session.dead:
             session = self.start()
         session.restart_clock()
         return session
@@ -170,10 +157,7 @@ class InWorker:
         return self.launcher.stop_worker()
 
     def _on_hang(self) -> NoReturn:
-        """Save a stack trace of student code that has taken too long, and exit this process.
-
-        The runner then starts another process for the remaining checks.
-        """
+        """Save a stack trace of student code that has taken too long, and exit this process."""
         stack = self.launcher.stack() or "the worker wrote no stack"
         Path(self.config.stack_file).write_text(stack, encoding="utf-8")
         os._exit(1)  # then the launcher ends, and its worker too

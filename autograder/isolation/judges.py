@@ -30,15 +30,19 @@ class ForkedJudge:
     """A process that runs checks, forked from a helper process that has already imported pytest.
 
     It provides the methods and attributes of ``subprocess.Popen`` that the grader needs, which
-    raise OSError if the helper process has ended. The ``environment`` is the same for all judges.
+    raise OSError if the helper process has ended. All judges have the ``environment`` of the first.
     """
 
     def __init__(
-        self, config: Path, folder: Path, environment: dict[str, str], stderr: IO[bytes]
+        self,
+        config: Path,
+        folder: Path,
+        environment: Callable[[], dict[str, str]],
+        stderr: IO[bytes],
     ) -> None:
         with _lock:
             if os.getpid() not in _helpers:
-                _helpers[os.getpid()] = _Helper(environment)
+                _helpers[os.getpid()] = _Helper(environment())
             self._helper = _helpers[os.getpid()]
         (their_input, own_input), (own_output, their_output) = os.pipe(), os.pipe()
         # If this process dies, the pipe closes, and the judge ends too.

@@ -4,8 +4,7 @@ The workers run the student's code, and the launcher never does. This module is 
 of both. It sends one request at a time to the launcher, which has at most one worker, and waits for
 the answer:
 
-- "code" passes the bytecode of some modules, which the launcher loads but never runs.
-- "start" forks a worker. The answer is its process ID.
+- "start" forks a worker.
 - "stack" makes the worker write a stack trace.
 - "wait" waits for a worker that has closed its connection. The answer is its exit code or "alive".
 - "stop" ends the worker.
@@ -15,7 +14,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import marshal
 import os
 import shutil
 import signal
@@ -59,22 +57,26 @@ class Launcher:
 
     A worker looks for modules in the standard library, then in the folders ``engine`` of the
     student's chapters, and then in ``probes``, the helper functions of checks that must run in a
-    worker. It may take ``seconds`` to answer. ``folder`` is for temporary files.
+    worker. It may take ``seconds`` to answer. Their bytecode is in ``compiled``, if at all.
 
     Without seccomp, each worker gets a launcher of its own, because nothing else would keep one
     worker from affecting the next.
     """
 
     def __init__(
-        self, level: Level, engine: Sequence[str], probes: str, folder: Path, seconds: float
+        self,
+        level: Level,
+        engine: Sequence[str],
+        probes: str,
+        seconds: float,
+        compiled: str = "/nowhere",
     ) -> None:
         self.level = level
         self.engine = engine
         self.folders = [*engine, probes]
         self.seconds = seconds
         self.fresh = not level.seccomp and level.is_sandbox
-        self._own = folder
-        self._compiled: dict[str, bytes] = {}
+        self.compiled = compiled
         self._log = self._new_file()  # output of the launcher itself
         self._process: subprocess.Popen[bytes] | None = None
         self._worker: _Worker | None = None
@@ -91,8 +93,9 @@ class Launcher:
             "root": str(ROOT),
             "engine": self.engine,
             "folders": self.folders,
+            "compiled": self.compiled,
             "level": vars(self.level),
-            "readable": [*SYSTEM_LIBRARIES, *python_folders(), *self.folders],
+            "readable": [*SYSTEM_LIBRARIES, *python_folders(), *self.folders, self.compiled],
             "seconds": int(self.seconds) + 2,
         }
         with theirs:
@@ -105,7 +108,6 @@ class Launcher:
                 stderr=self._log,
                 pass_fds=[theirs.fileno()],
             )
-        self._send_code()
 
     def _ask(self, request: str, *files: IO[bytes] | socket.socket) -> str:
         """Send a request and some open files to the launcher, and return its answer."""
@@ -114,18 +116,6 @@ class Launcher:
         if not (answer := self._control.recv(100)):
             raise EOFError
         return answer.decode()
-
-    def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Pass the bytecode of the student's modules to all workers that start from now on."""
-        self._compiled = dict(compiled)
-        self._send_code()
-
-    def _send_code(self) -> None:
-        if self._compiled and self._process is not None:
-            with self._new_file() as file:
-                file.write(marshal.dumps(self._compiled))
-                file.seek(0)
-                self._ask("code", file)
 
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
@@ -140,23 +130,20 @@ class Launcher:
         try:
             with theirs:
                 self.start()
-                number = self._ask("start", theirs, worker.log, worker.stack)
+                self._ask("start", theirs, worker.log, worker.stack)
             wire = Wire(own.fileno())
             if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
                 raise EOFError
         except (OSError, EOFError) as error:
             raise LauncherError(f"a worker did not start: {self._why(error)}") from error
-        # Inside bubblewrap, processes have other numbers than outside.
-        process = 0 if self.level.bubblewrap else int(number)
-        session = Session(wire, self.seconds, on_hang, self.how_it_ended, broken, process)
-        self._session = session
-        return session
+        self._session = Session(wire, self.seconds, on_hang, self.how_it_ended, broken)
+        return self._session
 
     def _new_file(self) -> IO[bytes]:
         """Create an unnamed temporary file, in memory if possible."""
         if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return open(os.memfd_create("output"), "w+b", buffering=0)  # noqa: PTH123
-        return tempfile.TemporaryFile(buffering=0, dir=self._own)
+        return tempfile.TemporaryFile(buffering=0)
 
     def _why(self, error: Exception) -> str:
         """Return what a process printed before it failed, or else the error that we noticed."""
@@ -177,10 +164,7 @@ class Launcher:
         return _text(self._worker.stack)
 
     def how_it_ended(self) -> str:
-        """Explain to the student in one sentence why the worker ended.
-
-        If it was killed from outside, which code in the sandbox cannot do, raise LauncherError.
-        """
+        """Explain to the student in one sentence why the worker ended."""
         try:
             answer = self._ask("wait")
         except (OSError, EOFError) as error:

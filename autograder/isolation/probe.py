@@ -68,7 +68,7 @@ def what_fails(level: Level) -> str:
         forbidden, own = Path(folder) / "forbidden", Path(folder) / "own"
         forbidden.touch()
         own.mkdir()
-        launcher = Launcher(level, [], str(own), own, 5.0)
+        launcher = Launcher(level, [], str(own), 5.0)
         try:
             session = launcher.start_worker(_no_answer)
             through: list[str] = session.ask("test_walls", attempts, str(forbidden))

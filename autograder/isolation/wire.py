@@ -111,10 +111,7 @@ class Wire:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to JSON data, in which ``refer`` replaces each object that is not plain.
-
-    A value that is too large or too deep is an UnsendableError.
-    """
+    """Convert a value to JSON data, in which ``refer`` replaces each object that is not plain."""
     return _pack(value, refer, [MOST_ITEMS], DEEPEST)
 
 
@@ -143,10 +140,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Rebuild a value from the JSON data of ``pack``, in which ``find`` looks up each reference.
-
-    Data in another form is a BrokenProtocolError.
-    """
+    """Rebuild a value from the JSON data of ``pack``, in which ``find`` looks up each reference."""
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 
 

@@ -13,7 +13,6 @@ import gc
 import importlib
 import importlib.util
 import json
-import marshal
 import os
 import signal
 import site
@@ -21,11 +20,9 @@ import socket
 import sys
 import time
 import traceback
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
-from importlib.machinery import ModuleSpec, SourceFileLoader
 from pathlib import Path
-from types import CodeType
 from typing import Any
 
 from autograder.at_home.restrictions import StudentsCode, restrict
@@ -40,36 +37,6 @@ PRELOADED = "math random dataclasses typing collections.abc functools itertools 
 
 # A worker has these descriptors, besides 1 and 2 for its output. The limit is 32.
 RULES, WIRE, STACK = 29, 30, 31
-
-
-class CompiledLoader(SourceFileLoader):
-    """Loads a module from bytecode that is already in memory instead of from a file."""
-
-    code: CodeType
-
-    def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002
-        return self.code
-
-
-class CompiledFinder:
-    """An import hook that supplies the student's modules and our probes from bytecode in memory.
-
-    ``compiled`` maps the name of a module, such as ch02_vectors.vector, to its bytecode in the
-    format of ``marshal``. Loading bytecode does not run it, so even the trusted launcher can do
-    that safely.
-    """
-
-    def __init__(self, compiled: Mapping[str, bytes]) -> None:
-        self.specs: dict[str, ModuleSpec] = {}
-        for name, data in compiled.items():
-            spec, code = importlib.util.find_spec(name), marshal.loads(data)
-            if spec is not None and spec.origin == code.co_filename:
-                spec.loader = loader = CompiledLoader(name, code.co_filename)
-                loader.code = code
-                self.specs[name] = spec
-
-    def find_spec(self, name: str, *_: Any) -> ModuleSpec | None:
-        return self.specs.get(name)
 
 
 def main(text: str) -> None:
@@ -101,7 +68,6 @@ def _prepare_python(config: dict[str, Any]) -> None:
     """Import what all workers need, and limit imports and operations as at home."""
     sys.argv[:], sys.orig_argv[:] = [""], []  # these reveal where files are
     sys.path[:] = [path for path in sys.path if path != config["root"]] + config["folders"]
-    sys.pycache_prefix = "/nowhere"  # bytecode beside the files that were handed in is not used
     for add in (site.setquit, site.setcopyright, site.sethelper):  # built-ins that python -S lacks
         add()
     for name in PRELOADED.split():
@@ -111,6 +77,7 @@ def _prepare_python(config: dict[str, Any]) -> None:
             package = ".".join(path.relative_to(folder).parts)
             importlib.import_module(package)  # it has no code, but Python remembers where it is
             importlib.util.find_spec(f"{package}.nothing")
+    sys.pycache_prefix = config["compiled"]  # bytecode beside the students' files is never used
     restrict(StudentsCode(map(Path, config["engine"]), {}))
 
 
@@ -122,15 +89,10 @@ def _answer(control: socket.socket, work: Callable[..., None], seconds: float) -
             request, descriptors, _, _ = socket.recv_fds(control, 100, 3)
             answer = "done"
             match request:
-                case b"code":
-                    with os.fdopen(descriptors.pop(), "rb") as file:
-                        sys.meta_path.insert(0, CompiledFinder(marshal.load(file)))
-                    gc.freeze()
                 case b"start":
                     worker = os.fork()
                     if worker == 0:
                         work(*descriptors)
-                    answer = str(worker)
                 case b"stack" if worker:
                     os.kill(worker, signal.SIGUSR1)
                 case b"wait" if worker:

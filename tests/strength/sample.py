@@ -6,7 +6,7 @@ import io
 from collections.abc import Sequence
 
 from autograder.grader.class_run import print_class
-from autograder.grader.conditions import Conditions, OnceForAll
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -26,13 +26,14 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
     Raises:
         ValueError: Ada's work, the second right solution, loses a point.
     """
-    assignment, once = Conditions(load_chapters(), "1", Level()), OnceForAll()
-    reports = []
-    for student in students:
-        submission = Submission(student, ROOT / "sample_class" / student)
-        reports.append(grade_submission(assignment, submission, once))
-        if student == "ada":
-            check_whole(reports[-1])
+    assignment = Conditions(load_chapters(), "1", Level())
+    reports = [
+        grade_submission(assignment, Submission(student, ROOT / "sample_class" / student))
+        for student in students
+    ]
+    for report in reports:
+        if report.student == "ada":
+            check_whole(report)
     screen = io.StringIO()
     print_class(plain_console(screen, 1000), reports)
     lines = [line.rstrip() for line in screen.getvalue().splitlines()]

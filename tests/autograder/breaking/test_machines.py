@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import errno
 import os
 import resource
@@ -15,16 +14,13 @@ import pytest
 
 from autograder.commands import sentence
 from autograder.course.late import late_of
+from autograder.course.lateness import times_of
 from autograder.course.model import Deadline
-from autograder.course.reading import read_course
-from autograder.course.times import times_of
 from autograder.files import is_new, replace_bytes, temporary_of
 from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.feedback import write_index
-from autograder.reports.gradebook import write_gradebook
 from autograder.submissions.class_list import ClassList, Member, read_class
-from autograder.submissions.roster import read_roster
 from graded import CHAPTERS, SHOUT, class_of, report_of
 from small import RIGHT, hand_in, make_root
 from small_class import grade, scores
@@ -72,25 +68,18 @@ def test_a_folder_is_new_until_its_first_file_is_written(tmp_path: Path) -> None
     assert not is_new(tmp_path / "new", first)
 
 
-@pytest.mark.parametrize(
-    ("command", "begins"),
-    [("autograder release 2", "release: "), ("plots draw --chapter 2 --engine solutions", "")],
-)
-def test_a_command_that_may_not_write_says_what_to_do(
-    command: str, begins: str, tmp_path: Path
-) -> None:
+def test_a_command_that_may_not_write_says_what_to_do(tmp_path: Path) -> None:
     done = subprocess.run(
-        [sys.executable, "-m", *command.split(), "--out", str(tmp_path / "out")],
+        [sys.executable, "-m", "autograder", "release", "2", "--out", str(tmp_path / "out")],
         cwd=ROOT,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10, 10)),
         capture_output=True,
         encoding="utf-8",
         check=False,
     )
-    assert done.returncode == (2 if begins else 1), "a picture that is not drawn is a diagnosis"
-    said = done.stdout + done.stderr
-    assert f"{begins}[Errno 27] File too large" in said
-    assert said.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
+    assert done.returncode == 2
+    assert "release: [Errno 27] File too large" in done.stderr
+    assert done.stderr.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
 
 
 @pytest.mark.parametrize("exists", [False, True])
@@ -133,9 +122,6 @@ def test_names_are_in_utf_8_whatever_the_locale_and_without_a_home(tmp_path: Pat
 
 # Names that mean something on a terminal, and odd tables
 
-LAB = '[[assignment]]\nname = "lab1"\nchapters = [2]\n'
-DIGITS = 5000 * "9"
-
 
 def test_no_name_in_a_roster_stops_the_class(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -164,26 +150,6 @@ def test_every_console_prints_texts_as_they_are() -> None:
     assert made == ["wrapping.py"], "use plain_console() instead"
 
 
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        (f"a = {3000 * '['}{3000 * ']'}", "is not valid TOML"),
-        (f"{LAB}out_of = {DIGITS}", "is not valid TOML"),
-        (f"{LAB}out_of = {400 * '9'}", "out_of: expected int <= 1000000, got 999"),
-        (f"{LAB}due = 0001-01-01T00:00:00+14:00", "lab1, due must be from 1970 to 2999, got"),
-        (f'time_zone = "Asia/Tokyo"\n{LAB}due = 9999-12-31T23:59:59', "lab1, due must be from"),
-        (LAB.replace("lab1", "\\u001b[31m"), r"digits, - and _, got '\x1b[31m'"),
-    ],
-    ids=["nested", "long number", "large number", "year 1", "year 9999", "escape"],
-)
-def test_an_odd_course_file_is_refused_in_a_sentence(tmp_path: Path, text: str, words: str) -> None:
-    path = tmp_path / "course.toml"
-    path.write_text(text, encoding="utf-8")
-    with pytest.raises(ValueError, match=r"course\.toml") as caught:
-        read_course(path)
-    assert words in str(caught.value)
-
-
 SUBMITTED = "student,submitted\nann,"
 GITHUB = "student_repository_name,submission_timestamp\nann,"
 
@@ -192,14 +158,9 @@ GITHUB = "student_repository_name,submission_timestamp\nann,"
     ("name", "text", "is_refused"),
     [
         ("times.csv", f"{SUBMITTED}0001-01-01 00:00+14:00", True),
-        ("times.csv", f"{SUBMITTED}9999-12-31 23:59-14:00", True),
         ("times.csv", f"{SUBMITTED}{200_000 * '1'}", True),
-        ("times.csv", f'"{200_000 * "x"}', True),
-        ("grades.csv", f"{GITHUB}{200_000 * '1'}", True),
         ("grades.csv", f"{GITHUB}9999-12-31T23:59:59-14:00", False),
         ("submission_metadata.yml", 1200 * "[", True),
-        ("submission_metadata.yml", "a: 2026-13-45", True),
-        ("submission_metadata.yml", f"a: {DIGITS}", True),
         ("submission_metadata.yml", "a: !!python/object/apply:os.system ['true']", True),
         ("submission_metadata.yml", "ann:\n  :created_at: 0001-01-01 00:00:00 +14:00", False),
     ],
@@ -218,15 +179,6 @@ def test_odd_times_are_refused_in_a_sentence_or_unknown(
     assert late.days is None
 
 
-@pytest.mark.parametrize("cells", ["1,Ann,a@b;=1+1,", "1,Ann,,x; @y", "1; =2,Ann,,", "\t=1,Ann,,"])
-def test_no_cell_of_a_roster_begins_a_formula_after_a_semicolon(tmp_path: Path, cells: str) -> None:
-    """These cells go to canvas.csv unchanged, and in Europe a semicolon begins a new cell."""
-    path = tmp_path / "roster.csv"
-    path.write_text(f"id,name,email,login\n{cells}\n", encoding="utf-8")
-    with pytest.raises(ValueError, match=r"line 2: the \w+ '.*' must not begin like a spreadsheet"):
-        read_roster(path)
-
-
 def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Path) -> None:
     """Also the names of those who handed nothing in, or whom nobody knows."""
     names = [SHOUT, "=1+1", " @x;-y"]
@@ -236,7 +188,3 @@ def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Pat
     assert "owned" in text
     assert "<script" not in text
     assert "<b onclick" not in text
-    book = write_gradebook(tmp_path, CHAPTERS, [report_of("=2+2")], people)
-    with book.open(encoding="utf-8", newline="") as file:
-        cells = [row[0] for row in csv.reader(file)]
-    assert cells[2:] == ["'=2+2", SHOUT, "'=1+1", " '@x;'-y"]

@@ -12,9 +12,8 @@ from typing import Any
 import pytest
 import yaml
 
-from autograder.checks.verdict import Verdict
 from autograder.course.choose import work_of
-from autograder.course.handout import about, for_students
+from autograder.course.handout import about
 from autograder.course.model import Work
 from autograder.course.reading import read_course
 from autograder.instructor import run_handout
@@ -23,10 +22,6 @@ from autograder.platforms.classroom import WORKFLOW, rounded_points
 from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
-from autograder.scores import results_of
-from autograder.student.chapter_results import ChapterResults
-from autograder.student.screen import first_open, points_of
-from copies import copy_tree
 from small import MANIFEST, RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, SmallClass, on_gradescope
 from typed import typed
@@ -190,22 +185,6 @@ def test_a_hand_out_marks_what_is_optional_and_is_done_without_it(tmp_path: Path
     assert check("--exercise", "B2.6").returncode == 1, "it can be checked all the same"
 
 
-def test_a_hand_out_names_what_earlier_assignments_must_have_left(tmp_path: Path) -> None:
-    work = course(tmp_path, VECTORS)["lab2"]
-    assert "builds on exercises of earlier ones: B2.1, B2.2, B2.4.\n" in about(work)
-    handed = for_students(CH02, work.chapters[0])
-    points = {r.exercise.id: points_of(handed, r) for r in results_of(handed, [])}
-    assert [name for name, words in points.items() if words == "needed"] == ["B2.1", "B2.2", "B2.4"]
-    assert [name for name, words in points.items() if "/" in words] == ["2.1", "2.4"]
-    verdicts = [
-        Verdict("test", e.id, 1, "failed" if e.id in ("B2.3", "B2.4", "2.1") else "passed")
-        for e in handed.exercises
-    ]
-    first = first_open([ChapterResults(handed, results_of(handed, verdicts), [], [])], None)
-    assert first is not None
-    assert first[1].exercise.id == "B2.4", "B2.3 is optional, and 2.1 needs B2.4"
-
-
 def test_the_handout_for_github_classroom_names_the_points_of_both(tmp_path: Path) -> None:
     """Of 2, 3, 5 and 3 points: 4.1, 6.15, 10.25 and, as extra credit, 6.15."""
     course(tmp_path, VECTORS.replace("out_of = 20", "out_of = 20.5"))
@@ -311,18 +290,3 @@ def test_the_exercise_of_an_earlier_assignment_is_named_first_and_earns_nothing(
     assert not any("causes" in report for report in small.results().values())
     assert "earlier assignment" not in small.everything(), "whole chapters have none"
     assert "Fix <a" in small.text("feedback/bob.html")
-
-
-def test_gradescope_names_the_earlier_assignment_too(tmp_path: Path) -> None:
-    ids = 'B2.1", "B2.2", "B2.3", "B2.4", "B2.9'
-    lab3 = course(tmp_path, EARLIER.format(ids, "B2.10"))["lab3"]
-    copy_tree(ROOT / "sample_class/ada/ch02_vectors", tmp_path / "ada/ch02_vectors")
-    vector = tmp_path / "ada/ch02_vectors/vector.py"
-    right = vector.read_text(encoding="utf-8")
-    wrong = right.replace("a[i - 2] * b[i - 1] - ", "a[i - 2] * b[i - 1] + ")
-    assert wrong != right
-    vector.write_text(wrong, encoding="utf-8")
-    results = gradescope_results(on_gradescope(lab3, tmp_path, tmp_path / "ada"))
-    assert "B2.9 of lab1 fails. Fix it first, because B2.10 builds on it." in results["output"]
-    most = {test["number"]: test["max_score"] for test in results["tests"]}
-    assert most == {"B2.10": 4, "B2.9": 0}

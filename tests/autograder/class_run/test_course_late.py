@@ -10,9 +10,8 @@ import pytest
 
 from autograder.course.dates import deadline_from_json, deadline_to_json
 from autograder.course.late import HandedIn, days_late, deduction, late_of
-from autograder.course.lateness import for_gradescope, late_on_gradescope, lateness
+from autograder.course.lateness import for_gradescope, late_on_gradescope, lateness, times_of
 from autograder.course.model import Deadline, LatePolicy
-from autograder.course.times import times_of
 from autograder.reports.marks import Mark, apply_marks
 from graded import CHAPTERS, failed_run, report_of
 from listed import class_in

@@ -14,7 +14,7 @@ import pytest
 
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.grader.conditions import Conditions, OnceForAll
+from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
@@ -120,11 +120,11 @@ def grade_one(
     chapters: list[Chapter],
     given: Sequence[Chapter] = (),
     root: Path = ROOT,
-    once: OnceForAll | None = None,
+    found: dict[Any, Any] | None = None,
 ) -> dict[str, Any]:
     """Return the report of one submission, graded without a wall."""
-    conditions = Conditions(chapters, "1", Level(), given, root=root)
-    return dict(to_json(grade_submission(conditions, Submission(path.name, path), once)))
+    conditions = Conditions(chapters, "1", Level(), given, root=root, found=found or {})
+    return dict(to_json(grade_submission(conditions, Submission(path.name, path))))
 
 
 def states(report: dict[str, Any], key: str = "status") -> set[Any]:
@@ -150,7 +150,8 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
 def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    runs, once = [], OnceForAll()
+    runs: list[int] = []
+    found: dict[Any, Any] = {"": []}
 
     def counted(chapter: Chapter, *arguments: Any, **more: Any) -> list[Verdict]:
         runs.append(chapter.number)
@@ -159,24 +160,24 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
     monkeypatch.setattr(FAILS, counted)
     for student in ("ann", "bob"):
         copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
-        report = grade_one(tmp_path / student, CHAPTERS, once=once)
+        report = grade_one(tmp_path / student, CHAPTERS, found=found)
         assert report["score"] == report["score_on_given"] == points_of(CHAPTER)
         later = [one for one in report["results"] if one["chapter"] == 3]
         assert {one["status"] for one in later} == {"failed", "blocked"}
         assert "ch03_laws_of_motion/particle.py is missing" in messages(report)
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.
-    once = OnceForAll()
+    found = {"": []}
     (tmp_path / "ann/ch02_vectors/vector.py").write_bytes(b"\xff")
-    report = grade_one(tmp_path / "ann", CHAPTERS, once=once)
+    report = grade_one(tmp_path / "ann", CHAPTERS, found=found)
     assert "ch02_vectors/vector.py was rejected" in messages(report)
-    report = grade_one(tmp_path / "bob", CHAPTERS, once=once)
+    report = grade_one(tmp_path / "bob", CHAPTERS, found=found)
     assert "was rejected" not in messages(report)
     runs.clear()
     refused = tmp_path / "bob/ch03_laws_of_motion/particle.py"
     refused.parent.mkdir()
     refused.write_bytes(b"\xff")
-    report = grade_one(tmp_path / "bob", CHAPTERS, once=once)
+    report = grade_one(tmp_path / "bob", CHAPTERS, found=found)
     assert "ch03_laws_of_motion/particle.py was rejected" in messages(report)
     assert runs[:2] == [2, 3]
 
@@ -198,12 +199,21 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
 
 @pytest.mark.parametrize("unusable", ["", "ch02_vectors/vector.py"])
 def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(
-    tmp_path: Path, unusable: str
+    tmp_path: Path, unusable: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A file that is not UTF-8 does not matter where ours replaces it.
 
-    Without the given chapter it does, and the failures are inherited from it.
+    Without the given chapter it does, and the failures are inherited from it. Bytecode of ours is
+    never where a later run could read it.
     """
+    engines: dict[Path, list[Path]] = {}
+
+    def noted(chapter: Chapter, engine: list[Path], **more: Any) -> list[Verdict]:
+        if compiled := more["sandbox"].compiled:
+            assert engines.setdefault(compiled, engine) == engine
+        return run_checks(chapter, engine, **more)
+
+    monkeypatch.setattr(FAILS, noted)
     copy_tree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
     if unusable:
         (tmp_path / "max" / unusable).parent.mkdir(exist_ok=True)

@@ -14,7 +14,7 @@ from autograder.isolation.sandbox import Level
 from autograder.platforms.grade_one import grade_one, main
 from graded import message_of
 from small import RIGHT, hand_in
-from small_class import SmallClass, everything_in, grade, results
+from small_class import SmallClass, everything_in
 from walls import behind_walls
 
 WALLS = Level(**behind_walls().level).is_sandbox
@@ -149,12 +149,6 @@ def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
     assert not (small.out / "results").exists()
 
 
-def test_hidden_probes_do_not_take_the_place_of_public_ones(small: SmallClass) -> None:
-    (small.root / "tests/ch90_small/probes.py").touch()
-    with pytest.raises(ValueError, match=r"probes\.py has the name of a public file"):
-        small.grade(hidden=hidden(small.place / "hidden", **{"probes.py": ""}))
-
-
 def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
     small: SmallClass, for_students: Callable[[], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -204,16 +198,3 @@ def test_hidden_probes_are_not_where_public_checks_run(
     pages = unescape(for_students())
     assert "secret" not in pages
     assert at_import or "found nothing, []" in pages
-
-
-def test_a_folder_called_hidden_hides_no_public_check(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    moved, own = root.rename(root.parent / "hidden"), hidden(tmp_path / "own")
-    found = []
-    for out in (tmp_path / "grades", tmp_path / "hidden/grades"):
-        grade(submissions, out, moved / ".", hidden=own)
-        checks = [[r["checks"] for r in one["results"]] for one in results(out).values()]
-        found.append([[c["name"] for c in of] for one in checks for of in one])
-    assert found[0] == found[1]
-    assert sum(name.startswith("hidden check") for of in found[0] for name in of) == 3 * 3

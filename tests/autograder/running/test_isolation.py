@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import contextlib
 import math
 import os
@@ -110,10 +109,9 @@ def engine(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def start(level: Level, engine: Path, tmp_path: Path) -> Iterator[Callable[[], Session]]:
+def start(level: Level, engine: Path) -> Iterator[Callable[[], Session]]:
     """Starts workers over that engine."""
-    (tmp_path / "own").mkdir()
-    launcher = Launcher(level, [str(engine)], str(engine), tmp_path / "own", seconds=2.0)
+    launcher = Launcher(level, [str(engine)], str(engine), seconds=2.0)
     yield partial(launcher.start_worker, hang)
     launcher.close()
 
@@ -156,18 +154,6 @@ USES = "box == 4; box != 4; box > 3; bool(box); float(box); math.sqrt(box); 4 in
 def test_no_verdict_hangs_on_what_an_object_says_of_itself(session: Session, use: str) -> None:
     with pytest.raises(CheckEnded, match=r"plain value is expected: Box\(4\)\\x1b\[2J"):
         eval(use, {"box": name(session, "Box")(4), "math": math})
-
-
-NUMBERS = [True, 0, -(2**70), 0.1, math.inf, -0.0]
-
-
-@pytest.mark.parametrize(
-    "value", [None, *NUMBERS, "", "é\ud800\n", [], (1, [2, (3,)]), {"a": {1: 2}}], ids=repr
-)
-def test_plain_values_cross_as_they_are(session: Session, value: Any) -> None:
-    back = name(session, "same")(value)
-    assert type(back) is type(value)
-    assert repr(back) == repr(value)
 
 
 def test_only_exact_types_cross_by_value(session: Session) -> None:
@@ -269,21 +255,6 @@ def test_a_worker_is_no_root(session: Session, level: Level) -> None:
     assert 0 not in name(session, "who")()
 
 
-def test_compiled_code_runs_anew_in_each_worker(
-    start: Callable[[], Session], tmp_path: Path
-) -> None:
-    launcher: Launcher = start.func.__self__  # type: ignore[attr-defined]
-    file = tmp_path / "engine/ch91_box/box.py"
-    code = start().ask("compile", str(file))
-    launcher.hand_over({"ch91_box.box": base64.b64decode(code)})
-    file.write_text("raise ImportError('this text was read again')", encoding="utf-8")
-    for _ in range(2):
-        box = name(start(), "Box")
-        with pytest.raises(AttributeError):
-            box.left_behind  # noqa: B018
-        box.left_behind = 1
-
-
 # The walls, and what gets through where one is missing
 
 
@@ -297,7 +268,7 @@ def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Le
     for number, walls in enumerate([Level(), Level(landlock=True), Level(seccomp=True), level]):
         own = tmp_path / str(number)
         own.mkdir()
-        launcher = Launcher(walls, [], str(own), own, 5.0)
+        launcher = Launcher(walls, [], str(own), 5.0)
         with contextlib.closing(launcher):
             session = launcher.start_worker(hang)
             path = str(tmp_path / "forbidden")
@@ -310,7 +281,7 @@ def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Le
     assert all_of_them == set()
 
 
-@pytest.mark.parametrize("most", range(20, 34))
+@pytest.mark.parametrize("most", [20, 28, 30, 33])
 def test_a_sandbox_works_however_many_files_its_runner_has_open(level: Level, most: int) -> None:
     """Some descriptors of a worker have fixed numbers, up to 31."""
     with contextlib.ExitStack() as files:
@@ -335,14 +306,14 @@ def of_this_process():
 @pytest.mark.skipif(
     landlock_version() == 0 or os.geteuid() != 0, reason="only root has privileges to lose"
 )
-def test_a_worker_without_the_filter_keeps_no_privilege_of_root(tmp_path: Path) -> None:
+def test_a_worker_without_the_filter_keeps_no_privilege_of_root() -> None:
     """With it, open_by_handle_at would read any file. The filter refuses that call."""
     with contextlib.ExitStack() as stack:
         engine = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         engine.chmod(0o755)  # without the privilege, the worker is an ordinary user
         (engine / "ch90_small").mkdir()
         (engine / "ch90_small/small.py").write_text(CAPABILITIES, encoding="utf-8")
-        launcher = Launcher(Level(landlock=True), [str(engine)], str(engine), tmp_path, 5.0)
+        launcher = Launcher(Level(landlock=True), [str(engine)], str(engine), 5.0)
         stack.enter_context(contextlib.closing(launcher))
         session = launcher.start_worker(hang)
         assert session.ask("name", "ch90_small.small", "of_this_process")() == 0
@@ -358,7 +329,7 @@ def test_a_launcher_that_cannot_start_says_so(
     tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("autograder.isolation.launcher.ROOT", tmp_path)  # it has no autograder
-    launcher = Launcher(level, [], str(tmp_path), tmp_path, 1.0)
+    launcher = Launcher(level, [], str(tmp_path), 1.0)
     with (
         contextlib.closing(launcher),
         pytest.raises(LauncherError, match=r"(?s)did not start: .*No module named"),

@@ -15,11 +15,9 @@ import pytest
 
 from autograder.checks.asked import about, short_numbers
 from autograder.checks.runner import run_checks
-from autograder.definitions import module_that_defines
 from autograder.diagnosis.slips import fact_of
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import ExpectationError, Message
-from autograder.text.similar import nearest
 from calls import calls
 from compared import difference, relation
 from copies import copy_tree
@@ -74,17 +72,6 @@ def test_a_name_that_the_block_changes_stays_a_name() -> None:
         k = k + 1.0
         make(k)
     assert about.call == "k = k + 1.0; make(k)"
-
-
-def test_a_long_matrix_has_a_line_for_each_row() -> None:
-    short, long = range(9), [i / 7.0 for i in range(12)]
-    with calls("cause"):
-        make(*[*short])
-    with calls("cause", more=True):
-        make(*long)
-    one, *rows = about.call.splitlines()
-    assert one.startswith("make(*[*short]); make(0.0, ")
-    assert [row.count(",") for row in (one, *rows)] == [4, 4, 3]
 
 
 def test_a_second_block_continues_the_call_and_may_use_the_result_of_the_first() -> None:
@@ -260,24 +247,6 @@ def test_a_slip_is_explained(name: str, where: str, tmp_path: Path) -> None:
             assert re.search(pattern, "\n".join(messages), re.DOTALL), text
         assert all(text in said for text in slip.get("every", ()) for said in messages)
         assert not any(text in said for text in slip.get("never", ()) for said in messages)
-
-
-def test_short_and_special_names_are_near_to_nothing() -> None:
-    assert nearest("veloctiy", ["velocity", "position", "__init__"]) == "velocity"
-    assert nearest("vx", ["v", "vy"]) == ""
-    assert nearest("init", ["__init__"]) == ""
-    assert nearest("zebra", ["velocity"]) == ""
-
-
-def test_the_latest_chapter_that_defines_a_name_counts() -> None:
-    for name, file, module in (
-        ("Particle", "ch03_laws_of_motion/exercises.py", "ch03_laws_of_motion.particle"),
-        ("Particle", "ch07_constraints/links.py", "ch05_forces.particle"),
-        ("Rod", "ch08_mass_aggregate/bridge.py", "ch07_constraints.links"),
-        ("Rod", "ch06_springs/springs.py", ""),  # a later chapter defines it
-        ("Vector", "ch06_springs/springs.py", ""),
-    ):
-        assert module_that_defines(name, file, [ROOT / "chapters"]) == module
 
 
 @pytest.mark.parametrize(

@@ -122,9 +122,7 @@ def test_a_loop_that_uses_up_the_memory_says_where_and_is_run_once_at_home(run: 
         ("import sys; sys.exit()", "SystemExit"),
         ("import os; os._exit(0)", "ended early"),
         ("raise KeyboardInterrupt", "ended early|KeyboardInterrupt"),
-        ("import pytest; pytest.skip('please')", "please|No module named 'pytest'"),
         ("import pytest; pytest.exit('', 0)", "ended early|No module named"),
-        ("return double(x)", "RecursionError"),
         ("raise NotImplementedError('Exercise B90.1: Double')", "not written yet"),
     ],
 )
@@ -133,11 +131,6 @@ def test_leaving_costs_the_check_and_no_other(run: Run, leave: str, words: str) 
     assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
     # What differs: the checks' own process is ended by what a worker only reports.
     assert re.search(words, says(verdicts, "test_double"))
-
-
-def test_an_object_is_told_in_the_same_words_in_every_run(run: Run) -> None:
-    verdicts = run("def double(x):\n    raise ValueError(object())\n")
-    assert "ValueError: <object object>\n" in says(verdicts, "test_double")
 
 
 @pytest.mark.parametrize(
@@ -153,8 +146,6 @@ def test_an_object_is_told_in_the_same_words_in_every_run(run: Run) -> None:
         ("", "ch90_small/small.py is empty and does not define double"),
         ('text.\n"""\n\ndouble = 2\n', "likely    A quotation mark is missing"),
         ("from math import tan2\n", "cannot import name 'tan2' from 'math'\n"),
-        ("from sys import tan2\n", "cannot import name 'tan2' from 'sys'\n"),  # built in
-        ("from json import lads\n", "cannot import name 'lads' from 'json'\n"),
         ("double = None\n", "NoneType"),
     ],
 )
@@ -243,15 +234,6 @@ def test_the_time_for_all_checks_is_limited(run: Run) -> None:
     assert "time limit of 2 seconds for all checks was used up" in says(verdicts, "test_quadruple")
 
 
-def test_one_exercise_runs_with_what_it_needs_and_no_more(run: Run) -> None:
-    seen: list[tuple[int, int]] = []
-    count = lambda *done: seen.append(done)  # noqa: E731
-    verdicts = run(RIGHT, exercises=["B90.1"], on_verdict=count)
-    assert list(verdicts) == ["test_double", "test_double_of_zero"]
-    assert seen == [(0, 2), (1, 2), (2, 2)]
-    assert len(run(RIGHT, exercises=["90.1"])) == 4
-
-
 def test_the_seed_decides_the_numbers(run: Run) -> None:
     code = "def double(x):\n    raise ValueError(x)\n"
     messages = [run(code, seed=seed)["test_double"].message for seed in "112"]
@@ -298,9 +280,3 @@ def test_a_fixture_that_fails_is_an_error_and_gives_no_score(root: Path, run: Ru
     assert statuses(verdicts) == ["error", "passed", "passed", "passed"]
     found = results(root, verdicts)
     assert [(result.status, result.score) for result in found] == [("error", None), ("passed", 2)]
-
-
-def test_no_check_for_an_exercise_is_an_error(root: Path, run: Run) -> None:
-    (root / SMALL_CHECKS).write_text("", encoding="utf-8")
-    found = results(root, run(RIGHT))
-    assert [(result.status, result.score) for result in found] == [("error", None)] * 2

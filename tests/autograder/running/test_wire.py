@@ -150,12 +150,16 @@ def test_an_event_is_one_line_and_read_as_it_was_written(event: Event) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        *("", "{", "7", "null", "[]", "{}", '"Ended"', '{"Ended": 7}', '{"Stopped": {}}'),
-        '{"Started": {}, "Ended": {}}',
+        *(
+            "",
+            "null",
+            "[]",
+            "{}",
+            '{"Ended": 7}',
+            '{"Stopped": {}}',
+            '{"Started": {}, "Ended": {}}',
+        ),
         '{"Started": {"title": "test_it"}}',
-        '{"Started": {"name": "test_it", "message": {}}}',
-        '{"Checks": {"checks": [{"name": "test_it"}]}}',
-        '{"Decided": {"name": "test_it", "status": "failed", "message": {"kind": "great"}}}',
         '{"Decided": {"name": "test_it", "status": "failed", "message": {"where": "here"}}}',
     ],
 )

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.course.times import times_of
+from autograder.course.lateness import times_of
 from autograder.grader.people import differences
 from autograder.reports.feedback import write_index
 from graded import report_of

@@ -21,7 +21,6 @@ STUDENTS = {  # the row of the roster, by the name of the submission
     "ann": ("7006", "Ann Lee", "ann@example.org", "ann"),
     "": ("7007", "Bo Lee", "bo@example.org", "bl2"),  # handed in nothing
 }
-SAMPLE = ("dina", "eli", "hana")  # of the sample class; the others only take time
 CHAPTERS = ("ch02_vectors", "ch03_laws_of_motion")  # the second takes long, so two hand it in
 TIMES = [["student", "submitted"], ["42", "2020-10-22 20:15"], ["ann", "2020-10-27 12:00"]]
 MARKS = [["student", "exercise", "points", "comment"], ["Jane Doe", "2.2b", "0.5", "Half of it"]]
@@ -45,9 +44,7 @@ def make_readme_class(folder: Path, page: str) -> Path:
     ``page`` is the page with the course file.
     """
     root = folder / "companion"
-    others = [path.name for path in (ROOT / "sample_class").iterdir() if path.name not in SAMPLE]
-    others.remove("README.md")
-    unneeded = shutil.ignore_patterns(".?*", "build", "__pycache__", "hostile", *others)
+    unneeded = shutil.ignore_patterns(".?*", "build", "__pycache__", "hostile")
     shutil.copytree(ROOT, root, ignore=unneeded)
     _make_environment(root / ".venv")
     (course,) = re.findall(r"(?ms)^```toml\n(.+?)^```", page)

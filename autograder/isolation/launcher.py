@@ -4,7 +4,7 @@ The workers run the student's code, and the launcher never does. This module is 
 of both. It sends one request at a time to the launcher, which has at most one worker, and waits for
 the answer:
 
-- "start" forks a worker.
+- "start" forks a worker. The answer is its process ID.
 - "stack" makes the worker write a stack trace.
 - "wait" waits for a worker that has closed its connection. The answer is its exit code or "alive".
 - "stop" ends the worker.
@@ -130,14 +130,17 @@ class Launcher:
         try:
             with theirs:
                 self.start()
-                self._ask("start", theirs, worker.log, worker.stack)
+                number = self._ask("start", theirs, worker.log, worker.stack)
             wire = Wire(own.fileno())
             if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
                 raise EOFError
         except (OSError, EOFError) as error:
             raise LauncherError(f"a worker did not start: {self._why(error)}") from error
-        self._session = Session(wire, self.seconds, on_hang, self.how_it_ended, broken)
-        return self._session
+        # Inside bubblewrap, processes have other numbers than outside.
+        process = 0 if self.level.bubblewrap else int(number)
+        session = Session(wire, self.seconds, on_hang, self.how_it_ended, broken, process)
+        self._session = session
+        return session
 
     def _new_file(self) -> IO[bytes]:
         """Create an unnamed temporary file, in memory if possible."""

@@ -93,6 +93,7 @@ def _answer(control: socket.socket, work: Callable[..., None], seconds: float) -
                     worker = os.fork()
                     if worker == 0:
                         work(*descriptors)
+                    answer = str(worker)
                 case b"stack" if worker:
                     os.kill(worker, signal.SIGUSR1)
                 case b"wait" if worker:

@@ -1,4 +1,4 @@
-"""Workers, launchers and judges as processes: they start afresh, and they end."""
+"""Workers, launchers and judges as processes: how much time they get, and that they end."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -17,7 +18,7 @@ from typing import NoReturn
 import pytest
 
 from autograder.checks.check_process import environment
-from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.handles import Session, WorkerFailure, extra_time
 from autograder.isolation.judges import ForkedJudge
 from autograder.isolation.launcher import Launcher, LauncherError
 from autograder.isolation.probe import best_level
@@ -78,6 +79,30 @@ def launch(folder: Path) -> Iterator[Callable[..., Launcher]]:
     yield launcher
     for one in started:
         one.close()
+
+
+def test_a_worker_that_did_not_get_the_processor_gets_more_time_once(
+    launch: Callable[..., Launcher],
+) -> None:
+    """A stopped worker is one that a busy machine leaves no time for."""
+    session = launch(seconds=1.0).start_worker(hang)
+    worker = number(session)
+    os.kill(worker, signal.SIGSTOP)
+    threading.Timer(1.3, os.kill, (worker, signal.SIGCONT)).start()
+    assert session.ask("length", [1, 2, 3]) == 3
+    os.kill(worker, signal.SIGSTOP)
+    with pytest.raises(TimeoutError):
+        session.ask("length", [])
+
+
+def test_a_worker_that_had_the_processor_gets_no_more_time() -> None:
+    begun = time.process_time()
+    while time.process_time() - begun < 0.3:
+        pass
+    used = sum(os.times()[:2])
+    assert extra_time(os.getpid(), 1.9 * used) == 0.0
+    assert extra_time(os.getpid(), 3.0 * used) == pytest.approx(2.0 * used, abs=0.1)
+    assert extra_time(0, 1.0) == 0.0
 
 
 def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(

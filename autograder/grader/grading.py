@@ -73,7 +73,7 @@ def grade_staged(
     ):
         submitted = _Submitted(conditions, staged, engine, Path(compiled), start)
         graded = [submitted.grade(chapter) for chapter in conditions.chapters]
-    notes = [*submission.notes, *staged.notes]
+    notes = _notes(conditions, submission, staged)
     report = _report(conditions, submission.student, graded, notes)
     seconds = round(time.monotonic() - start, 3)
     return replace(report, submission=staged.digest, seconds=seconds)
@@ -86,7 +86,7 @@ def still_valid(
     new = _nothing(conditions, submission)
     if new is None:
         with staged_files(conditions, submission) as (staged, _):
-            notes = [*submission.notes, *staged.notes]
+            notes = _notes(conditions, submission, staged)
             new = _nothing(conditions, submission, staged) or replace(
                 report, nothing="", notes=notes, submission=staged.digest
             )
@@ -96,13 +96,27 @@ def still_valid(
 
 def why_nothing(staged: Staged, graded: list[Chapter]) -> str:
     """Say why nothing of a submission can be graded, which is not worth 0 points, or return ""."""
-    found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *staged.rejected]}
+    rejected = [module for module in staged.rejected if module not in staged.misplaced]
+    found = {re.split(r"[./]", name)[0] for name in [*staged.taken, *rejected]}
     names = {chapter.name for chapter in graded}
     if staged.refused or found & names:
         return staged.refused
+    if misplaced := _misplaced(staged, graded):
+        return "; ".join(misplaced)
     if found:
         return f"it has no files of {', '.join(sorted(names))}, only of {', '.join(sorted(found))}"
+    if staged.misplaced:
+        return "; ".join(staged.rejected.values())
     return "no folder of a chapter was found, at most three levels down"
+
+
+def _misplaced(staged: Staged, graded: list[Chapter]) -> list[str]:
+    names = {chapter.name for chapter in graded}
+    return [staged.rejected[m] for m in staged.misplaced if m.partition(".")[0] in names]
+
+
+def _notes(conditions: Conditions, submission: Submission, staged: Staged) -> list[str]:
+    return [*submission.notes, *staged.notes, *_misplaced(staged, conditions.chapters)]
 
 
 def _nothing(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from rich.progress import track
+
 from autograder.files import is_new
 from autograder.grader.people import differences
 from autograder.manifest import ROOT, Chapter
@@ -12,6 +14,7 @@ from autograder.similarity.collect import collect, ground_of
 from autograder.similarity.compare import FEWEST, Comparison, Work
 from autograder.similarity.pages import write_pages
 from autograder.submissions.class_list import read_class
+from autograder.text.wrapping import plain_console
 
 RECORD = "compared.txt"  # names the class, and shows that the folder is of this command
 
@@ -30,9 +33,14 @@ def similarity(
         )
     people = read_class(folder, roster)
     submissions, notes = people.submissions, [*people.notes, *differences(people, [])]
+    console = plain_console()
     ground = ground_of(chapters, root)
     works: list[Work] = []
-    for work, more in collect(submissions, ground, root):
+    arriving = collect(submissions, ground, root)
+    silent = not console.is_terminal
+    for work, more in track(
+        arriving, "reading", len(submissions), console=console, transient=True, disable=silent
+    ):
         notes += [f"{work.student}: {note}" for note in more]
         if work.parts:
             works.append(work)
@@ -43,7 +51,8 @@ def similarity(
     index = write_pages(out, comparison, chapters, ground.small, notes)
     identical = [f"identical: {p.one.student} and {p.other.student}" for p in comparison.identical]
     read = f"Read the code of each pair yourself: {index}"
-    print(*notes, *identical, _summary(comparison), read, sep="\n")
+    for line in [*notes, *identical, _summary(comparison), read]:
+        console.print(line, markup=False, soft_wrap=True)
     return 0
 
 

@@ -38,7 +38,7 @@ class Found:
     file: str
     read: Read
     doubtful: bool = False
-    other: bool = False  # the folder is a chapter's, but no file of this name is wanted
+    other: bool = False  # no file of this name is wanted in this folder
 
 
 def search(submission: Path, wanted: Wanted) -> tuple[list[Found], list[str]]:
@@ -156,6 +156,6 @@ def _sort_out(
         found += refuse_all({name: wanted[name]}, LINKED_FOLDER, place)
     if place and name in wanted.get(place[-1], ()):
         found.append(Found(place, name, read))
-    elif place and place[-1] in wanted and not stat.S_ISDIR(mode):
+    elif not stat.S_ISDIR(mode):
         found.append(Found(place, name, refuse("it is not a file of this chapter"), other=True))
     return found

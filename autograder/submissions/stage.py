@@ -1,17 +1,19 @@
 """Copy the files to be graded from a student's submission into a new folder.
 
 The grader imports only these copies, and never any other file of the submission. A file in the
-wrong folder is not taken, because the grader would have to guess where it belongs.
+wrong folder is named and never taken, because the grader would have to guess where it belongs.
 """
 
 from __future__ import annotations
 
 import hashlib
 import shutil
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.accepted_files import (
+    HARMLESS,
     LARGEST_FILE,
     NotTakenError,
     check_text,
@@ -19,10 +21,13 @@ from autograder.accepted_files import (
     refuse_renamed,
     rejection,
 )
+from autograder.answers import FILE as ANSWERS
 from autograder.handouts.stubs import KEPT
-from autograder.manifest import ROOT, Chapter
+from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.submissions.find import printable
 from autograder.submissions.search import Found, refuse, refuse_all, search
+
+SCENES = "scenes"  # a folder of every handout, which has a links.py of its own
 
 
 @dataclass(frozen=True)
@@ -30,6 +35,7 @@ class Staged:
     """The result of copying the files to be graded from a student's submission."""
 
     rejected: dict[str, str]  # modules such as ch02_vectors.vector, each with the reason
+    misplaced: list[str]  # those of them whose files were found in the wrong folder
     taken: list[str]  # files such as ch02_vectors/vector.py
     notes: list[str]  # for the instructor; they may quote names of files, but nothing else
     digest: str  # of everything accepted or rejected; with the same one, the grade is the same
@@ -48,8 +54,10 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     except NotTakenError as error:
         refused = str(error)
         found, notes = refuse_all(wanted, refused), [f"nothing was taken: {refused}"]
+    everywhere = load_chapters(root)
     rejected: dict[str, str] = {}
-    taken: list[str] = []
+    elsewhere: list[str] = []
+    taken: dict[str, Found] = {}
     readable = False
     digest = hashlib.sha256()
     for chapter in chapters:
@@ -61,24 +69,37 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
         files, more_notes = _choose(chapter, found)
         notes += more_notes
         readable = readable or not all(file.doubtful for file in files.values())
-        for name in (name for name in chapter.handed_in if name in files):
-            content, reason = b"", ""
-            try:
-                content = check_text(files[name].read(LARGEST_FILE))
-                (target / name).write_bytes(content)
-                taken.append(f"{chapter.name}/{name}")
-            except NotTakenError as error:
-                reason = rejection(chapter.name, name, error)
-                rejected[module_of(chapter.name, name)] = reason
-            digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode())
-            digest.update(content)
+        for name in chapter.handed_in:
+            file, content, reason = files.get(name), b"", ""
+            module = module_of(chapter.name, name)
+            if file is None or _is_stub(file):
+                reason = _misplaced(chapter, name, found, everywhere)
+                elsewhere += [module] if reason else []
+            if file and not reason:
+                try:
+                    content = check_text(file.read(LARGEST_FILE))
+                    (target / name).write_bytes(content)
+                    taken[f"{chapter.name}/{name}"] = file
+                except NotTakenError as error:
+                    reason = rejection(chapter.name, name, error)
+            if reason:
+                rejected[module] = reason
+            if file or reason:
+                digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode())
+                digest.update(content)
         for path in (target, *target.rglob("*")):
             # Another user will run the code, so the umask must not matter.
             path.chmod(0o755 if path.is_dir() else 0o644)
-    if rejected and not readable:
+    if rejected and not (readable or elsewhere):
         refused = refused or "; ".join(notes) or next(iter(rejected.values()))
-    notes = [printable(note) for note in notes]
-    return Staged(rejected, taken, notes, digest.hexdigest(), printable(refused))
+    return Staged(
+        rejected,
+        elsewhere,
+        [*taken],
+        [printable(note) for note in notes],
+        digest.hexdigest(),
+        printable(refused),
+    )
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
@@ -111,3 +132,27 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 def _is_stub(file: Found) -> bool:
     return KEPT in file.place[:-1]
+
+
+def _misplaced(
+    chapter: Chapter, file: str, found: Iterable[Found], chapters: Iterable[Chapter]
+) -> str:
+    """Say where else a missing file was found, and what to do, or return "" if it was not found.
+
+    A file in the folder of one of the ``chapters`` that has a file of this name is not misplaced.
+    """
+    homes = [c.name for c in chapters if file in (*c.complete, *c.handed_in, ANSWERS)]
+    others = {one.place for one in found if one.other and one.file == file}
+    places = [p for p in others if SCENES not in p and not (p and p[-1] in homes)]
+    if not places:
+        return ""
+    place = min(places, key=lambda place: (len(place), place))
+    where = "at the top of what was handed in"
+    if place:
+        is_harmless = all(map(HARMLESS.fullmatch, place))
+        where = f"in '{'/'.join(place)}'" if is_harmless else "in another folder"
+    which = f"the one for chapter {chapter.number}" if places[1:] else "it"
+    return (
+        f"{file} was found {where}, and not in a folder {chapter.name}. "
+        f"Put {which} into a folder {chapter.name} and hand in again"
+    )

@@ -161,6 +161,10 @@ def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: P
     assert results["score"] == 0
     assert "nothing to grade: no folder of a chapter was found" in results["output"]
     assert "that contains folders of chapters: ch02_vectors/vector.py, " in results["output"]
+    hand_in(tree, {"vector.py": ""})  # the file alone, without its folder
+    results, printed = run(tree)
+    assert results["score"] == 0
+    assert "vector.py was found at the top of what was handed in, and not" in results["output"]
     assert "grading submission, seed" in printed
 
 

@@ -14,10 +14,8 @@ from typing import Any
 import pytest
 
 from autograder.accepted_files import LARGEST_FILE
-from autograder.grader.grading import why_nothing
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.stage import stage
-from copies import copy_tree
 from staging import (
     CHAPTERS,
     CODE,
@@ -149,35 +147,6 @@ def test_what_is_taken_of_a_submission(
     hand_in: HandIn, files: dict[str, bytes], outcome: Outcome
 ) -> None:
     assert boxed(hand_in(files)) == outcome
-
-
-def test_no_other_file_of_a_handout_is_taken_for_a_students_work(
-    hand_in: HandIn, tmp_path: Path
-) -> None:
-    """Students may hand in their whole handout, with its own code."""
-    for name in ("scenes", "plots", "lab", "tests/shared"):
-        copy_tree(ROOT / name, tmp_path / "handout" / name)
-    files = [path for path in (tmp_path / "handout").rglob("*.py") if path.is_file()]
-    made = hand_in({str(path.relative_to(tmp_path)): b"" for path in files})
-    staged = stage(made, load_chapters(), tmp_path / "box")
-    assert (staged.taken, staged.rejected) == ([], {})
-
-
-@pytest.mark.parametrize(
-    ("files", "why"),
-    [
-        ({VECTOR: CODE}, "it has no files of ch03_laws_of_motion, only of ch02_vectors"),
-        ({"particle.py": CODE}, "no folder of a chapter was found, at most three levels down"),
-        ({"ch03_laws_of_motion/particle.py": CODE}, ""),
-        ({"ch03_laws_of_motion/particle.py": b"\0"}, ""),
-    ],
-)
-def test_work_on_other_chapters_than_the_graded_ones_is_nothing_to_grade(
-    hand_in: HandIn, tmp_path: Path, files: dict[str, bytes], why: str
-) -> None:
-    (tmp_path / "box").mkdir()
-    staged = stage(hand_in(files), CHAPTERS, tmp_path / "box")
-    assert why_nothing(staged, CHAPTERS[1:]) == why
 
 
 @posix

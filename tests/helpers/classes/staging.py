@@ -69,8 +69,10 @@ def boxed(submission: Path, root: Path = ROOT) -> Outcome:
             assert files.pop(f"{chapter.name}/{name}") == ours
     missing = {}
     for module, sentence in staged.rejected.items():
-        file, why = sentence.split(" was rejected: ")
-        assert file == f"{module.replace('.', '/')}.py"
+        file, why = f"{module.replace('.', '/')}.py", sentence
+        if module not in staged.misplaced:
+            start, why = sentence.split(" was rejected: ")
+            assert start == file
         missing[file] = why
     return files, missing, staged.notes
 

@@ -11,5 +11,5 @@ TAKES_similarity := SUBMISSIONS OUT CHAPTERS ROSTER ASSIGNMENT COURSE
 OPTIONS_similarity = $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
 TAKES_mark := SUBMISSIONS CHAPTERS ROSTER OPEN ASSIGNMENT COURSE
 OPTIONS_mark = $(call option,--chapters,CHAPTERS) $(call option,--roster,ROSTER) $(if $(filter 0,$(OPEN)),--no-browser) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
-TAKES_release := CHAPTERS EX OUT ASSIGNMENT COURSE
-OPTIONS_release = $(call option,--exercises,EX) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)
+TAKES_release := CHAPTERS EX SUBMISSIONS GRADES ROSTER OUT ASSIGNMENT COURSE
+OPTIONS_release = $(call option,--exercises,EX) $(call option,--submissions,SUBMISSIONS) $(call option,--roster,ROSTER) $(call option,--assignment,ASSIGNMENT) $(call option,--course,COURSE)

@@ -80,8 +80,8 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the reference solution for students after the deadline."""
-    from autograder.handouts.release import run_release
+    """Write the released solutions, and pages that compare them with the students' code."""
+    from autograder.release.run import run_release
 
     return run_release(arguments)
 

@@ -28,7 +28,7 @@ grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT
 	@$(RUN) -m autograder grade $(OPTIONS_grade) $(call out,$(BUILT)grades)
 
 release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder release $(NAMED) $(OPTIONS_release) $(call out,$(BUILT)release)
+	@$(RUN) -m autograder release $(NAMED) $(OPTIONS_release) $(call out,$(BUILT)release) $(if $(value GRADES)$(value SUBMISSIONS)$(wildcard $(BUILT)grades/results),--grades $(or $(call typed,GRADES),'$(BUILT)grades'))
 
 similarity: .venv/teaching ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity $(or $(call typed,SUBMISSIONS),$(if $(value ASSIGNMENT)$(value ROSTER),$(error name the class: make similarity SUBMISSIONS=../handed-in),sample_class)) $(OPTIONS_similarity) $(call out,$(BUILT)similarity)

@@ -60,21 +60,22 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
     seed, earlier = secrets.token_hex(4), settings["earlier"]
     assignment = Conditions(graded, seed, level, given, hidden, root, earlier=earlier)
-    metadata = _metadata(folder / "submission_metadata.json")
-    student = _students(metadata)
+    student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))
     if settings["deadline"]:
+        metadata = _metadata(folder / "submission_metadata.json")
         deadline = deadline_from_json(settings["deadline"])
         report = replace(report, late=late_on_gradescope(deadline, graded, metadata))
     # A zip made with this option lacks the reference for a second run.
     return replace(report, score_on_given=None) if settings["unsafe"] else report
 
 
-def _students(metadata: dict[str, Any]) -> str:
+def students(metadata: Path) -> str:
     """Return the names in Gradescope's metadata, such as "Ann Lee, Bo Chen", or "submission"."""
     try:
-        return ", ".join(printable(user["name"]) for user in metadata["users"]) or "submission"
+        users = _metadata(metadata)["users"]
+        return ", ".join(printable(user["name"]) for user in users) or "submission"
     except (KeyError, TypeError, AttributeError):
         return "submission"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
 
@@ -18,8 +19,14 @@ from autograder.text.clean import clean
 TEMPLATES = Path(__file__).parent / "templates"
 FEWEST_ROWS = 30  # the index lists this many pairs, or more if more of them stand out
 RARE = 0.1  # code is rare if at most this fraction of the class has it
-# A text, and "rare" if few students share it, "common" if many, or "".
-Piece = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of code. Its kind is "rare" if few students share it, "common" if many, or ""."""
+
+    text: str
+    kind: str
 
 
 def write_pages(
@@ -68,13 +75,13 @@ def pieces_of(passage: Passage, kinds: Mapping[int, str]) -> list[Piece]:
             begin = before[1] if before[::2] == (row, kind) else begin
             marks[row][begin:end] = [kind] * len(marks[row][begin:end])
             before = (row, end, kind)
-    pieces: list[Piece] = []
+    pieces = []
     indent = min((len(line) - len(line.lstrip()) for line in lines if line.strip()), default=0)
     for text, line in zip(lines, marks, strict=True):
         for kind, group in groupby(range(indent, len(text)), key=line.__getitem__):
             columns = [*group]
-            pieces.append((clean(text[columns[0] : columns[-1] + 1]), kind))
-        pieces.append(("\n", ""))
+            pieces.append(Piece(clean(text[columns[0] : columns[-1] + 1]), kind))
+        pieces.append(Piece("\n", ""))
     return pieces
 
 

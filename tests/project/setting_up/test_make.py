@@ -91,7 +91,7 @@ def test_a_scene_takes_several_settings_beside_another_command() -> None:
 ODD = """it's "late", costs $5; `echo x` $(shell echo y) $HOME $$ \\ # 100 % & d $("""
 TAKERS = [
     *("watch CH", "reset EX", "plot GIVEN", "lab SCENE", "grade NOTE", "grade SUBMISSIONS"),
-    *("grade OUT", "release EX", "similarity ROSTER", "mark SUBMISSIONS", "handout CHAPTERS"),
+    *("grade OUT", "release GRADES", "similarity ROSTER", "mark SUBMISSIONS", "handout CHAPTERS"),
     *("classroom COURSE", "gradescope ASSIGNMENT", "site OUT", "choose SCENE"),
 ]
 
@@ -114,7 +114,7 @@ def echoing(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize("taker", TAKERS)
 def test_commands_get_values_exactly_as_they_were_typed(taker: str, echoing: Path) -> None:
     command, name = taker.split()
-    needed = {"release": "CHAPTERS=2", "similarity": "SUBMISSIONS=a"}
+    needed = {"release": "CHAPTERS=2 GRADES=a", "similarity": "SUBMISSIONS=a"}
     needed |= dict.fromkeys(("handout", "classroom", "gradescope"), "ASSIGNMENT=lab1")
     installed = [f"--old-file=.venv/{group}" for group in ("teaching", "pictures", "everything")]
     done = make(

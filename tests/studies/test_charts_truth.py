@@ -48,8 +48,7 @@ def elastic_pendulum(_: float, state: Any) -> list[float]:
 def chain(length: float, masses: list[float], degrees: float, gravity: float) -> Equation:
     """Return Newton's equations of points in the plane, with tensions that keep the rods' lengths.
 
-    For each rod, r.r'' = -r'.r'. With the rods' ends as rows of a matrix of 1 and -1, one dense
-    solve gives the tensions per m of length. The scene's own solution uses angles and no tensions.
+    For each rod, r.r'' = -r'.r'. The scene's own solution uses angles and no tensions.
     """
     count, inverse = len(masses), 1.0 / numpy.array(masses)
     ends = numpy.eye(count) - numpy.eye(count, k=-1)  # rod i runs from mass i - 1 to mass i

@@ -45,11 +45,7 @@ def main() -> int:
 
 
 def build(out: Path, *, with_solutions: bool) -> None:
-    """Build the website in a folder that is new, empty, or contains an earlier build.
-
-    Raises:
-        ValueError: The folder contains anything else.
-    """
+    """Build the website in a folder that is new or an earlier build. Otherwise raise ValueError."""
     if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
         raise ValueError(f"{out} is neither empty nor an earlier build of the site")
     # These need packages.
@@ -75,10 +71,7 @@ def build(out: Path, *, with_solutions: bool) -> None:
 
 
 def put_in_place(site: Path, out: Path) -> None:
-    """Move the new website to the folder ``out``, replacing an earlier build.
-
-    Even if the command is killed, ``out`` never contains a half-finished site.
-    """
+    """Move the new website to ``out``, which never contains a half-finished site."""
     new, old = (out.with_name(f".{out.name}.{what}") for what in ("new", "old"))
     for folder in (new, old):
         shutil.rmtree(folder, ignore_errors=True)
@@ -91,10 +84,7 @@ def put_in_place(site: Path, out: Path) -> None:
 
 
 def repository() -> str:
-    """Return the address of the GitHub repository whose workflow is building the website.
-
-    Outside a GitHub workflow the address is not known, and the result is an empty string.
-    """
+    """Return the address of the repository whose workflow builds the website, or ""."""
     server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
     return f"{server}/{name}" if server and name else ""
 

@@ -11,20 +11,13 @@ from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
 
 
 def course() -> dict[str, Any]:
-    """Collect the data about all chapters that the website shows.
-
-    The data contains stubs and questions, but no solutions and no model answers.
-    """
+    """Collect what the website shows of all chapters, without solutions and model answers."""
     stubs = {path.removeprefix("chapters/"): text for path, text in make_stubs().items()}
     return {"chapters": [_chapter(chapter, stubs) for chapter in load_chapters()]}
 
 
 def _chapter(chapter: Chapter, stubs: dict[str, str]) -> dict[str, Any]:
-    """Collect the data about one chapter for the website.
-
-    In the result, "files" contains the stubs that students edit. "complete" contains the modules
-    that students use without changing them.
-    """
+    """Collect the data of a chapter: "files" are stubs, and "complete" are given modules."""
     files = {path: text for path, text in stubs.items() if path.startswith(f"{chapter.name}/")}
     answers = files.get(f"{chapter.name}/{FILE}")
     folder = ROOT / "chapters" / chapter.name

@@ -10,10 +10,9 @@ from pathlib import Path
 def imported_by(
     roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
 ) -> list[Path]:
-    """Find all files of ``packages`` that the files in ``roots`` import, directly or indirectly.
+    """Find all files of ``packages`` that ``roots`` import, directly or indirectly.
 
-    ``folders`` are the folders that contain the packages. Imports inside functions count too. A
-    root file that belongs to one of the packages is included in the result.
+    ``folders`` contain the packages. A root that belongs to one of them is included in the result.
     """
     folders = list(folders)
     found: set[Path] = set()
@@ -34,8 +33,7 @@ def imported_by(
 def imports_of(file: Path, folders: Iterable[Path]) -> Iterator[str]:
     """Yield the names of all modules that a Python file may import.
 
-    The statement `from a import b` may import a module or any other object of that name. The result
-    therefore contains both `a` and `a.b`.
+    `from a import b` may import a module or another object, so it yields both `a` and `a.b`.
     """
     for node in ast.walk(ast.parse(file.read_bytes())):
         if isinstance(node, ast.Import):

@@ -28,11 +28,7 @@ def missing() -> str:
 
 
 def run_node(script: str, *arguments: str) -> None:
-    """Run one of the JavaScript files in this folder with Node.js.
-
-    Raises:
-        ValueError: The script cannot be run, or it fails. The message says what to do.
-    """
+    """Run a JavaScript file of this folder. Raise ValueError if it fails."""
     prepare()
     done = subprocess.run(["node", script, *arguments], cwd=WEB, check=False)
     if done.returncode:
@@ -40,12 +36,7 @@ def run_node(script: str, *arguments: str) -> None:
 
 
 def prepare() -> None:
-    """Install the npm packages pinned in package-lock.json, unless they are already installed.
-
-    Raises:
-        ValueError: Node.js is missing, or npm cannot install the packages. The message says what to
-            do.
-    """
+    """Install the pinned npm packages if they are missing. Raise ValueError if that fails."""
     if why := missing():
         raise ValueError(why)
     wanted = hashlib.sha256((WEB / "package-lock.json").read_bytes()).hexdigest()

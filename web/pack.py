@@ -1,9 +1,8 @@
 """Pack the Python code that the website runs in the browser with Pyodide.
 
-The archive course.xz contains the tests and the settings of all chapters. It also contains the
-parts of pytest and of the course's tools that the checks and scenes import. A second archive
-contains Python's standard library. Modules are compiled if that saves loading time. Two builds from
-the same sources produce identical files.
+The archive course.xz contains all chapters' tests and settings, with the parts of pytest and of
+the tools that they import. Another archive contains Python's standard library. Modules are compiled
+if that saves loading time. Two builds from the same sources produce identical files.
 """
 
 from __future__ import annotations
@@ -37,11 +36,10 @@ LEFT_OUT += " smtplib. ftplib. poplib."
 
 
 def pack(out: Path, *, with_solutions: bool = False) -> None:
-    """Write the archives ``course.xz`` and ``pyodide/python_stdlib.zip`` into a folder.
+    """Write the archives ``course.xz`` (a zip in xz format) and ``pyodide/python_stdlib.zip``.
 
-    ``course.xz`` is a zip archive in xz format. ``with_solutions`` adds the compiled modules of the
-    reference solution, for students who skip a chapter. The compiled standard library is kept in
-    build/ and reused, because compiling it takes most of the time.
+    ``with_solutions`` adds the compiled reference, for students who skip a chapter. The compiled
+    standard library is kept in build/, because compiling it takes most of the time.
     """
     library = out / "pyodide" / "python_stdlib.zip"
     library.parent.mkdir(parents=True, exist_ok=True)
@@ -63,10 +61,7 @@ def pack(out: Path, *, with_solutions: bool = False) -> None:
 
 
 def _stage_course(folder: Path, *, with_solutions: bool) -> None:
-    """Copy the tests, the chapters' settings and the tools that run in the browser into a folder.
-
-    ``with_solutions`` adds the modules of the reference solution.
-    """
+    """Copy the tests, settings and tools into a folder, or the reference's modules too."""
     with tempfile.TemporaryDirectory(prefix="handout-") as place:
         handout = Path(place) / "handout"
         with contextlib.redirect_stdout(io.StringIO()):  # its output is meant for an instructor

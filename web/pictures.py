@@ -12,12 +12,9 @@ COLORS = 256
 
 
 def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
-    """Convert all pictures in the lessons, except animations, to WebP files in the folder ``out``.
+    """Convert the lessons' pictures to WebP, and return their new names and sizes by old path.
 
     Animations are not needed, because the page runs the scene itself instead.
-
-    Returns:
-        A dict from the path of each original picture to the name, width and height of the new file.
     """
     out.mkdir(parents=True, exist_ok=True)
     found = {}

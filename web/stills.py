@@ -52,20 +52,12 @@ def main() -> None:
 
 
 def scenes_of_students() -> list[Entry]:
-    """List the scenes that students can run on their own engine.
-
-    The scene that replays the accuracy study is left out, because it always uses the reference
-    solution.
-    """
+    """List all scenes but the accuracy study's, which only runs on the reference."""
     return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
 
 
 def wanted() -> list[tuple[str, str]]:
-    """List the pictures to draw, as pairs of a scene's name and its settings.
-
-    Every scene gets one picture without settings. Each `make lab` command with settings in a lesson
-    gets a picture of its own.
-    """
+    """List each scene without settings, and with those of `make lab` commands in lessons."""
     found = [(entry.name, "") for entry in scenes_of_students()]
     for lesson in sorted(ROOT.glob("chapters/*/README.md")):
         found += COMMAND.findall(lesson.read_text(encoding="utf-8").replace("\n> ", " "))
@@ -73,19 +65,12 @@ def wanted() -> list[tuple[str, str]]:
 
 
 def still_name(scene: str, settings: str) -> str:
-    """Return the file name of a scene's picture, without the suffix.
-
-    For example, the scene one-spring with the setting stiffness=36 becomes
-    "one-spring_stiffness-36".
-    """
+    """Return a file name without suffix, such as "one-spring_stiffness-36"."""
     return "_".join([scene, *settings.replace("=", "-").split()])
 
 
 def still(name: str, settings: str) -> str:
-    """Draw a scene as an SVG picture, with settings such as "rate=30 mass=1".
-
-    Without settings, a scripted player plays the scene for 0.4 s before it is drawn.
-    """
+    """Draw a scene with settings such as "rate=30 mass=1", or else after 0.4 s of play."""
     values = dict(word.split("=", 1) for word in settings.split())
     scene = load(name)(**values)
     while not settings and scene.time < MOMENT:
@@ -97,11 +82,7 @@ def still(name: str, settings: str) -> str:
 
 
 def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
-    """Turn the shapes that a scene's pen has recorded into an SVG picture of the scene.
-
-    The view is centered, as on the lab's page. The picture has the colors of that page, dark ones
-    for readers who prefer them.
-    """
+    """Turn what a scene's pen recorded into an SVG picture with the lab's light and dark colors."""
     left, right, bottom, top = view
     scale = max((right - left) / WIDTH, (top - bottom) / HEIGHT)
     x, y = (left + right) / 2.0, (bottom + top) / 2.0

@@ -16,10 +16,7 @@ SIGMA = 0.2  # relative, of a sum of 25 ticks: such counts scatter by their root
 
 
 class Clock:
-    """A clock that is rounded down as in WebKit, or at a random moment of each tick as in Firefox.
-
-    Reading it takes a moment, too.
-    """
+    """A clock that is rounded down as in WebKit, or at random as in Firefox. Reading takes time."""
 
     def __init__(self, step: float, *, jitter: bool) -> None:
         self.step, self.jitter, self.now = step, jitter, 100.0  # s
@@ -60,11 +57,7 @@ def shown(
 def test_the_cost_is_right_or_absent(
     monkeypatch: pytest.MonkeyPatch, step: float, takes: float, *, jitter: bool
 ) -> None:
-    """Each value is right to four standard deviations, and so is the mean of several runs.
-
-    The upper bound is farther away than the lower one, because the time is the inverse of a number
-    of frames that scatters.
-    """
+    """Each value is right to four standard deviations of an inverse, and so is the mean."""
     last = []
     for seed in range(6):
         found = shown(monkeypatch, Clock(step, jitter=jitter), takes, 20.0, seed)

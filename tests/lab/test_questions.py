@@ -52,11 +52,7 @@ def test_the_ball_with_the_longest_steps_flies_farthest(rate: float) -> None:
 
 
 def growth(scene: Any) -> float:
-    """Return the spectral radius of a step of one spring, which is above 1 if the motion grows.
-
-    A step is linear, so two steps from different states give its matrix. They do not start at 0,
-    where a spring of length 0 has no direction.
-    """
+    """Return the spectral radius of a step of one spring, which is above 1 if the motion grows."""
     h = 1.0 / scene.rate
     ends = []
     for v in (0.0, 1.0):

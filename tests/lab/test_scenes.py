@@ -86,10 +86,7 @@ def ends(name: str) -> list[dict[str, object]]:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_a_scene_takes_the_extremes_of_its_parameters(name: str) -> None:
-    """A scene may explode at an extreme value, but then it must report the explosion.
-
-    As long as it runs, its question can be asked.
-    """
+    """If a scene explodes, it says so. As long as it runs, its question can be asked."""
     question = load(name).predict
     for values in ends(name):
         host = Host(lambda error: f"{type(error).__name__}: {error}")

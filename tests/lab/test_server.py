@@ -38,10 +38,7 @@ def get(address: str, **headers: str) -> HTTPResponse:
 
 
 def talk(address: str, *messages: dict[str, Any], engine: str = "yours") -> list[dict[str, Any]]:
-    """Send messages through a socket and return all answers.
-
-    A message may have several answers. Every answer except "scene" is the last one.
-    """
+    """Return all answers to messages. Every answer except "scene" is the last one of a message."""
 
     async def ask() -> list[dict[str, Any]]:
         url = f"{address.replace('http', 'ws', 1)}engine?engine={engine}"

@@ -40,13 +40,6 @@ def test_what_rests_stays_for_a_minute(c: float, built_in: bool) -> None:
         assert abs(ball.position.y) <= 1e-18
 
 
-@pytest.mark.parametrize(("n", "deep"), [(2, 6e-3), (3, 0.06)])
-def test_a_low_stack_stands(n: int, deep: float) -> None:
-    heights, worst = settle(n)
-    assert worst < deep
-    assert heights == pytest.approx([0.5 + i for i in range(n)], abs=deep)
-
-
 def test_ten_on_each_other_sink_with_the_default_number_of_iterations() -> None:
     """The default of two iterations per contact does not carry the weight of ten balls."""
     heights, worst = settle(10)

@@ -22,10 +22,7 @@ RESOLVERS = [ContactResolver, HeapResolver]
 
 
 def tangle(draw: random.Random, particles: int, count: int) -> tuple[list[Particle], list[Contact]]:
-    """Return moving particles, some of them immovable, and contacts between any of them.
-
-    Some pairs appear twice with different normals. Every fifth contact is with the world.
-    """
+    """Return particles, some of them immovable, and contacts, some of them with the world."""
 
     def vector(size: float) -> Vector3:
         return Vector3(*(draw.uniform(-size, size) for _ in range(3)))

@@ -8,7 +8,7 @@ import math
 import platform
 import timeit
 from collections.abc import Callable
-from itertools import chain, pairwise
+from itertools import pairwise
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -251,26 +251,6 @@ def test_what_is_compared_with_the_step_is_the_same_step() -> None:
         tuple(forced.position), rel=1e-11
     )
     assert tuple(generated.position) == pytest.approx(tuple(free.position), rel=1e-11)
-
-
-def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr(particles, "SPARKS", 5)
-    errors = []
-    for frames in (500, 1000):
-        monkeypatch.setattr(particles, "FRAME", 2.0 / frames)
-        show = particles.burst()
-        speeds = particles.speeds_of(show)
-        stepped = particles.step(show, frames, "xyz")
-        closed = particles.positions(speeds, 2.0, "xyz")
-        pairs = zip(chain(*stepped), chain(*closed), strict=True)
-        errors.append(max(abs(a - b) for a, b in pairs))
-    # The error is of order 1, and the next order is less than a hundredth of it.
-    assert errors[0] / errors[1] == pytest.approx(2.0, abs=0.02)
-    # It is at most g t h / 2 from the acceleration plus k v t h / 2 from the drag, with 5 m/s and
-    # h = 0.002 s.
-    assert errors[1] < 0.0196 + 0.0070
 
 
 def test_what_a_cloth_is_compared_with_falls_in_the_same_way() -> None:

@@ -1,7 +1,4 @@
-"""What the charts add to the integrators of the course: methods of high order, and scenes at rest.
-
-The expected values come from closed forms.
-"""
+"""Methods of high order and scenes at rest, against closed forms."""
 
 from __future__ import annotations
 

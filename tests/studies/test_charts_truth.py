@@ -10,7 +10,6 @@ import numpy
 import pytest
 from scipy.integrate import solve_ivp
 
-from ch07_constraints.going_further.angle_pendulum import AnglePendulum
 from plots.drawing import slope
 from scenes.clock import RATE
 from scenes.dropped_balls import DroppedBalls
@@ -49,8 +48,7 @@ def elastic_pendulum(_: float, state: Any) -> list[float]:
 def chain(length: float, masses: list[float], degrees: float, gravity: float) -> Equation:
     """Return Newton's equations of points in the plane, with tensions that keep the rods' lengths.
 
-    For each rod, r.r'' = -r'.r'. With the rods' ends as rows of a matrix of 1 and -1, one dense
-    solve gives the tensions per m of length. The scene's own solution uses angles and no tensions.
+    For each rod, r.r'' = -r'.r'. The scene's own solution uses angles and no tensions.
     """
     count, inverse = len(masses), 1.0 / numpy.array(masses)
     ends = numpy.eye(count) - numpy.eye(count, k=-1)  # rod i runs from mass i - 1 to mass i
@@ -181,16 +179,6 @@ def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: in
     assert found == pytest.approx(order, abs=0.1)
 
 
-def test_the_error_of_the_adaptive_model_falls_with_its_tolerance() -> None:
-    scene = "orbit of eccentricity 0.9"
-    model = model_of(scene, "adaptive")
-    assert model.takes_tolerance
-    assert [1.0 / finer for finer in model.steps[:3]] == [0.1, 0.01, 0.001]
-    errors = errors_of(scene, "adaptive", [10**n for n in range(6, 12)])
-    # The errors are proportional to the tolerance, except that frames cut steps short.
-    assert slope([10.0**-n for n in range(6, 12)], errors) == pytest.approx(1.0, abs=0.2)
-
-
 def test_work_is_what_was_worked_out() -> None:
     """Count evaluations of forces, impacts, and the rods that are solved for in an evaluation."""
     orbit, ball = "orbit of eccentricity 0.5", "bouncing ball, restitution 0.8"
@@ -218,9 +206,3 @@ def test_a_run_that_breaks_off_or_has_no_numbers_has_an_infinite_error() -> None
 
     scene = Scene("none", 2, 1.0, lambda _: (0.0,), [Model("nan", run)])
     assert scene.error(run(1)) == math.inf
-
-
-def test_an_angle_pendulum_refuses_what_is_none() -> None:
-    for bad in ((0.0, 1.0), (1.0, math.nan), (1.0, 1.0, math.inf), (1.0, 1.0, 0.0, 0.0)):
-        with pytest.raises(ValueError, match="must be"):
-            AnglePendulum(*bad)

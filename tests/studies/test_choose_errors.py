@@ -228,10 +228,7 @@ def test_the_error_of_an_adaptive_method_falls_with_the_tolerance_on_average() -
 
 
 def test_chaos_is_accepted_only_if_short_steps_show_the_order() -> None:
-    """In chaos, the first runs of Runge-Kutta 4 show orders from -0.5 to 4.4, and the next one 5.
-
-    Here the limit is 0, and each error is what the runs had in a scene with three stars.
-    """
+    """In chaos, the first runs show orders from -0.5 to 4.4. These are errors of three stars."""
     errors = [3.1, 0.4, 0.52, 0.11, 0.0052, 5.2e-3 / 2**5, 5.2e-3 / 2**9]
     assert not halved([[[error]] for error in errors[:5]], 2.0, 4.0).is_steady
     found = halved([[[error]] for error in errors], 2.0, 4.0)

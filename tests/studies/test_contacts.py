@@ -80,10 +80,7 @@ def test_the_committed_points_are_those_of_this_code() -> None:
 
 
 def test_the_table_has_the_time_that_is_needed_or_a_dash(tmp_path: Path) -> None:
-    """Interpolated on logarithmic axes: 1e-2 lies halfway from 1e-1 to 1e-3.
-
-    The times are medians in ms per frame, of runs with 60 frames.
-    """
+    """On logarithmic axes, 1e-2 lies halfway from 1e-1 to 1e-3. Times are medians per frame."""
     scene, file = named(STACK, 1), tmp_path / "points.json"
     points = [
         Point(scene, BOOK, "the book", 1, 1e-1, 0, [0.12]),

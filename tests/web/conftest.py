@@ -1,7 +1,4 @@
-"""The site and its visitors, for the tests in this folder.
-
-The helpers are imported late, because pytest may load this file before it knows their folder.
-"""
+"""The site and its visitors. Helpers are imported late, when pytest knows their folder."""
 
 from __future__ import annotations
 

@@ -109,11 +109,7 @@ def test_work_is_kept_if_its_page_is_left_while_it_is_saved(student: Student) ->
 
 
 def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path) -> None:
-    """A frame takes less than 1 ms, and these browsers round their clocks to 1 ms.
-
-    After a few seconds, in which the browser still compiles Python, it takes 3 to 9 times as long
-    as outside a browser. The limits leave room for a busy machine, but not for a wrong unit.
-    """
+    """A frame takes 3 to 9 times as long as outside. The limits still find a wrong unit."""
     archive = tmp_path / "everything.zip"
     with zipfile.ZipFile(archive, "w") as file:
         for path, text in reference().items():

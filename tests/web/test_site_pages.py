@@ -111,11 +111,7 @@ SOURCES = ("web/page/**/*.js", "lab/page/*.js")
 
 
 def test_the_site_is_small(site: Served) -> None:
-    """All of it takes at most 20 MB, and what is ours 1.6 MB as it is sent.
-
-    Not ours are Pyodide with Python's library, pytest, CodeMirror and the other libraries of the
-    scripts, and the licenses of all these.
-    """
+    """All of it takes at most 20 MB, and what is ours 1.6 MB as it is sent."""
     folder = site.folder / BELOW
     files = {f.relative_to(folder).as_posix(): f for f in folder.rglob("*") if f.is_file()}
     assert sum(file.stat().st_size for file in files.values()) <= 20_000_000

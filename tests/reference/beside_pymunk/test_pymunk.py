@@ -13,7 +13,6 @@ from ch03_laws_of_motion.damping import damp_per_second
 from ch05_forces.forces import Drag, ForceGenerator, InverseSquareGravity, PointGravity
 from ch05_forces.particle import Particle
 from scenes.flight import DAMPED_FALL, FREE_FALL, PROJECTILE, Flight, State
-from scenes.flight import flown as ours
 from scenes.setup import alone
 from scenes.twin import twin_of
 
@@ -30,30 +29,6 @@ def theirs(flight: Flight, frame: float, frames: int) -> list[State]:
         space.step(frame)
         states.append(State((*body.position, 0.0), (*body.velocity, 0.0)))
     return states
-
-
-@pytest.mark.parametrize("frame", FRAMES)
-@pytest.mark.parametrize("name", FLIGHTS)
-def test_pymunk_is_ahead_by_what_equation_3_6_does_not_damp(name: str, frame: float) -> None:
-    """Pymunk has v' = v d^h + a h (Eq. 3.6), and the engine (v + a h) d^h, as the listing does.
-
-    With D = d^h, the difference between the velocities is multiplied by D in each step and grows by
-    a h (1 - D). After n steps it is a h (1 - D^n). The difference between the positions is the sum
-    of h times that. Without damping, the steps are equal.
-    """
-    flight, frames = FLIGHTS[name], round(SECONDS / frame)
-    keep = flight.damping**frame
-    for n, (mine, other) in enumerate(
-        zip(ours(flight, frame, frames), theirs(flight, frame, frames), strict=True)
-    ):
-        gone = 1.0 - keep**n
-        apart = frame * frame * (n - gone / (1.0 - keep)) if keep < 1.0 else 0.0
-        for i, a in enumerate(flight.acceleration):
-            velocity = other.velocity[i] - mine.velocity[i]
-            position = other.position[i] - mine.position[i]
-            # Some thousand roundings of numbers up to 100.
-            assert velocity == pytest.approx(a * frame * gone, abs=1e-11)
-            assert position == pytest.approx(a * apart, abs=1e-11)
 
 
 @pytest.mark.parametrize("name", FLIGHTS)
@@ -89,11 +64,7 @@ def inverse_square(body: Any) -> Any:
 def states(
     generator: ForceGenerator, push: Push, g: float, h: float, time: float
 ) -> Iterable[tuple[Any, Any]]:
-    """Yield the states of our particle and of pymunk's body after each frame.
-
-    As in our registry, the force on pymunk's body is evaluated before the step, which moves the
-    body first.
-    """
+    """Yield both states after each frame. Each force is found before the step."""
     space, body = pymunk.Space(), pymunk.Body(2.0, 1.0)
     space.gravity = (0.0, g)
     space.add(body)

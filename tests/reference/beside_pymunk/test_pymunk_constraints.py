@@ -1,8 +1,6 @@
 """Compare pymunk's ground and PinJoint with ours and with closed forms.
 
-Space.step first moves the bodies and then resolves collisions. The restitution is the product of
-the elasticities of both shapes. So a single collision is as accurate as ours, but its time is not
-exact, as it is with time division.
+Pymunk moves the bodies first, so a collision is not exact in time, as it is with time division.
 """
 
 from __future__ import annotations

@@ -1,10 +1,7 @@
 """Compare pymunk's DampedSpring with our springs.
 
-Experiments show what one Space.step does. It moves the position with the old velocity, evaluates
-the spring at the new position, and adds k times the offset times h to the momentum. Then it
-multiplies the remaining velocity along the spring by e^(-c h / m). So a frame is semi-implicit
-Euler with the move first. Its damping is not a force but corresponds to our Particle.damping with
-d = e^(-c / m).
+Its frame is semi-implicit Euler with the move first. Then it multiplies the velocity along the
+spring by e^(-c h / m), as our Particle.damping does with d = e^(-c / m).
 """
 
 from __future__ import annotations

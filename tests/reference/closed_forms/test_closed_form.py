@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from decimal import Decimal, localcontext
 
 import pytest
@@ -11,9 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ch03_laws_of_motion.particle import Particle
-from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange
 from ch04_particle_engine.closed_form import drag_factors, state_after
-from scenes.flight import DAMPED_FALL, FREE_FALL, PROJECTILE, Flight
 
 
 def in_decimals(damping: float, time: float) -> tuple[float, float, float]:
@@ -49,18 +46,6 @@ def test_the_factors_are_right_next_to_a_damping_of_1(sign: float, exponent: int
         expect_factors(1.0 + sign * 10.0**-exponent, time)
 
 
-@pytest.mark.parametrize("flight", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=str)
-def test_a_flight_s_exact_path_is_found(flight: Flight) -> None:
-    start = flight.particle(Particle)
-    for i in range(11):
-        time = 0.5 * i
-        position, velocity = state_after(start, time)
-        exact = flight.exact(time)
-        # Two forms of the same formula differ by a few roundings of numbers up to 130.
-        assert tuple(position) == pytest.approx(exact.position, abs=1e-12)
-        assert tuple(velocity) == pytest.approx(exact.velocity, abs=1e-12)
-
-
 def test_what_fits_in_no_float_is_refused_and_no_nan() -> None:
     assert drag_factors(1.0, 1e150) == (1.0, 1e150, pytest.approx(5e299, rel=1e-15))
     for damping, time in ((1.0, 1e200), (1.0, 1e155), (2.0, 2000.0)):
@@ -70,29 +55,3 @@ def test_what_fits_in_no_float_is_refused_and_no_nan() -> None:
     kept, gone, fallen = drag_factors(0.5, 1e300)
     assert (kept, gone) == (0.0, pytest.approx(1.0 / math.log(2.0), rel=1e-15))
     assert fallen == pytest.approx(1e300 / math.log(2.0), rel=1e-15)
-
-
-@pytest.mark.parametrize(
-    ("damping", "time", "reach"), [(1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)]
-)
-def test_flight_time_and_range_reach_the_known_figures(
-    monkeypatch: pytest.MonkeyPatch, damping: float, time: float, reach: float
-) -> None:
-    shell = replace(SHOT_TYPES["artillery"], damping=damping)
-    monkeypatch.setitem(SHOT_TYPES, "artillery", shell)
-    landings = []
-    for h in (1.0 / 1000.0, 1.0 / 2000.0):
-        at = BallisticRange()
-        at.fire("artillery")
-        p = at.shots[0].particle
-        now = 0.0
-        while at.shots:
-            before = (now, p.position.y, p.position.z)
-            at.update(h)
-            now += h
-        share = before[1] / (before[1] - p.position.y)
-        landings.append((before[0] + share * h, before[2] + share * (p.position.z - before[2])))
-    coarse, fine = landings
-    # With order 1, twice the finer result minus the coarser one has an error of h^2: 1e-6 of 120.
-    assert 2.0 * fine[0] - coarse[0] == pytest.approx(time, abs=2e-6)
-    assert 2.0 * fine[1] - coarse[1] == pytest.approx(reach, abs=1e-4)

@@ -1,7 +1,6 @@
 """Errata that can be run: the printed form fails, and the correct form next to it does not.
 
-The name of each test starts with the number of its entry in errata.md. That page says which entries
-are certain, and which are only advice because a mark may be missing in our scan.
+The name of each test starts with the number of its entry in errata.md, which says how sure it is.
 """
 
 from __future__ import annotations

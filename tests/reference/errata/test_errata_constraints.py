@@ -29,10 +29,7 @@ def test_e7_momentum_is_kept_at_any_restitution_and_energy_at_1_alone() -> None:
 
 
 def test_e8_the_printed_resolver_moves_a_contact_out_again_and_again() -> None:
-    """After two iterations, a contact of 0.1 m ends 0.1 m up, if its depth is not updated.
-
-    This is the printed resolver. The author's source code updates the depths.
-    """
+    """A contact of 0.1 m ends 0.1 m up, if its depth is not updated."""
     for printed, end in ((True, 0.1), (False, 0.0)):
         ball = Particle(Vector3(0.0, -0.1))
         contact = Contact(ball, None, UP, 0.0, 0.1)
@@ -103,10 +100,7 @@ def test_e25_without_the_minus_a_ball_moves_on_into_the_ground() -> None:
 
 
 def highest(*, printed: bool, built_in: bool) -> float:
-    """Return the largest height in the 5 s that follow 5 s on the ground, with the book's step.
-
-    The ball is released 0.01 mm above the ground, with c = 0.9 and g = 10 m/s^2.
-    """
+    """Return the largest height in the last 5 s of 10 s on the ground, with the book's step."""
     ball = Particle(Vector3(0.0, 1e-5), acceleration=UP * (-10.0 if built_in else 0.0))
     registry, top = ForceRegistry(), 0.0
     if not built_in:

@@ -163,11 +163,7 @@ def test_e31_a_step_of_eq_95_does_not_keep_the_length() -> None:
 
 
 def test_e32_a_cut_through_the_center_of_mass_leaves_unequal_masses() -> None:
-    """A triangle is cut into nine equal triangles, each with its mass at its centroid.
-
-    The cut along their rows passes through the centroid of the whole. Five masses lie below it and
-    four above.
-    """
+    """Nine equal triangles: a cut along a row passes through the centroid of the whole."""
     corners = (
         [(x, y, 1) for y in range(3) for x in range(3 - y)]  # upright triangles
         + [(x + 1, y + 1, -1) for y in range(2) for x in range(2 - y)]  # inverted triangles

@@ -37,11 +37,7 @@ def test_the_bridge_rests_where_scipy_has_it() -> None:
 
 
 def test_slack_cables_pull_nothing_and_the_energy_is_the_least() -> None:
-    """Two knots on three cables each, of which some are too long to be taut.
-
-    The problem is convex. So a state in which the forces balance, no cable is too long, and only
-    taut cables pull is the state of least energy.
-    """
+    """The problem is convex, so balanced forces are the state of least energy."""
     anchors = [(-2.0, 0.0), (2.0, 0.5), (0.0, 0.3)]
     lengths = [[1.6, 3.5, 2.4], [3.9, 1.8, 1.9]]
     masses = [1.0, 4.0]

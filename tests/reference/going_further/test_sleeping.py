@@ -96,10 +96,7 @@ def test_a_spring_pulls_at_the_end_that_is_awake_though_the_other_one_sleeps() -
 def test_a_stack_falls_asleep_and_falls_when_its_base_is_knocked_away(
     n: int, iterations: int
 ) -> None:
-    """Contacts end because of rounding or of the resolver's error, and then a ball falls a frame.
-
-    With the default iterations the stack creeps too fast to sleep.
-    """
+    """With the default iterations the stack creeps too fast to sleep."""
     bodies = [ball(0.0, 0.5 + i) for i in range(n)]
     grounds = [GroundPlane(bodies, radius=0.5), ParticlePairs(bodies, 0.5)]
     world = SleepingWorld(bodies, grounds, iterations=iterations)

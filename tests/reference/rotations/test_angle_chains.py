@@ -35,10 +35,9 @@ def rope(lengths: list[float], masses: list[float], *state: list[float]) -> Angl
 
 
 def lagrange(start: tuple[list[float], ...], time: float) -> list[float]:
-    """Return the angles after a time, solved by SciPy from Lagrange's equations.
+    """Return the angles after a time, solved by SciPy from Lagrange's equations without tensions.
 
-    M is the sum of the masses from the farther one of two rods to the tip. The equations
-    sum_j M L_j (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i need no tensions.
+    sum_j M L_j (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
     """
     lengths, masses, angles, speeds = (numpy.array(part) for part in start)
     count = len(lengths)
@@ -151,10 +150,7 @@ def test_a_conical_pendulum_goes_round_in_its_circle() -> None:
 
 @pytest.mark.parametrize("speed", [0.0, 3.0])
 def test_a_chain_may_have_an_immovable_other_end(speed: float) -> None:
-    """Two rods of sqrt 0.5 m hold 1 kg at a right angle, and each pulls with m g / sqrt 2.
-
-    A velocity of the immovable end moves nothing, so it makes no difference.
-    """
+    """Two rods hold 1 kg at a right angle. The velocity of the other end makes no difference."""
     low = Particle(Vector3(0.5, -0.5), acceleration=Vector3(0.0, -G))
     end = Particle(Vector3(1.0, 0.0), Vector3(speed, speed), mass=INF)
     RodTensions([low, end], Vector3()).update_forces()

@@ -10,12 +10,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from ch09_rotations.plane import center_of_mass, wrap_angle
+from ch09_rotations.plane import wrap_angle
 from ch09_rotations.stones import read_stones
 
-UNIT_ROUNDING = 2.0**-53
-coordinate = st.floats(-1e3, 1e3)
-mass = st.floats(1e-6, 1e6)
 HEADER = "what,mass,x,y\n"
 
 
@@ -30,20 +27,6 @@ def test_a_wrapped_angle_differs_by_whole_turns_exactly(angle: float) -> None:
     wrapped = wrap_angle(angle)
     assert -math.pi < wrapped <= math.pi
     assert ((Fraction(angle) - Fraction(wrapped)) / Fraction(math.tau)).denominator == 1
-
-
-@given(st.lists(st.tuples(mass, coordinate, coordinate), min_size=1, max_size=20))
-def test_the_center_of_mass_is_exact_but_for_its_roundings(
-    bodies: list[tuple[float, float, float]],
-) -> None:
-    got = center_of_mass([m for m, _, _ in bodies], [(x, y) for _, x, y in bodies])
-    total = sum(Fraction(m) for m, _, _ in bodies)
-    for axis in (0, 1):
-        terms = [Fraction(body[0]) * Fraction(body[1 + axis]) / total for body in bodies]
-        # Each term has three roundings: of the total, the fraction and the product. The sum has
-        # one. Below 1e-308 there is nothing to round.
-        allowed = 4.01 * UNIT_ROUNDING * float(sum(abs(term) for term in terms)) + 1e-300
-        assert abs(Fraction(got[axis]) - sum(terms)) <= allowed
 
 
 def file_of(tmp_path: Path, text: str, encoding: str = "utf-8") -> Path:

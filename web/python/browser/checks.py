@@ -33,24 +33,17 @@ class Progress:
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, _: str, done: int, of: int) -> None:
-        """Send the number of finished checks to the page.
-
-        Nothing is sent while the reports of an earlier web worker are being replayed.
-        """
+        """Send the number of finished checks, unless the past of another worker is replayed."""
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD
 
 
 class Runs:
-    """Runs the checks for a report, and sends the first failure to the page as early as possible.
+    """Runs the checks for a report, and sends the first failure before other chapters are checked.
 
-    The report may also need the results of other chapters, whose checks take seconds. The page
-    therefore gets the first failure in the requested chapter before the other chapters are checked.
-    The results of other chapters are remembered for later reports.
-
-    After an endless loop, the other chapters are not checked, because they would run into the same
-    loop.
+    The results of other chapters are remembered. After an endless loop, other chapters are not
+    checked, because they would run into the same loop.
     """
 
     def __init__(
@@ -66,11 +59,7 @@ class Runs:
         self.shown = False
 
     def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
-        """Run the checks of a chapter, and return a verdict for each of them.
-
-        A report calls this method instead of ``run_checks``. After an endless loop, it returns no
-        verdicts for other chapters.
-        """
+        """Return a verdict for each check of a chapter. A report calls this like ``run_checks``."""
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
             return self.found
@@ -92,12 +81,7 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Run the checks that a student requested, and return the report for the page to display.
-
-    Raises:
-        ValueError: The request is not valid.
-        GraderError: The checks could not be run.
-    """
+    """Run the checks that a student requested. Raise ValueError if the request is not valid."""
     chapters = load_chapters()
     chapter = _chapter(chapters, request["chapter"])
     exercise = chapter.exercise(request["exercise"]) if request["exercise"] else None

@@ -13,10 +13,7 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """The folder in the browser's file system that contains the student's chapters.
-
-    If the page has not sent a file, the folder contains the original stub of that file.
-    """
+    """The folder of the student's chapters. A file that the page has not sent is its stub."""
 
     def __init__(self, folder: Path = CHAPTERS) -> None:
         self.folder = folder
@@ -28,11 +25,7 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the student's ``files`` to the folder, and reset every other file to its stub.
-
-        Raises:
-            ValueError: A path does not have the form chNN_name/name.
-        """
+        """Write these files, and reset all others to stubs. Raise ValueError for a wrong path."""
         for path in files:
             if not TAKEN.fullmatch(path):
                 raise ValueError(f"a file's path must be chNN_name/name, got {path!r}")

@@ -23,12 +23,7 @@ links: dict[int, Link] = {}
 
 
 def start() -> None:
-    """Prepare Python for running student code, and tell the page that it is ready.
-
-    The message also contains the explanations for students that the page shows when Python can no
-    longer answer: for an endless loop while a scene loads or runs, and for a process that has
-    ended.
-    """
+    """Prepare Python for student code. Send what the page shows when Python no longer answers."""
     os.chdir(ROOT)
     watchdog.install()
     install_limits()

@@ -9,10 +9,7 @@ import worker  # type: ignore[import-not-found]  # worker.js creates this module
 
 
 def post(kind: str, **values: Any) -> None:
-    """Send the page a message whose ``kind`` says what it is about, such as "progress".
-
-    The values must be plain data that can be written as JSON.
-    """
+    """Send the page a message of a kind such as "progress", with values for JSON."""
     worker.post(json.dumps({"kind": kind, **values}, allow_nan=False))
 
 

@@ -1,8 +1,7 @@
 """Resume a run of checks after its web worker was terminated.
 
-If a check never ends, the page terminates the web worker, but it keeps the results that the worker
-has sent. A new worker then starts the run again. It uses the stored results instead of running
-those checks a second time.
+If a check never ends, the page terminates the worker and keeps its reports. A new worker then
+replays these reports instead of running the same checks a second time.
 """
 
 from __future__ import annotations
@@ -52,11 +51,7 @@ class Past:
 
 
 class Processes:
-    """Runs the checks of one request, and reuses the results of an earlier web worker.
-
-    If a check never ends, the page terminates the worker and starts a new one. The new worker
-    replays the reports that the old worker had sent, instead of running the same checks again.
-    """
+    """Runs the checks of one request, or replays what an earlier web worker reported of them."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -68,10 +63,7 @@ class Processes:
         return not self.past
 
     def run(self, run: Run) -> Ending:
-        """Run a set of checks as if in a process of its own, and return how that process ended.
-
-        If an earlier web worker has already run these checks, replay its reports instead.
-        """
+        """Run checks as if in a process of their own, or replay them. Return how it ended."""
         request = run.request
         # Folders with given modules have a different name each time, so only their number counts.
         key = f"{request.chapter.name} on {len(request.engine)}: {' '.join(request.exercises)}"
@@ -103,10 +95,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Build the failure that the page shows for a check that never finished.
-
-    Return None if no check was running.
-    """
+    """Build the failure of a check that never ended, or return None if none was running."""
     if not isinstance(run.current, Started):
         return None
     check, request = run.checks[run.current.name], run.request

@@ -34,18 +34,12 @@ code = StudentsCode([], {})  # the code that is checked, and that is restricted
 
 
 def install_limits() -> None:
-    """Restrict what the student's code may import and do.
-
-    Call this once, before the first run.
-    """
+    """Restrict what the student's code may import and do. Call this once."""
     restrict(code)
 
 
 def compile_once() -> None:
-    """Cache the compiled code of every module, because each check reimports up to 40 modules.
-
-    The cache cuts the time of a short check by a third. Call this function only once.
-    """
+    """Cache compiled code, which cuts the time of a short check by a third. Call this once."""
     compiled = lru_cache(maxsize=1000)(compile)
 
     def source_to_code(_: SourceFileLoader, data: Any, path: str, *_1: Any, **_2: Any) -> CodeType:
@@ -56,10 +50,9 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser.
+    """Imports the student's modules in a browser, where no process can be started and killed.
 
-    A browser cannot start a separate process for them and kill it when the time is up. Instead, a
-    watchdog reports code that runs for too long, and the page then ends the web worker.
+    A watchdog reports code that runs for too long, and the page then ends the web worker.
     """
 
     forks = False
@@ -70,10 +63,7 @@ class InBrowser(InProcess):
         code.change(self.engine, self.config.graded)
 
     def after_collection(self) -> None:
-        """Do nothing, because a browser cannot fork a process.
-
-        The method that is overridden here prepares a process for forking.
-        """
+        """Do nothing, because a browser cannot fork a process."""
 
     def start_clock(self) -> None:
         """Start the watchdog, which interrupts the student's code when a check takes too long."""
@@ -84,10 +74,7 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """Records the results of checks, and skips test files that are not needed.
-
-    Reading fewer files saves time, because files load slowly in a browser.
-    """
+    """Records results, and skips unneeded test files, because they load slowly here."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
         """Skip a test file that does not cover any of the requested exercises."""
@@ -99,10 +86,9 @@ class BrowserRecorder(Recorder):
 
 
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
-    """Run the checks listed in ``config`` in the current interpreter, and report each step.
+    """Run the checks of ``config`` in this interpreter, and pass each event to ``send``.
 
-    Each report is an event that is passed to ``send``. If ``shallow`` is true, the student's code
-    gets a lower recursion limit than in the grader, because some browsers have a small stack.
+    If ``shallow`` is true, the recursion limit is lower, because some browsers have a small stack.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -117,11 +103,7 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Restore the state of the interpreter at the end of a with block.
-
-    The state consists of the imported modules, sys.path, the recursion limit and the working
-    folder.
-    """
+    """Restore the modules, sys.path, the recursion limit and the folder after a with block."""
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)

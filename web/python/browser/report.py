@@ -25,10 +25,7 @@ from autograder.student.screen import (
 def report_to_page(
     report: ChapterResults, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
-    """Convert a report on a student's work to data that the page can display.
-
-    The page shows the same report that `make check` prints in a terminal.
-    """
+    """Convert a report to data for the page, which shows it as `make check` prints it."""
     chapter, reports = report.chapter, [report]
     first = first_open(reports, exercise)
     failure = failure_of(*first, engine) if first else None
@@ -79,11 +76,7 @@ def _results(report: ChapterResults, engine: list[Path]) -> list[dict[str, Any]]
 
 
 def failure_to_page(failure: Failure) -> dict[str, Any]:
-    """Convert a failed check to data that the page can display.
-
-    In the result, "line" is the number of the line to open in the student's code, or 0 if there is
-    none.
-    """
+    """Convert a failed check to data for the page. A "line" of 0 means that there is none."""
     file, _, line = failure.place.removeprefix("chapters/").partition(":")
     return {
         "heading": failure.heading,

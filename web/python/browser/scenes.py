@@ -1,8 +1,7 @@
 """Run several scenes of a page in one Python interpreter, each with its own engine.
 
-The modules of all engines have the same names, so sys.modules can hold only one engine at a time.
-For each scene, an object of the class Link keeps the modules that the scene has imported. It adds
-them to sys.modules before it answers a message, and removes them afterward.
+The modules of all engines have the same names. For each scene, a Link keeps the modules that the
+scene has imported. It adds them to sys.modules for each message, and removes them afterward.
 """
 
 from __future__ import annotations
@@ -46,11 +45,7 @@ class Link:
         self.given = ExitStack()  # the reference's modules, kept until the link is closed
 
     def receive(self, message: Message) -> list[Message]:
-        """Answer a message from the page about this scene.
-
-        A message that loads a scene also contains the student's files, from which the engine is
-        built.
-        """
+        """Answer a message about this scene. A message that loads it has the student's files."""
         limit = TIME_LIMIT
         try:
             if message.get("kind") == "load":
@@ -72,10 +67,7 @@ class Link:
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Build the scene's engine from the student's files.
-
-        Chapters that the student has skipped come from the reference solution.
-        """
+        """Build the engine from the student's files, with skipped chapters from the reference."""
         if self.loaded == (files, numbers):
             return
         self.loaded = None
@@ -93,10 +85,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Make the scene's engine importable within a with block.
-
-        Student code in this block runs under the usual limits.
-        """
+        """Make the scene's engine importable in a with block, under the usual limits."""
         code.change(*self.known)
         rejected.reasons = self.rejected
         sys.setrecursionlimit(SHALLOW)

@@ -1,7 +1,6 @@
 """Run a line of Python on the student's engine, for the *Try it* box of an exercise.
 
-Each request contains all earlier lines of the box. They run again, without showing anything, so
-that their variables are there. A line therefore always sees the newest code, and nothing is kept.
+All earlier lines of the box run again first, so a line always sees the newest code.
 """
 
 from __future__ import annotations
@@ -27,10 +26,9 @@ from web.python.browser.watchdog import watchdog
 
 
 def try_line(request: dict[str, Any], folder: Folder) -> dict[str, str]:
-    """Run the request's ``line``, and return what it shows.
+    """Return the ``value``, ``printed`` text and ``error`` of the request's ``line``.
 
-    The result has the texts ``value``, ``printed``, ``error`` and ``where``, which is the line of
-    the student's that raised the error. Texts that do not apply are empty.
+    ``where`` is the line of the student's that raised the error. Absent texts are empty.
     """
     chapters = load_chapters()
     (chapter,) = (other for other in chapters if other.name == request["chapter"])

@@ -1,10 +1,7 @@
 """Interrupt student code when its time is up, although a web worker has only one thread.
 
-Neither another thread nor an alarm can interrupt that thread. However, Python checks for signals
-from the worker thousands of times per second. When the time is up, the worker sends SIGALRM, and
-Python calls ``Watchdog.hear``. That method reports the current line of the student's code, and the
-page then ends the worker.
-
+Python checks for signals from the worker thousands of times per second. When the time is up, the
+worker sends SIGALRM, ``Watchdog.hear`` reports the current line, and the page ends the worker.
 A loop inside a C function, such as sum, never checks for signals. In that case the page ends the
 worker one second later, and the line remains unknown.
 """

@@ -114,10 +114,10 @@ TOLD = [
 BAD = {
     "del build": "build is missing. Define it as a function that returns a ParticleWorld",
     "DURATION = 0": ("DURATION must be a number of seconds, at least one frame of 1/60 s, got 0"),
-    "def (": "the file stopped on line 18 with SyntaxError: invalid syntax",
-    "raise SystemExit(3)": "the file stopped on line 18 with SystemExit: 3",
+    "def (": "the file stopped on line 16 with SyntaxError: invalid syntax",
+    "raise SystemExit(3)": "the file stopped on line 16 with SystemExit: 3",
     "build = lambda: Particle(mass=-1.0)": (
-        "build() stopped on line 18 with ValueError: mass must be positive, got -1.0"
+        "build() stopped on line 16 with ValueError: mass must be positive, got -1.0"
     ),
     "build = lambda: [1]": "build() must return a ParticleWorld, got [1]",
     "build = ParticleWorld": "the world that build() returns has no particles",
@@ -133,7 +133,7 @@ BAD = {
         "seed any random numbers"
     ),
     WIND.format("force = Vector3()"): (
-        "explicit Euler stopped on line 33 with TypeError: x must be a number"
+        "explicit Euler stopped on line 31 with TypeError: float() argument must be"
     ),
     WIND.format("1 / 0"): "no model could run the scene; ",
 }

@@ -58,11 +58,7 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(ve
     assert "B2.5 Add and subtract * failed 4/5 2.4/3" in rows
     line = text[: text.index("def __sub__")].count("\n") + 1
     for words in (
-        *(
-            "Fix this first: B2.5 Add and subtract",
-            "\nwith      v = Vector3(",
-            "\ncalled    v - w\n",
-        ),
+        *("Fix this first: B2.5 Add and subtract", "\nwith      v = ", "\ncalled    v - w\n"),
         *("wanted    (", "likely    Vectors are subtracted component by component"),
         *("read      book 2.1.4", f"Next: open {vector}:{line}\n", "make hint EX=B2.5"),
     ):

@@ -155,7 +155,10 @@ def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exerci
     elif same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
         words = f"Did you mean {' or '.join(same)}?"
     else:
-        words = f"An id looks like {ids[0]} or {ids[-1]}. To list all ids: {line_of('check')}"
+        number = re.sub(r"\..*", "", bare)
+        name = next((c.name for c in chapters if str(c.number) == number), chapters[0].name)
+        words = f"An id looks like {ids[0]} or {ids[-1]}. The ids of a chapter are listed in its "
+        words += f"reference.md, such as chapters/{name}/reference.md"
     raise ValueError(f"there is no exercise {wanted!r}. {words}")
 
 

@@ -7,6 +7,7 @@ import importlib
 import importlib.util
 import io
 import os
+import shlex
 import shutil
 import sys
 from collections.abc import Mapping
@@ -123,16 +124,17 @@ def command(name: str, **variables: str) -> str:
     the buttons there are named after make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
-        return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
+        quoted = [f"{key}={shlex.quote(value)}" for key, value in variables.items()]
+        return " ".join(["make", name, *quoted])
     from autograder.make_venv import shown_python  # not in the browser
     from autograder.options import read_table
 
-    entry = read_table("commands")[name]
+    entry = read_table("commands").get(name) or read_table("instructor")[name]
     words = [shown_python(), "-m", entry.get("module", f"autograder {name}")]
     for key, value in variables.items():
         option = entry["options"][key]
         words += [option["flag"]] if option["flag"].startswith("-") else []
-        words += [] if option.get("switch") else [value]
+        words += [] if option.get("switch") else [shlex.quote(value)]
     return " ".join(words)
 
 

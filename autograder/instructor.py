@@ -9,7 +9,8 @@ import argparse
 import sys
 from dataclasses import replace
 
-from autograder.course.choose import work_of
+from autograder.commands import command
+from autograder.course.choose import DEFAULT, work_of
 from autograder.manifest import ROOT, select_chapters
 
 
@@ -105,7 +106,16 @@ def run_mark(arguments: argparse.Namespace) -> int:
     work = work_of(arguments)
     roster = arguments.roster or work.roster
     folder = class_folder(arguments.folder)
-    return mark(folder, work.chapters, roster=roster, browser=not arguments.no_browser)
+    variables = {
+        "SUBMISSIONS": arguments.folder,
+        "CHAPTERS": arguments.chapters,
+        "ROSTER": arguments.roster,
+        "ASSIGNMENT": arguments.assignment,
+        "COURSE": arguments.course if arguments.course != DEFAULT else None,
+    }
+    again = command("grade", **{key: str(value) for key, value in variables.items() if value})
+    browser = not arguments.no_browser
+    return mark(folder, work.chapters, roster=roster, browser=browser, again=again)
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:

@@ -63,21 +63,21 @@ class Message:
 
     def rows(self, *, printed: bool = True) -> list[Row]:
         """Return the parts that are not empty, such as ("got", "Vector3(1.0, 0.0, 0.0)")."""
-        *called, tested = statements(self.called)
-        together = "; ".join(called)
+        *prepared, called = statements(self.called)
+        together = "; ".join(prepared)
         close = f", to within {self.tolerance:.2g}" if self.tolerance else ", exactly"
         rows = [
             ("", self.blocked),
             ("", self.title),
-            ("called", together if len(together) <= LONG_CALL else "\n".join(called)),
-            ("tested" if called else "called", tested),
+            ("with", together if len(together) <= LONG_CALL else "\n".join(prepared)),
+            ("called", called),
             ("got", self.got),
             ("wanted", self.wanted + ("" if self.tolerance is None else close)),
             ("note", self.note),
             ("where", str(self.where or "")),
             ("inside", str(self.inside or "")),
-            ("likely", self.likely),
-            ("or", self.other),
+            ("likely", "" if self.blocked_by else self.likely),  # the cause is elsewhere
+            ("or", "" if self.blocked_by else self.other),
             ("read", self.read),
             ("printed", self.printed if printed else ""),
         ]
@@ -91,10 +91,9 @@ class Message:
 
     @property
     def in_short(self) -> str:
-        """One line for tables: the likely mistake if a result is wrong, or the exception's text."""
-        return (self.likely if self.wanted else self.got) or (
-            self.blocked or self.title or self.called
-        ).partition("\n")[0]
+        """One line for tables: what blocks the check, the likely mistake, or an exception."""
+        found = self.blocked or (self.likely if self.wanted else self.got)
+        return found or (self.title or self.called).partition("\n")[0]
 
     def __str__(self) -> str:
         return laid_out(self.rows())

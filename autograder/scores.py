@@ -8,6 +8,7 @@ from typing import Literal
 
 from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
+from autograder.message import Kind
 
 # "marked" means that a person gave points, and "changed" that the answer is a new one since then.
 ExerciseStatus = Status | Literal["waiting", "marked", "changed"]
@@ -51,6 +52,14 @@ class Result:
     def works(self) -> bool:
         """True if all physics checks of the exercise pass, even if robust checks fail."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
+
+    @property
+    def state(self) -> str:
+        """The status, or "not written yet" or "half written" if that is why checks fail."""
+        states = {check.state for check in self.checks if not check.hidden}
+        if states == {Kind.UNWRITTEN.value}:
+            return Kind.UNWRITTEN.value
+        return "half written" if states == {"passed", Kind.UNWRITTEN.value} else self.status
 
     @property
     def on_chart(self) -> Point | None:

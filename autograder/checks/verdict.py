@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from autograder.manifest import Chapter
-from autograder.message import NOTHING, Message
+from autograder.message import NOTHING, Kind, Message
 
 Status = Literal["passed", "failed", "blocked", "inherited", "error"]
 Point = tuple[float, float]  # the cost (counted work) and the error, on an open exercise's chart
@@ -36,6 +36,13 @@ class Verdict:
     on_chart: Point | None = None
     robust: bool = False  # whether it tests bad arguments, overflow or NaN, not the physics
     secret: Secret | None = None
+
+    @property
+    def state(self) -> str:
+        """The status, or "not written yet" if the check fails only because its exercise is not."""
+        is_own = self.message.exercise == self.exercise and self.status in ("failed", "blocked")
+        unwritten = is_own and self.message.kind is Kind.UNWRITTEN
+        return Kind.UNWRITTEN.value if unwritten else self.status
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:

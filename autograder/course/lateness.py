@@ -52,7 +52,12 @@ def lateness(
         )
     if days := [each for each in late.values() if each.days]:
         lose = sum(each.deduction > 0.0 for each in days)
-        notes.append(f"Late: {len(days)}. With a penalty: {lose}.")
+        some_of = f"{lose or 'none'} of them {'get' if lose > 1 else 'gets'} a"
+        notes.append(
+            f"{len(days)} students were late, and {some_of} penalty."
+            if len(days) > 1
+            else f"1 student was late, and gets {'a' if lose else 'no'} penalty."
+        )
     return late, notes
 
 

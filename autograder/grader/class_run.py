@@ -58,21 +58,23 @@ class ClassRun:
             TimeRemainingColumn(),
         )
         reports: dict[str, StudentReport] = {}
+        number = len(submissions)
+        self.console.print(f"Grading {number} {'student' if number == 1 else 'students'} ...")
         with (
             closing(self._reports(submissions, grade_all)) as arriving,
             Progress(*columns, console=self.console, transient=True) as progress,
         ):
-            task = progress.add_task("grading", total=len(submissions))
+            task = progress.add_task("grading", total=number)
             try:
                 for report in arriving:
                     reports[report.student] = report
                     progress.update(task, advance=1, description=f"graded {report.student}")
                     if not self.console.is_terminal:
-                        line = f"{len(reports)}/{len(submissions)} {report.student}"
+                        line = f"{len(reports)}/{number} {report.student}"
                         self.console.print(line, markup=False)
             except BaseException:  # most often Ctrl-C; reports that are already written stay
                 progress.stop()
-                line = f"Stopping: {len(reports)} of {len(submissions)} reports are complete. "
+                line = f"Stopping: {len(reports)} of {number} reports are complete. "
                 self.console.print(line + "Run the same command again to resume.")
                 raise
         return [reports[submission.student] for submission in submissions]
@@ -155,7 +157,7 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
 def _class_table(reports: list[StudentReport], problems: list[str]) -> Table:
     table = Table(box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True)
     table.add_column("student", no_wrap=True)
-    for heading in ("points", "on given", "checks"):
+    for heading in ("score", "on given", "checks"):
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("status", no_wrap=True)
     table.add_column(PROBLEM if any(problems) else "", no_wrap=True)

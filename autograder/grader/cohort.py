@@ -192,7 +192,7 @@ def _about(run: ClassRun, graded: Sequence[StudentReport], moved: int) -> list[s
     lines = []
     if any(report.penalty or report.by_hand or report.waiting for report in graded):
         lines.append(
-            "The points in this table are from checks alone. The totals, which include answers "
+            "The scores in this table are from checks alone. The totals, which include answers "
             f"marked by hand and late penalties, are in {run.out / 'gradebook.csv'}."
         )
     for report in graded:

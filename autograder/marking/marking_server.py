@@ -157,11 +157,13 @@ def mark(
     *,
     roster: Path | None = None,
     browser: bool = True,
+    again: str = "make grade",
     root: Path = ROOT,
 ) -> int:
     """Serve the page for marking the exercises in ``chapters`` until the instructor presses Ctrl-C.
 
-    A mistake in marks.csv is a ValueError, and so is a class with nothing to mark.
+    ``again`` is the command that grades this class. A mistake in marks.csv is a ValueError, and so
+    is a class with nothing to mark.
     """
     people = read_class(folder, roster)
     submissions = [one for one in people.submissions if not one.nothing]
@@ -188,5 +190,5 @@ def mark(
     try:
         asyncio.run(serve())
     except KeyboardInterrupt:
-        print("\nRun make grade again to add the marks to the reports.")
+        print(f"\nTo add the marks to the reports: {again}")
     return 0

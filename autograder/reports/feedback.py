@@ -33,7 +33,7 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     results = report.results
     every = [*results, *(cause.result for cause in report.causes)]
     lost = {r.exercise.id: _lost(r.checks) for r in every}
-    states = {r.status for r in every} | {c[0].status for groups in lost.values() for c in groups}
+    states = {r.state for r in every} | {c[0].state for groups in lost.values() for c in groups}
     own, given = report.score, report.score_on_given
     exercises = [result.exercise for result in results]
     written = [exercise for exercise in exercises if exercise.kind == "written"]

@@ -130,7 +130,7 @@ def _output(result: Result) -> str:
         return f"{words}\n{result.comment}".strip()
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in result.tiers)
-    blocks.append(f"{status}: {passing} checks pass")
+    blocks.append(f"{result.state}: {passing} checks pass")
     if status == "inherited":
         blocks.append("the mistake is in an earlier chapter: with given chapters this passes")
     if result.place:
@@ -143,4 +143,4 @@ def _lost(checks: Sequence[Verdict]) -> Iterator[str]:
         if check.status != "passed":
             title = "a hidden check" if check.hidden else check_title(check.name)
             tier = "robust, " if check.robust else ""
-            yield f"{tier}{check.status}: {title}\n{check.message}".strip()
+            yield f"{tier}{check.state}: {title}\n{check.message}".strip()

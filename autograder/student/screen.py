@@ -18,7 +18,6 @@ from autograder.diagnosis.earlier_chapters import with_given
 from autograder.files import from_here
 from autograder.handouts.stubs import read_lock, stub_hash
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
-from autograder.message import Kind
 from autograder.scores import (
     Result,
     extra_possible,
@@ -246,11 +245,7 @@ def states_of(report: ChapterResults, engine: list[Path]) -> list[str]:
             return "answered" if result.exercise.id in answered else "to answer"
         if result.works and result.status == "failed":
             return WORKS
-        lost = [check.message for check in result.checks if check.status != "passed"]
-        waits = [m.kind is Kind.UNWRITTEN and m.exercise == result.exercise.id for m in lost]
-        if result.status == "inherited" or not lost or not all(waits):
-            return result.status
-        return Kind.UNWRITTEN.value if len(lost) == len(result.checks) else "half written"
+        return result.state
 
     return [state(result) for result in report.results]
 

@@ -12,6 +12,7 @@ import math
 import platform
 import random
 import statistics
+import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
@@ -95,6 +96,8 @@ def measured_in(
 
     def hear(what: str) -> None:
         progress.update(task, description=what, advance=1)
+        if hidden:
+            print(what, file=sys.stderr, flush=True)
 
     if found.points:
         console.print(f"resuming an earlier run after {found.rounds} of {rounds} rounds")
@@ -110,7 +113,9 @@ def measured_in(
             keep()
         progress.remove_task(task)
         task = progress.add_task("timing", total=left * len(found.points))
-        for _ in range(left):
+        for number in range(left):
+            if hidden:
+                print(f"timing, round {number + 1} of {left}", file=sys.stderr, flush=True)
             time_once(found, scenes, advance)
             keep()
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
@@ -32,8 +33,16 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
     """
     scene = load(path)
     with console.status("measuring") as status:
-        found = runs.explore(scene, tolerance, status.update)
-        status.update("timing")
+        heard: list[str] = []
+
+        def hear(what: str, choice: str = "") -> None:
+            status.update(f"{what}, {choice}" if choice else what)
+            if not console.is_terminal and what not in heard:
+                heard.append(what)
+                print(what, file=sys.stderr, flush=True)
+
+        found = runs.explore(scene, tolerance, hear)
+        hear("timing")
         runs.time_all(scene, found, tolerance)
     console.print(
         f"{scene.path}: {scene.frames / RATE:.3g} s, error at most {tolerance:g} in every frame",

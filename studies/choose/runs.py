@@ -71,11 +71,11 @@ class Tried:
         return [Point(*start, n, error, n * scene.frames, times) for n, error, times in runs]
 
 
-def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
+def explore(scene: OwnScene, tolerance: float, hear: Callable[[str, str], None]) -> list[Tried]:
     """Simulate the scene with each model, and shorten the time step until the error is small.
 
-    ``hear`` is called with a description before each run. Raise SceneError if the scene cannot be
-    run, a force has a memory, or none of the measured values changes.
+    ``hear`` is called with the model and its steps before each run. Raise SceneError if the scene
+    cannot be run, a force has a memory, or none of the measured values changes.
     """
     start = scene.check()
     check_forces(scene)
@@ -83,7 +83,7 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
     for model in models_of(scene.built()):
         tried = Tried(model)
         for choice in model.choices:
-            hear(f"{model.name}, {model.chosen(choice)}")
+            hear(model.name, model.chosen(choice))
             run, taken = run_once(scene, model, choice)
             if isinstance(run, str) and taken > LONGEST and tried.runs:
                 break  # what the model has done with larger tolerances still counts

@@ -94,7 +94,7 @@ def expect_true(found: list[runs.Tried], truth: list[list[float]]) -> set[str]:
 def test_estimated_errors_are_the_true_ones_and_so_is_the_choice(part: str) -> None:
     (exact,) = scenes_with(part)
     own = OwnScene(Path(part), exact.frames, BUILT[part], seen)
-    found = runs.explore(own, 1e-3, lambda _: None)
+    found = runs.explore(own, 1e-3, lambda *_: None)
     truth = [[*exact.truth(frame / RATE)] for frame in range(1, exact.frames + 1)]
     assert len(expect_true(found, truth)) >= 2
     allowed = 1e-3 * exact.scale  # the catalog measures in units of its scale
@@ -119,7 +119,7 @@ def test_a_clock_that_is_a_particle_keeps_the_orders_and_the_errors() -> None:
     scene = load(DRIVEN)
     times = [frame / RATE for frame in range(1, scene.frames + 1)]
     truth = [10.0 / (100.0 - 64.0) * (math.cos(8.0 * t) - math.cos(10.0 * t)) for t in times]
-    found = runs.explore(scene, 1e-3, lambda _: None)
+    found = runs.explore(scene, 1e-3, lambda *_: None)
     steady = expect_true(found, [[x, 0.0, 0.0] for x in truth])
     assert {"leapfrog", "velocity Verlet", "Runge-Kutta 4"} <= steady
     assert contradiction(found, 1e-3) == ""
@@ -147,7 +147,7 @@ def test_the_example_is_chosen_rightly_and_is_in_the_readme(
     start = [1.2, 0.0, 0.0, 0.0]
     exact = solve_ivp(rates, (0.0, 2.0), start, "DOP853", times, rtol=1e-12, atol=1e-12).y[:2].T
     scene = load(EXAMPLE)
-    for tried in runs.explore(scene, 1e-3, lambda _: None):
+    for tried in runs.explore(scene, 1e-3, lambda *_: None):
         first = first_within(tried.points(scene), 1e-3)
         if first is not None:
             run = [place[:2] for place in tried.runs[first] or []]
@@ -187,7 +187,7 @@ def test_piles_are_tried_with_the_solvers_for_piles() -> None:
     def heights(world: ParticleWorld) -> list[float]:
         return [particle.position.y for particle in world.particles]
 
-    found = runs.explore(OwnScene(Path("pile"), 30, pile, heights), 1e-3, lambda _: None)
+    found = runs.explore(OwnScene(Path("pile"), 30, pile, heights), 1e-3, lambda *_: None)
     solved = {tried.model.name: tried for tried in found}
     for name in ("sequential impulses", "small steps"):
         last = solved[name].runs[-1]

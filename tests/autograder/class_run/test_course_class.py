@@ -124,7 +124,8 @@ def test_only_the_assigned_exercises_count_and_lateness_has_columns_of_its_own(
     assert "total: 8 - 3 = 5 points" in said["output"]
     screen = small.printed()
     assert "therefore get no penalty: cem." in screen
-    assert "The points in this table are from checks alone. The totals, which include" in screen
+    assert "student score on given" in screen
+    assert "The scores in this table are from checks alone. The totals, which include" in screen
     (small.folder / "times.csv").unlink()
     (small.folder / "cem_LATE_1_2_x").mkdir()
     assert small.grade(work=work) == 0

@@ -180,7 +180,7 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     assert first == "Extension of 'anne' in the course file: there is no student 'anne'."
     assert second.startswith("The submission time is unknown for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {folder / 'times.csv'}.")
-    assert third == "Late: 1. With a penalty: 1."
+    assert third == "1 student was late, and gets a penalty."
 
 
 @pytest.mark.parametrize(

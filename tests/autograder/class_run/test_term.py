@@ -122,7 +122,7 @@ def test_everybody_is_accounted_for(printed: list[str], kinds: dict[str, str]) -
         assert f"Nothing handed in: 3 ({missing})." in said
         assert "Not on the roster: 1 (student99_99)." in said
     assert "Late by an unknown amount of time, and therefore without a penalty: 3 (Student" in first
-    assert "Late: 3. With a penalty: 3." in second
+    assert "3 students were late, and 3 of them get a penalty." in second
 
 
 @pytest.mark.usefixtures("printed")

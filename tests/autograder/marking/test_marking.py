@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Coroutine, Iterator
 from pathlib import Path
 from typing import Any
 from urllib.error import HTTPError
@@ -12,6 +12,7 @@ from urllib.request import Request, urlopen
 
 import pytest
 
+from autograder.__main__ import main
 from autograder.manifest import ROOT, select_chapters
 from autograder.marking.answers import LONGEST, collect_tasks
 from autograder.submissions.class_list import read_class
@@ -175,6 +176,20 @@ def test_a_changed_answer_is_to_be_marked_again_under_the_name_of_the_roster(
         assert known(address) == {**mark, "changed": True}
         assert ask(address, "marks.json", {**sent, "seen": known(address)})[0] == 200
         assert known(address) == {**mark, "changed": False}
+
+
+def test_at_the_end_it_names_the_command_that_grades_this_class(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def stop(served: Coroutine[Any, Any, None]) -> None:
+        served.close()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("autograder.marking.marking_server.asyncio.run", stop)
+    spaced = folder.rename(folder.with_name("lab 1"))
+    monkeypatch.setattr("sys.argv", ["", "mark", str(spaced), "--chapters", "2", "--no-browser"])
+    assert main() == 0
+    assert f"make grade SUBMISSIONS='{spaced}' CHAPTERS=2\n" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from typing import Any
 import jsonschema
 import pytest
 
+from autograder.message import Kind, Message
 from autograder.reports.gradebook import write_gradebook
 from autograder.reports.gradescope import as_text, gradescope_results, write_gradescope
 from autograder.reports.marks import Mark, apply_marks
@@ -139,6 +140,9 @@ def test_an_exercise_is_a_test_with_its_own_points_and_what_was_lost() -> None:
     assert (mass["score"], mass["status"]) == (0.0, "failed")
     assert "earlier chapter" in mass["output"]
     assert results["score"] == 3.0
+    unwritten = Message("not written yet: Angles", kind=Kind.UNWRITTEN)
+    lacking = with_exercise(report_of(), 1, checks=[check("test_angle", "failed", unwritten)])
+    assert "failed" not in by_number(results_of(lacking))["2.2"]["output"]
     for words in ("seed: 7", "isolation: none", "given chapters: 8 points", "person: 3 points"):
         assert words in results["output"]
 

@@ -13,6 +13,7 @@ import pytest
 
 import browser as browsers
 from autograder.manifest import ROOT
+from autograder.message import Kind, Message
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
@@ -137,13 +138,15 @@ def test_hostile_text_is_shown_as_text(tmp_path: Path) -> None:
 HALF_LOST = [check(f"test_{name}", "failed", "vector.py cannot be read") for name in ("one", "two")]
 BUILDS = replace(cause_of(), assignment="", blocks=["2.1", "2.2", "2.3"])
 THREE = "B2.0 fails. Fix it first, because 2.1, 2.2 and 2.3 build on it."
+UNWRITTEN = Message("not written yet: Angles", kind=Kind.UNWRITTEN)
 NOTE = "Notes on what was handed in two folders: the first was taken"
 PAGES = {
     "scores and what they mean": (
         report_of(),
         [
             "Feedback for ada",
-            "Score 3 of 11",
+            "Score 3 of 11 from checks",
+            "The other 3 points are given by hand.",
             "Score on given chapters 8 of 11",
             "Mistakes in earlier chapters have cost you 5 points.",
             "3 points wait for a person and are not part of any score: 2.3.",
@@ -183,6 +186,11 @@ PAGES = {
         with_exercise(report_of(), 1, checks=HALF_LOST),
         ["✗ failed: one ; two vector.py cannot be read 2.3"],
         [],
+    ),
+    "missing code": (
+        with_exercise(report_of(), 1, checks=[check("test_angle", "failed", UNWRITTEN)]),
+        ["○ not written yet its code is still missing", "○ not written yet: angle"],
+        ["✗ failed", "a check found a mistake"],
     ),
     "a mark": (MARKED, ["Say why.", "Every written answer is marked."], []),
     "an error of the grader": (

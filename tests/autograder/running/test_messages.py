@@ -6,6 +6,7 @@ import math
 import re
 import tomllib
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -164,6 +165,14 @@ def test_a_note_says_how_the_numbers_differ_unless_the_mistake_is_recognized() -
     assert message.note == "Only the third number is wrong. It has the opposite sign."
     assert ("note", message.note) in message.rows()
     assert said(close(6.0, 3.0, {"You forget to halve it.": 6.0})).note == ""
+
+
+def test_a_blocked_check_names_no_mistake_since_its_cause_is_elsewhere() -> None:
+    message = replace(said(close(6.0, 3.0)), other="another mistake")
+    assert {"likely", "or"} <= {*dict(message.rows())}
+    blocked = replace(message, blocked_by=("B2.1 (Copy)",))
+    assert {"likely", "or"}.isdisjoint(dict(blocked.rows()))
+    assert blocked.in_short == "blocked until B2.1 (Copy) passes"
 
 
 @pytest.mark.parametrize(

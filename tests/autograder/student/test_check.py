@@ -58,7 +58,7 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(ve
     assert "B2.5 Add and subtract * failed 4/5 2.4/3" in rows
     line = text[: text.index("def __sub__")].count("\n") + 1
     for words in (
-        *("Fix this first: B2.5 Add and subtract", "called    v = Vector3(", "got       ("),
+        *("Fix this first: B2.5 Add and subtract", "\nwith      v = ", "\ncalled    v - w\n"),
         *("wanted    (", "likely    Vectors are subtracted component by component"),
         *("read      book 2.1.4", f"Next: open {vector}:{line}\n", "make hint EX=B2.5"),
     ):
@@ -101,6 +101,7 @@ def test_a_syntax_error_is_named_with_its_line_also_in_a_console_that_lacks_a_ch
         ("check --chapter 77", "there is no chapter 77 here, only 2"),
         ("check --chapter two", "chapters must look like 2 or 2,4-6, got 'two'"),
         ("check --exercise 2.99", "there is no exercise '2.99'. An id looks like B2.1"),
+        ("hint B8.77", "in its reference.md, such as chapters/ch08_mass_aggregate/reference.md"),
         ("check --engine nowhere", "engine must be a folder of chapters, got 'nowhere'"),
         ("check --exercise 2.2", "'2.2'. Similar ids: 2.2a, 2.2b"),
         ("hint 2.9", "Did you mean B2.9?"),

@@ -3,7 +3,7 @@
 import {count, el} from "../dom.js";
 import {shown} from "./results.js";
 
-const CODE = ["called", "tested", "got", "wanted", "where", "printed", "check"];
+const CODE = ["with", "called", "got", "wanted", "where", "printed", "check"];
 
 // The first failure with its rows, and buttons for the next steps.
 export function failureOf(failure, level, buttons) {

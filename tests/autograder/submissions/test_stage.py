@@ -48,12 +48,6 @@ from staging import (
 # Both kinds of submission
 
 
-@pytest.fixture(params=[make_folder, make_zip])
-def hand_in(request: pytest.FixtureRequest, tmp_path: Path) -> HandIn:
-    """Make a submission of files by path, once as a folder and once as a zip."""
-    return lambda files: request.param(tmp_path, files)
-
-
 def test_edited_files_are_taken_byte_for_byte_and_nothing_else(hand_in: HandIn) -> None:
     run = b"open('ran.txt', 'w')"
     wanted = {

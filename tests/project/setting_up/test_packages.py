@@ -210,17 +210,6 @@ def test_a_command_without_its_packages_names_the_command_that_installs_them(
     assert not (tmp_path / "out").exists()
 
 
-BEYOND = "PIL hypothesis jinja2 matplotlib numpy ruff scipy yaml"
-
-
-def test_the_commands_of_students_and_of_gradescope_run_without_any_group(tmp_path: Path) -> None:
-    check = without(BEYOND, tmp_path, "-m", "autograder", "hint", "B2.5")
-    assert check.returncode == 0, check.stderr
-    for module in ("autograder.student.reset", "lab.server", "autograder.platforms.grade_one"):
-        imported = without(BEYOND, tmp_path, "-c", f"import {module}")
-        assert imported.returncode == 0, imported.stderr
-
-
 def test_the_scene_of_the_charts_says_which_packages_it_lacks(tmp_path: Path) -> None:
     code = """
 from scenes.reason import reason

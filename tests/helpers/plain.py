@@ -1,7 +1,4 @@
-"""An engine with only the book's formulas: the reference without its argument checks.
-
-A student who has written the physics, but does not refuse anything yet, has such an engine.
-"""
+"""An engine with only the book's formulas: the reference without its argument checks."""
 
 from __future__ import annotations
 

@@ -19,8 +19,7 @@ from autograder.manifest import ROOT, Chapter
 class Wrong:
     """The reference with one function written as a student might have written it.
 
-    ``replace`` changes a few words of ``body``, or of the reference's function if ``body`` is
-    empty. It is a list of old and new texts in turn. Each old text must occur exactly once.
+    ``replace`` has old texts, each there once, and new ones in turn, for ``body`` or the reference.
     """
 
     edit: str
@@ -74,10 +73,9 @@ def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None
 
 
 def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence[str] = ()) -> None:
-    """Write modules in which every function that students write has the same body.
+    """Write modules with the same body in every function of students, or empty ones for None.
 
-    If ``body`` is None, the modules are empty. Data files of students are left empty. The exercises
-    in ``but`` stay as in the reference.
+    Data files of students are left empty. The exercises in ``but`` stay as in the reference.
     """
     changed = [e for e in chapter.exercises if e.id not in but]
     names = [name.partition(".") for exercise in changed for name in exercise.edit]

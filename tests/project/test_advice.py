@@ -1,7 +1,4 @@
-"""Advice can be followed: every file, function and name that it mentions exists.
-
-Advice is the text of checks, the hints, and the docstrings of the functions that students write.
-"""
+"""Advice in checks, hints and docstrings can be followed: what it mentions exists."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""Every reference to a section, an equation or an exercise of the book names one that exists.
-
-The file book.toml lists them. The tests search the pages, the docstrings, the manifests and the
-messages of the checks.
-"""
+"""Every reference to the book in pages, code and messages names what book.toml lists."""
 
 from __future__ import annotations
 
@@ -55,10 +51,7 @@ def rows_of(text: str) -> list[str]:
 
 
 def references(text: str, bare: bool = True) -> Iterator[tuple[str, str]]:
-    """Yield the kind and the number of each reference in a text.
-
-    Use ``bare`` for a text that has no versions of programs, such as Python 3.11.7.
-    """
+    """Yield the kind and number of each reference; ``bare`` if the text has no program versions."""
     flat = joined(text)
     found = [("section", each) for each in SECTIONS.findall(flat)]
     found += [("section", each) for each in BARE.findall(flat) if bare]

@@ -1,7 +1,6 @@
-"""The measured figures of each chapter, in one committed file from which the table is made.
+"""The measured figures of each chapter, each with a fingerprint of what it was measured on.
 
-Each figure is kept with a fingerprint of what it was measured on, and counts as not measured once
-that has changed. Mutants are kept by chapter, and seeds by file of checks, because they take long.
+A figure counts as not measured once that has changed.
 """
 
 from __future__ import annotations

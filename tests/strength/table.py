@@ -22,11 +22,7 @@ HEAD = [
 
 
 def write_tables(console: Console) -> bool:
-    """Write all tables into the pages, and say whether a figure is missing.
-
-    Nothing is written if the second solution of the sample class loses a point. This function then
-    returns False.
-    """
+    """Write all tables, unless the second solution loses a point; return whether that was done."""
     try:
         sample = sample_table()
     except ValueError as error:

@@ -1,7 +1,4 @@
-"""A class over a Dask cluster: what comes back, and when a worker dies or is another version.
-
-The clusters are local ones, of processes with nannies, as `dask worker` starts them.
-"""
+"""A class over a Dask cluster: what comes back, also when a worker dies or is another version."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Checks run in a process of their own: what hangs, leaves or cannot be imported costs only itself.
-
-Run against a chapter of four checks, over a module that each test writes.
-"""
+"""Checks run in their own process: what hangs, leaves or cannot be imported costs only itself."""
 
 from __future__ import annotations
 

@@ -20,10 +20,7 @@ SOLUTIONS = [ROOT / "solutions", ROOT / "chapters"]
 
 
 def report_of(chapter: Chapter, *fail: str, robust: Sequence[str] = ()) -> ChapterResults:
-    """Return a chapter with a check of both tiers in each exercise, of which some fail.
-
-    Those of the exercises in ``fail``, and the robust ones of those in ``robust``.
-    """
+    """Return a chapter with a check of both tiers in each exercise; those in ``fail`` fail both."""
     results = []
     for exercise in chapter.exercises:
         tiers = {False: exercise.id in fail, True: exercise.id in {*fail, *robust}}

@@ -21,11 +21,7 @@ HOW += ["moodle with a worksheet and groups", "gradescope with groups", "github 
 
 @dataclass
 class Person:
-    """A student, and what the student did.
-
-    ``path`` is what should be graded: the name of a submission, or "" if nothing was handed in. It
-    is the same for everybody in a group.
-    """
+    """A student, and the ``path`` of the submission to be graded, which a group shares, or ""."""
 
     id: str
     given: str

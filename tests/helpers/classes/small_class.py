@@ -31,10 +31,7 @@ HALF = RIGHT.replace("4 * x", "3 * x")
 
 
 def make_class(folder: Path) -> Path:
-    """Make a class of three: a correct one, a half correct one, and a correct one in a zip.
-
-    The zip contains a folder around the files.
-    """
+    """Make a class of three: a correct one, a half correct one, and a correct one in a zip."""
     hand_in(folder, "ann", RIGHT)
     hand_in(folder, "bob", HALF)
     with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:

@@ -1,10 +1,6 @@
 """A real browser for tests: Debian's Chromium, controlled by Playwright.
 
-It is Chromium's headless shell if that is installed, because without windows a test takes two
-thirds of the processor time. Otherwise it is Chromium itself.
-
-If one of them is missing, the tests that need a browser are skipped. If the environment variable CI
-is set, they fail instead.
+Where one of them is missing, a test is skipped, or fails if the environment variable CI is set.
 """
 
 from __future__ import annotations

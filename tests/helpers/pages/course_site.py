@@ -29,10 +29,7 @@ BELOW = "some/where"  # the site must work from any path
 
 
 def built(factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with the site below BELOW.
-
-    The first process that needs it builds the site.
-    """
+    """Return a folder with the site below BELOW, which the first process builds."""
     need(missing())
     return _made_once(factory, "site", functools.partial(build, with_solutions=False))
 

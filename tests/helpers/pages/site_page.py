@@ -25,10 +25,7 @@ PASTE = """([text]) => {
 
 @contextmanager
 def visit(browser: Any, width: int = 1280, **options: Any) -> Iterator[Any]:
-    """Yield the browser context of a new visitor.
-
-    Fail if an error occurs on a page, or if a page requests anything from another host.
-    """
+    """Yield a new visitor's browser context, in which no error and no other host may occur."""
     context = browser.new_context(viewport={"width": width, "height": 900}, **options)
     context.set_default_timeout(60_000.0)  # ms; machines of CI are slow
     context.troubles, context.hosts = [], set()

@@ -1,11 +1,7 @@
 """Firefox and WebKit for tests, controlled by WebDriver, the standard protocol for browsers.
 
-Debian has no geckodriver, so Firefox is controlled by WebDriver BiDi, which it understands itself.
-WebKit comes with a driver for the classic WebDriver. It cannot do without a screen, so it gets a
-virtual one.
-
-If one of them is missing, its tests are skipped. If the environment variable CI is set, they fail
-instead.
+Debian has no geckodriver, so Firefox is controlled by WebDriver BiDi. WebKit has a driver for the
+classic WebDriver, and needs a virtual screen. If CI is set, a missing browser is a failure.
 """
 
 from __future__ import annotations

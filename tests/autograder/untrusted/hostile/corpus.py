@@ -128,10 +128,7 @@ class World:
 
 @dataclass(frozen=True)
 class Submission:
-    """A hostile submission, and what it is worth.
-
-    ``label`` is part of the student's name, or all of it.
-    """
+    """A hostile submission and its worth. ``label`` is part of the student's name, or all of it."""
 
     kind: str
     name: str

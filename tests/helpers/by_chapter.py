@@ -68,5 +68,4 @@ def latest(file: Path) -> set[int]:
 
 
 def named_in(text: str) -> set[int]:
-    """Return the numbers of the chapters whose packages appear in a text."""
     return {int(number) for number in NAME.findall(text)}

@@ -121,7 +121,6 @@ def _refuses(statement: ast.stmt) -> bool:
 
 
 def plain(source: str) -> str:
-    """Return the source of a module without its argument checks."""
     return ast.unparse(ast.fix_missing_locations(_Unguarded().visit(ast.parse(source))))
 
 

@@ -48,7 +48,6 @@ class Plan:
         )
 
     def build(self, integrator: Callable[..., None] = semi_implicit_euler) -> ParticleWorld:
-        """Build the world that the plan describes."""
         down = Vector3(*self.gravity)
         particles = [
             Particle(Vector3(*place), Vector3(*velocity), down, mass=mass)
@@ -102,7 +101,6 @@ def _apart(a: Triple, b: Triple) -> float:
 
 
 def triple(vector: Vector3) -> Triple:
-    """Return the components of a vector."""
     return vector.x, vector.y, vector.z
 
 

@@ -57,7 +57,6 @@ class Ready:
         self.process = self._start() if CAN_FORK else None
 
     def clear(self) -> None:
-        """Remove the changed modules from the folder."""
         for file in self.top.glob("*/*"):
             file.unlink()
 

@@ -33,7 +33,6 @@ class Wrong:
 
 
 def read_wrong(chapter: Chapter) -> list[Wrong]:
-    """Return the wrong submissions of a chapter."""
     return [
         Wrong(edit, mistake, check, **_fields(entry, checks.get("right", "")))
         for edit, checks in _read(chapter).items()
@@ -105,7 +104,6 @@ def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: 
 
 
 def body_of(chapter: Chapter, wrong: Wrong) -> str:
-    """Return the body of a wrong submission."""
     body = wrong.body
     if not body:
         module, _, name = wrong.edit.partition(".")

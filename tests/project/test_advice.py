@@ -62,7 +62,6 @@ def parsed(path: str) -> ast.Module:
 
 
 def advice(chapter: Chapter) -> list[str]:
-    """Return all advice for the students of a chapter, without the marks of code."""
     given = [hint for exercise in chapter.exercises for hint in exercise.hints]
     for file in sorted((ROOT / "tests" / chapter.name).glob("test_*.py")):
         given += texts(parsed(str(file.relative_to(ROOT))), docstrings=False)

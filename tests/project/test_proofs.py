@@ -1,4 +1,4 @@
-"""Right answers earn everything, stubs nothing, and wrong ones lose theirs, beside and in workers."""
+"""Right answers earn everything, stubs nothing, and wrong ones lose theirs, run in both ways."""
 
 from __future__ import annotations
 
@@ -32,7 +32,6 @@ def depth_of(chapter: Chapter, exercise: str) -> int:
 
 
 def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
-    """Return the exercise whose body a wrong submission changes."""
     (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
     return exercise
 
@@ -60,7 +59,6 @@ by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: ch
 
 
 def engine_with(top: Path) -> list[Path]:
-    """Return an engine with a folder on top of the reference."""
     return [top, ROOT / "solutions", ROOT / "chapters"]
 
 

@@ -129,21 +129,6 @@ def test_an_old_figure_is_dropped_and_a_new_one_does_not_keep_it(
     assert seeds()[one.name] == {"3.12": 1000}
 
 
-def test_only_the_files_of_failing_checks_have_to_run_again(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    import run_seeds
-
-    vector = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    (tmp_path / "ch02_vectors").mkdir()
-    wrong = vector.replace("self.x * v.x, self.y * v.y, self.z * v.z", "self.x, v.y, v.z")
-    assert wrong != vector
-    (tmp_path / "ch02_vectors/vector.py").write_text(wrong, encoding="utf-8")
-    monkeypatch.setattr(run_seeds, "SOLUTIONS", {"reference": tmp_path})
-    files = [ROOT / "tests/ch02_vectors" / name for name in ("test_basis.py", "test_products.py")]
-    assert run_seeds._failing("reference", files, 2, 1) == {"test_products.py"}
-
-
 def test_a_file_of_checks_changes_with_what_it_imports(tmp_path: Path) -> None:
     """The check imports a module of the solution, which imports another one."""
     from fingerprint import of_check_file

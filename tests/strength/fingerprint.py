@@ -74,21 +74,17 @@ class WithoutSentences(ast.NodeTransformer):
     """Empties every string that contains a space, and drops docstrings and quoted words."""
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | None:
-        """Drop a docstring."""
         is_text = isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
         return None if is_text else self.generic_visit(node)
 
     def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        """Empty a sentence, such as a part of a message."""
         return ast.Constant("") if isinstance(node.value, str) and " " in node.value else node
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.expr:
-        """Empty a sentence with values in it."""
         texts = [part.value for part in node.values if isinstance(part, ast.Constant)]
         return ast.Constant("") if any(" " in str(text) for text in texts) else node
 
     def visit_keyword(self, node: ast.keyword) -> ast.AST | None:
-        """Drop the words of the course that a check quotes."""
         return None if node.arg == "asks" else self.generic_visit(node)
 
 

@@ -23,7 +23,6 @@ def mutants_of(chapter: Chapter) -> dict[str, int]:
 
 
 def keep_mutants(chapter: Chapter, **figures: int) -> None:
-    """Keep the figures of a chapter's mutants in place of older ones."""
     everything = _read()
     everything.setdefault("mutants", {})[chapter.name] = figures | {"measured on": _now(chapter)}
     _write(everything)

@@ -38,7 +38,6 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
 
 
 def check_whole(report: StudentReport) -> None:
-    """Raise ValueError if a check in the report does not pass."""
     for exercise, check in ((r.exercise.id, check) for r in report.results for check in r.checks):
         if check.status != "passed":
             raise ValueError(

@@ -43,13 +43,11 @@ def write_tables(console: Console) -> bool:
 
 
 def table_of(rows: list[list[str]]) -> str:
-    """Return the rows of all chapters as a table in Markdown."""
     lines = [HEAD, ["---", *["---:"] * (len(HEAD) - 1)], *rows]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def row(chapter: Chapter) -> list[str]:
-    """Return the cells of a chapter's row."""
     checks = run_checks(chapter, [ROOT / "solutions", ROOT / "chapters"], seed="1")
     by_code = [exercise for exercise in chapter.exercises if exercise.kind != "written"]
     mutants = mutants_of(chapter)

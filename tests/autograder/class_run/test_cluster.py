@@ -195,16 +195,6 @@ def test_a_worker_of_another_version_is_refused(
     assert results(out) == {}
 
 
-def test_a_worker_without_the_repository_is_refused(
-    without_workers: Any, submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    with (
-        _worker_in(tmp_path, without_workers) as address,
-        pytest.raises(ValueError, match=r"cannot grade: No module named 'autograder.*; start it"),
-    ):
-        grade(submissions, tmp_path / "out", root, cluster=address)
-
-
 @contextmanager
 def _worker_in(folder: Path, cluster: Any) -> Iterator[str]:
     """Have a worker that was started in this folder, as by hand; yield the scheduler's address."""

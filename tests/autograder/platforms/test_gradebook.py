@@ -88,7 +88,6 @@ MARKED = apply_marks(report_of(), {("ada", "2.3"): Mark(2.5, "Say why.")})
 
 
 def results_of(report: StudentReport) -> dict[str, Any]:
-    """Return the results as Gradescope reads them."""
     return dict(json.loads(as_text(gradescope_results(report))))
 
 

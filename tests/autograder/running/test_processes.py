@@ -34,7 +34,6 @@ def hang() -> NoReturn:
 
 
 def number(session: Session) -> int:
-    """Return the process ID of a worker."""
     return session.ask("name", "ch91_own.own", "number")()
 
 

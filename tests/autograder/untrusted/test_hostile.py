@@ -142,7 +142,6 @@ def run() -> Iterator[Run]:
 
 
 def grade(world: World) -> int | None:
-    """Grade the class; return the exit status."""
     environment = os.environ | {
         "HOME": str(world.home),
         "TMPDIR": str(world.temporary),

@@ -50,7 +50,6 @@ class RandomClass:
 
 
 def plain(text: str) -> str:
-    """Return the letters and digits of a text, in lower case."""
     return "".join(c for c in unicodedata.normalize("NFKC", text).lower() if c.isalnum())
 
 

@@ -30,7 +30,6 @@ def missing() -> str:
 
 
 def browser() -> Iterator[Any]:
-    """Yield a browser, for a fixture."""
     yield from launched()
 
 
@@ -40,7 +39,6 @@ def browser_alone() -> Iterator[Any]:
 
 
 def launched(*arguments: str) -> Iterator[Any]:
-    """Yield a browser that was started with additional arguments."""
     need(missing())
     from playwright.sync_api import sync_playwright
 

@@ -16,7 +16,7 @@ from autograder.commands import sentence
 from autograder.course.late import late_of
 from autograder.course.lateness import times_of
 from autograder.course.model import Deadline
-from autograder.files import replace_bytes
+from autograder.files import is_new, replace_bytes, temporary_of
 from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.class_list import read_class
@@ -53,6 +53,16 @@ def test_a_file_that_is_not_there_is_named_in_plain_english(tmp_path: Path) -> N
     with pytest.raises(OSError, match="No such file") as caught:
         (tmp_path / "roster.csv").read_bytes()
     assert sentence(caught.value) == f"there is no '{tmp_path}/roster.csv'"
+
+
+def test_a_folder_is_new_until_its_first_file_is_written(tmp_path: Path) -> None:
+    first = tmp_path / "new/first"
+    assert is_new(tmp_path / "new", first)
+    first.parent.mkdir()
+    temporary_of(first).touch()
+    assert is_new(tmp_path / "new", first)
+    first.touch()
+    assert not is_new(tmp_path / "new", first)
 
 
 def test_a_command_that_may_not_write_says_what_to_do(tmp_path: Path) -> None:

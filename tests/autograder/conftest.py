@@ -29,7 +29,6 @@ def root(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def submissions(tmp_path: Path) -> Path:
-    """Return a class of three that has handed in the small chapter."""
     from small_class import make_class
 
     return make_class(tmp_path / "class")

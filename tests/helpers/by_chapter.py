@@ -1,11 +1,7 @@
 """A pytest plugin that runs only the tests about one chapter, as `make test CH=6` does.
 
-- If a parameter of a test contains a chapter, or a path in a chapter, the test is about it.
-- Any other test is about the latest chapter that its file imports or names. The earlier chapters
-  are only the basis of that one. If the file names no chapter, the modules of studies/ that it
-  imports determine the chapter in the same way.
-- The tests of the tools in tests/autograder/ and tests/web/ are about no chapter. The same is true
-  of a file that names no chapter.
+A test is about the chapter in its parameters, or else about the latest one that its file, or the
+modules of studies/ that it imports, name. Tests of the autograder and of web/ are about none.
 """
 
 from __future__ import annotations
@@ -72,5 +68,4 @@ def latest(file: Path) -> set[int]:
 
 
 def named_in(text: str) -> set[int]:
-    """Return the numbers of the chapters whose packages appear in a text."""
     return {int(number) for number in NAME.findall(text)}

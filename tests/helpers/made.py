@@ -10,10 +10,7 @@ from autograder.manifest import ROOT
 
 @cache
 def made_stubs() -> dict[str, str]:
-    """Return the text of every stub, keyed by its path, as make_stubs does.
-
-    Each must have its hash in the lock. Another test compares the lock with newly generated stubs.
-    """
+    """Return the text of every stub by its path. Each must have its hash in the lock."""
     lock = read_lock()
     paths = lock.keys() - complete_hashes().keys()
     stubs = {path: (ROOT / path).read_text(encoding="utf-8") for path in sorted(paths)}

@@ -1,7 +1,4 @@
-"""An engine with only the book's formulas: the reference without its argument checks.
-
-A student who has written the physics, but does not refuse anything yet, has such an engine.
-"""
+"""An engine with only the book's formulas: the reference without its argument checks."""
 
 from __future__ import annotations
 
@@ -124,7 +121,6 @@ def _refuses(statement: ast.stmt) -> bool:
 
 
 def plain(source: str) -> str:
-    """Return the source of a module without its argument checks."""
     return ast.unparse(ast.fix_missing_locations(_Unguarded().visit(ast.parse(source))))
 
 

@@ -30,10 +30,9 @@ BLOCK = re.compile(rf"(?ms)^```sh\n(.+?)^```|{INLINE}")
 
 
 def command_lines(page: str) -> list[str]:
-    """Return the command lines of a page as they are printed, in their order, without comments.
+    """Return the command lines of a page in their order, without comments and repetitions.
 
-    These are the lines of the blocks of commands, and the commands in sentences if they have
-    arguments. A line with an ellipsis stands for several commands, and is left out.
+    A line with an ellipsis stands for several commands, and is left out.
     """
     text = (ROOT / page).read_text(encoding="utf-8")
     lines = [

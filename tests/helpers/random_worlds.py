@@ -1,7 +1,6 @@
 """Draw random worlds, to test laws of physics that must hold in every world.
 
-Run as a script, this module prints the final positions in some worlds, so that different versions
-of Python can be compared.
+As a script, print the final positions in some, so that versions of Python can be compared.
 """
 
 from __future__ import annotations
@@ -49,7 +48,6 @@ class Plan:
         )
 
     def build(self, integrator: Callable[..., None] = semi_implicit_euler) -> ParticleWorld:
-        """Build the world that the plan describes."""
         down = Vector3(*self.gravity)
         particles = [
             Particle(Vector3(*place), Vector3(*velocity), down, mass=mass)
@@ -68,11 +66,7 @@ class Plan:
 
 
 def draw(seed: int, *, springs: bool = False, contacts: bool = False, falls: bool = False) -> Plan:
-    """Draw a plan with 2 to MOST particles at random.
-
-    They have springs, or links and contacts, or both. If ``falls`` is true, the world has gravity
-    and a ground.
-    """
+    """Draw a plan with 2 to MOST particles. If ``falls`` is true, it has gravity and a ground."""
     rng = Random(f"a world {seed}")
     count = round(2.0 * (MOST / 2.0) ** rng.random())
     size = 0.6 * count ** (1.0 / 3.0)  # m, so dense that some spheres touch
@@ -107,7 +101,6 @@ def _apart(a: Triple, b: Triple) -> float:
 
 
 def triple(vector: Vector3) -> Triple:
-    """Return the components of a vector."""
     return vector.x, vector.y, vector.z
 
 

@@ -1,12 +1,8 @@
 """Run a chapter's checks on the reference with some functions changed, in a twentieth of a second.
 
-Importing an engine and collecting the checks takes ten times as long as running the checks of one
-exercise. So one process does both once, and then forks a copy for each change, which replaces the
-code of the changed functions in all modules that have imported them.
-
-This file is also the program of the waiting process, which reads one request per line. If the
-system cannot fork, or if the new code does not fit the old function (it may use super()), the
-checks run in the ordinary, slow way.
+One process imports the engine, collects the checks and forks a copy for each change, which replaces
+the code of functions. As a script, this file is that process, which reads a request per line. If
+this cannot be done (new code may use super()), the checks run in the ordinary, slow way.
 """
 
 from __future__ import annotations
@@ -61,7 +57,6 @@ class Ready:
         self.process = self._start() if CAN_FORK else None
 
     def clear(self) -> None:
-        """Remove the changed modules from the folder."""
         for file in self.top.glob("*/*"):
             file.unlink()
 

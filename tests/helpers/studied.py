@@ -33,10 +33,9 @@ def study(
     settings: dict[str, int] | None = None,
     only: tuple[str, ...] = (),
 ) -> subprocess.CompletedProcess[str]:
-    """Run `python -m` with the package and these arguments.
+    """Run a package with these arguments, as `python -m` does.
 
-    ``settings`` replaces constants of the module that records scenes, as in {"STEPS_A_PICTURE": 6}.
-    If ``only`` names plots, a chapter's other plots are left out.
+    ``settings`` replaces constants of lab.record, and ``only`` leaves a chapter's other plots out.
     """
     request = json.dumps([package, arguments, settings or {}, only])
     return subprocess.run(

@@ -40,8 +40,6 @@ def command(root: Path, *words: str) -> tuple[list[str], dict[str, str]]:
 
 
 class Terminal:
-    """A pseudo-terminal that runs one of the autograder's commands, such as watch."""
-
     def __init__(self, root: Path, *words: str) -> None:
         self.ours, self.its = pty.openpty()
         self.before = termios.tcgetattr(self.its)
@@ -79,7 +77,6 @@ class Terminal:
         os.write(self.ours, key.encode())
 
     def status(self) -> int:
-        """Wait until the command has ended, and return its exit status."""
         return self.process.wait(PATIENCE)
 
     def close(self) -> None:

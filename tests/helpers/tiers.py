@@ -1,7 +1,6 @@
-"""A pytest plugin that runs only the quick tests, as `make test` does, or only the slow ones.
+"""A pytest plugin that runs the quick or the slow tests: see tests/tiers.toml and the marker slow.
 
-tests/tiers.toml says which folders and files are quick and which are slow. In a quick file, a test
-with the marker `slow` is slow too. The longest tests start first, so that no core waits at the end.
+The longest tests start first, so that no core waits at the end.
 """
 
 from __future__ import annotations
@@ -19,11 +18,7 @@ PATHS: dict[str, str] = dict.fromkeys(TIERS["quick"], "") | TIERS["slow"]
 
 
 def is_slow(file: Path) -> bool:
-    """Return whether all tests of a file are slow.
-
-    Raises:
-        pytest.Collector.CollectError: The list has neither the file nor a folder with the file.
-    """
+    """Return whether all tests of a file are slow. It is an error if the list does not have it."""
     path = file.relative_to(TESTS).as_posix()
     fits = [begin for begin in PATHS if path.startswith(begin)]
     if not fits:

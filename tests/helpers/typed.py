@@ -13,10 +13,7 @@ from autograder.manifest import ROOT
 def typed(
     *words: str | Path, cwd: Path = ROOT, text: str = "", **environment: str
 ) -> subprocess.CompletedProcess[str]:
-    """Run a module with its arguments, as in typed("autograder", "check").
-
-    ``text`` is what the command reads from its standard input.
-    """
+    """Run a module as in typed("autograder", "check"); ``text`` is its standard input."""
     return subprocess.run(
         [sys.executable, "-m", *map(str, words)],
         cwd=cwd,

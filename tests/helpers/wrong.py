@@ -19,8 +19,7 @@ from autograder.manifest import ROOT, Chapter
 class Wrong:
     """The reference with one function written as a student might have written it.
 
-    ``replace`` changes a few words of ``body``, or of the reference's function if ``body`` is
-    empty. It is a list of old and new texts in turn. Each old text must occur exactly once.
+    ``replace`` has old texts, each there once, and new ones in turn, for ``body`` or the reference.
     """
 
     edit: str
@@ -34,7 +33,6 @@ class Wrong:
 
 
 def read_wrong(chapter: Chapter) -> list[Wrong]:
-    """Return the wrong submissions of a chapter."""
     return [
         Wrong(edit, mistake, check, **_fields(entry, checks.get("right", "")))
         for edit, checks in _read(chapter).items()
@@ -74,10 +72,9 @@ def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None
 
 
 def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence[str] = ()) -> None:
-    """Write modules in which every function that students write has the same body.
+    """Write modules with the same body in every function of students, or empty ones for None.
 
-    If ``body`` is None, the modules are empty. Data files of students are left empty. The exercises
-    in ``but`` stay as in the reference.
+    Data files of students are left empty. The exercises in ``but`` stay as in the reference.
     """
     changed = [e for e in chapter.exercises if e.id not in but]
     names = [name.partition(".") for exercise in changed for name in exercise.edit]
@@ -107,7 +104,6 @@ def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: 
 
 
 def body_of(chapter: Chapter, wrong: Wrong) -> str:
-    """Return the body of a wrong submission."""
     body = wrong.body
     if not body:
         module, _, name = wrong.edit.partition(".")

@@ -16,7 +16,6 @@ NAMES = re.compile(
 
 
 def lesson_of(chapter: str) -> str:
-    """Return the text of a chapter's lesson."""
     return (ROOT / "chapters" / chapter / "README.md").read_text(encoding="utf-8")
 
 

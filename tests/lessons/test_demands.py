@@ -1,7 +1,4 @@
-"""Each graded check quotes the words of the course that demand what it checks.
-
-Each usual mistake that a lesson names is named by a check, too, to the student who makes it.
-"""
+"""Each check quotes the words that demand it, and each usual mistake is named by one."""
 
 from __future__ import annotations
 

@@ -32,10 +32,9 @@ def exercises_of(words: str) -> set[str]:
 def lost(
     folder: Path, done: Collection[str], graded: Collection[str], given: Collection[int] = ()
 ) -> dict[str, str]:
-    """Return the checks of the ``graded`` exercises that don't pass, with their messages.
+    """Return the checks of ``graded`` exercises that fail while only those in ``done`` are solved.
 
-    The exercises in ``done`` are solved as in the reference, and no others. The chapters in
-    ``given`` are complete. Exercises for which students hand in measurements are left out.
+    The chapters in ``given`` are complete. Exercises with measurements are left out.
     """
     for chapter in CHAPTERS.values():
         if chapter.number in given:

@@ -26,8 +26,3 @@ def test_a_printed_session_gives_these_results(path: Any) -> None:
     said: list[str] = []
     result = doctest.DocTestRunner(verbose=False).run(test, out=said.append)
     assert result.failed == 0, "".join(said)
-
-
-def test_lessons_print_sessions() -> None:
-    chapters = {int(path.parent.name[2:4]) for path in PAGES}
-    assert {3, 5, 6} <= chapters

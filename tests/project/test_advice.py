@@ -1,18 +1,12 @@
-"""Advice can be followed: every file, function and name that it mentions exists.
-
-Advice is the text of checks, the hints, and the docstrings of the functions that students write.
-"""
+"""Advice in checks, hints and docstrings can be followed: what it mentions exists."""
 
 from __future__ import annotations
 
 import ast
 import importlib
 import re
-import subprocess
-import sys
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -68,7 +62,6 @@ def parsed(path: str) -> ast.Module:
 
 
 def advice(chapter: Chapter) -> list[str]:
-    """Return all advice for the students of a chapter, without the marks of code."""
     given = [hint for exercise in chapter.exercises for hint in exercise.hints]
     for file in sorted((ROOT / "tests" / chapter.name).glob("test_*.py")):
         given += texts(parsed(str(file.relative_to(ROOT))), docstrings=False)
@@ -142,38 +135,6 @@ def test_each_name_of_several_words_is_one_that_students_see(chapter: Chapter) -
                 known |= names_in(parsed(f"chapters/{other.name}/{file}"))
     named = {(name, text) for text in advice(chapter) for name in NAME.findall(text)}
     assert {(name, text) for name, text in named if name not in known} == set()
-
-
-IMPORT_EACH = """
-import importlib, sys
-sys.path[:0] = sys.argv[1:3]
-for module in sys.argv[3:]:
-    for name in [name for name in sys.modules if name.startswith("ch0")]:
-        del sys.modules[name]
-    importlib.import_module(module)
-"""
-
-
-def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_path: Path) -> None:
-    """Each module of the reference is imported with the advised imports at its top."""
-    future, lines, modules = "from __future__ import annotations\n", set(), []
-    for chapter in CHAPTERS:
-        for file, name in functions_of_files(chapter):
-            path = Path(file_named(chapter, file) or "")
-            if path.parts[:1] == ("chapters",):
-                lines.add(f"from {path.parent.name}.{path.stem} import {name}")
-    assert "from ch02_vectors.arguments import positive" in lines
-    for chapter in CHAPTERS:
-        (tmp_path / chapter.name).mkdir()
-        for file in chapter.edited_files:
-            source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
-            assert future in source
-            edited = source.replace(future, "\n".join([future, *sorted(lines), ""]))
-            (tmp_path / chapter.name / file).write_text(edited, encoding="utf-8")
-            modules.append(f"{chapter.name}.{file.removesuffix('.py')}")
-    command = [sys.executable, "-c", IMPORT_EACH, tmp_path, ROOT / "chapters", *modules]
-    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
-    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize("called", ["Vector3(1, 2, 3).copy()", ""])

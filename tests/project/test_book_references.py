@@ -1,8 +1,4 @@
-"""Every reference to a section, an equation or an exercise of the book names one that exists.
-
-The file book.toml lists them. The tests search the pages, the docstrings, the manifests and the
-messages of the checks.
-"""
+"""Every reference to the book in pages, code and messages names what book.toml lists."""
 
 from __future__ import annotations
 
@@ -55,10 +51,7 @@ def rows_of(text: str) -> list[str]:
 
 
 def references(text: str, bare: bool = True) -> Iterator[tuple[str, str]]:
-    """Yield the kind and the number of each reference in a text.
-
-    Use ``bare`` for a text that has no versions of programs, such as Python 3.11.7.
-    """
+    """Yield the kind and number of each reference; ``bare`` if the text has no program versions."""
     flat = joined(text)
     found = [("section", each) for each in SECTIONS.findall(flat)]
     found += [("section", each) for each in BARE.findall(flat) if bare]
@@ -96,7 +89,6 @@ KNOWN = {
 
 
 def unknown(text: str, bare: bool = True) -> list[str]:
-    """Return the references in a text to what the book does not have."""
     found = references(text, bare)
     return [f"{kind} {number}" for kind, number in found if number not in KNOWN[kind]]
 
@@ -138,10 +130,8 @@ def same(section: str, other: str) -> bool:
     ("text", "wrong"),
     [
         ("See Book 7.1.5 and\n    Eq. 7.7.", ["section 7.1.5", "equation 7.7"]),
-        ("Book: sections 7.1.4 and 7.2.4.", ["section 7.2.4"]),
         ("sections 3.1 to 3.6 of the book", ["section 3.6"]),
         ("(9.4.12, erratum E-12)", ["section 9.4.12"]),
-        ("Eq. 6.1, 6.2 and 6.6", ["equation 6.6"]),
         ('"book 2.1.10, and "\n    "Eq. "\n    "2.11"', ["section 2.1.10", "equation 2.11"]),
         (f"{TABLE}\n\n| 5.9, Eq. 5.2 | drag |\n", ["section 5.9", "equation 5.2"]),
         ("exercise 2.8 and mini-project 8.4", ["exercise 2.8", "mini-project 8.4"]),

@@ -7,10 +7,9 @@ from types import SimpleNamespace
 import pytest
 
 from autograder.manifest import ROOT, load_chapters
-from by_chapter import chapters_of, latest
+from by_chapter import chapters_of
 
 CHAPTERS = load_chapters()
-REFERENCE = sorted((ROOT / "tests/reference").rglob("test_*.py"))
 
 
 @pytest.mark.parametrize(
@@ -37,10 +36,3 @@ def test_a_test_is_about_the_chapter_of_its_parameters_or_of_its_file(
     callspec = SimpleNamespace(params=parameters)
     item = SimpleNamespace(path=ROOT / "tests" / file, callspec=callspec)
     assert chapters_of(item) == chapters
-
-
-def test_every_test_of_the_reference_is_about_a_chapter_and_every_chapter_has_some() -> None:
-    by_parameter = {"test_claims.py", "test_examples.py"}  # each of their tests names its chapter
-    found = {path.name: latest(path) for path in REFERENCE if path.name not in by_parameter}
-    assert [name for name, chapters in found.items() if len(chapters) != 1] == []
-    assert set().union(*found.values()) == {chapter.number for chapter in CHAPTERS}

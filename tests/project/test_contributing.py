@@ -120,7 +120,6 @@ def write_exercise(root: Path) -> None:
 
 
 def run(root: Path, *command: str) -> str:
-    """Return the output of a command in the copy. The command must succeed."""
     done = subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout

@@ -88,17 +88,6 @@ def test_the_glossary_has_every_term_of_the_manifests_once_and_in_order() -> Non
     assert {name for chapter in CHAPTERS for e in chapter.exercises for name in e.terms} <= {*known}
 
 
-def test_the_glossary_has_no_term_that_nobody_uses() -> None:
-    """Each term appears in a chapter, or in the explanation of another term."""
-    files = [file for folder in ("chapters", "solutions") for file in (ROOT / folder).rglob("*.*")]
-    texts = [f.read_text(encoding="utf-8") for f in files if f.suffix in (".md", ".py", ".toml")]
-    words = " ".join(" ".join(texts).lower().split())
-    for names, entry, _ in GLOSSARY:
-        others = " ".join(other.lower() for _, other, _ in GLOSSARY if other != entry)
-        used = any(name.lower() in words for name in names)
-        assert used or names[0].lower() in others, names
-
-
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 def test_a_chapter_links_to_the_glossary_and_names_its_errata(chapter: Chapter) -> None:
     """Doubtful errata need not be named: they are advice, and may not be mistakes at all."""

@@ -1,7 +1,4 @@
-"""Three proofs per chapter: right answers earn everything, stubs nothing, wrong ones lose theirs.
-
-All are run in both ways: beside the checks, as students run them, and in workers, as in grading.
-"""
+"""Right answers earn everything, stubs nothing, and wrong ones lose theirs, run in both ways."""
 
 from __future__ import annotations
 
@@ -36,7 +33,6 @@ def depth_of(chapter: Chapter, exercise: str) -> int:
 
 
 def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
-    """Return the exercise whose body a wrong submission changes."""
     (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
     return exercise
 
@@ -64,7 +60,6 @@ by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: ch
 
 
 def engine_with(top: Path) -> list[Path]:
-    """Return an engine with a folder on top of the reference."""
     return [top, ROOT / "solutions", ROOT / "chapters"]
 
 
@@ -160,10 +155,7 @@ def test_the_other_right_bodies_earn_every_point(chapter: Chapter) -> None:
 def test_a_wrong_submission_is_caught(
     chapter: Chapter, wrong: Wrong, pytestconfig: pytest.Config
 ) -> None:
-    """Only the checks of its exercise run: others fail only if they build on that exercise.
-
-    test_an_exercise_needs_no_other_than_it_says shows this.
-    """
+    """Only its exercise is run, as test_an_exercise_needs_no_other_than_it_says allows."""
     waiting = ready(chapter, pytestconfig.getoption("seed"))
     write_wrong(chapter, [wrong], waiting.top)
     exercise = exercise_of(chapter, wrong)
@@ -191,10 +183,7 @@ def test_a_wrong_submission_is_caught(
 @pytest.mark.slow
 @pytest.mark.parametrize(("chapter", "depth"), LEVELS, ids=[f"{c.name}, {d}" for c, d in LEVELS])
 def test_a_wrong_submission_is_told_the_same_both_ways(chapter: Chapter, depth: int) -> None:
-    """The first wrong submission of each exercise gives the same verdicts and messages both ways.
-
-    All exercises of the same depth are wrong at once. The exercises that they need are right.
-    """
+    """All exercises of one depth are wrong at once, and those that they need are right."""
     ids = [e.id for e in chapter.exercises if e.edit and depth_of(chapter, e.id) == depth]
     wrongs = [w for w in read_wrong(chapter) if exercise_of(chapter, w).id in ids]
     firsts = {exercise_of(chapter, wrong).id: wrong for wrong in reversed(wrongs)}

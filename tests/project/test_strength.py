@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import ast
-import io
-import subprocess
 import sys
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.text.marked import between
-from graded import report_of
 from ready import ready
-from studies import bench as bench_figures
 from wrong import read_wrong
 
 CHAPTERS = load_chapters()
@@ -134,21 +129,6 @@ def test_an_old_figure_is_dropped_and_a_new_one_does_not_keep_it(
     assert seeds()[one.name] == {"3.12": 1000}
 
 
-def test_only_the_files_of_failing_checks_have_to_run_again(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    import run_seeds
-
-    vector = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    (tmp_path / "ch02_vectors").mkdir()
-    wrong = vector.replace("self.x * v.x, self.y * v.y, self.z * v.z", "self.x, v.y, v.z")
-    assert wrong != vector
-    (tmp_path / "ch02_vectors/vector.py").write_text(wrong, encoding="utf-8")
-    monkeypatch.setattr(run_seeds, "SOLUTIONS", {"reference": tmp_path})
-    files = [ROOT / "tests/ch02_vectors" / name for name in ("test_basis.py", "test_products.py")]
-    assert run_seeds._failing("reference", files, 2, 1) == {"test_products.py"}
-
-
 def test_a_file_of_checks_changes_with_what_it_imports(tmp_path: Path) -> None:
     """The check imports a module of the solution, which imports another one."""
     from fingerprint import of_check_file
@@ -164,38 +144,6 @@ def test_a_file_of_checks_changes_with_what_it_imports(tmp_path: Path) -> None:
     assert of_check_file(check, chapter, tmp_path) == before
     (folder / "two.py").write_text("f = 2", encoding="utf-8")
     assert of_check_file(check, chapter, tmp_path) != before
-
-
-def test_what_is_measured_is_committed() -> None:
-    """Otherwise make update in a fresh copy would erase the figures."""
-    ignored = ("git", "check-ignore", "tests/strength/figures.json", str(bench_figures.FILE))
-    assert subprocess.run(ignored, cwd=ROOT, check=False).returncode != 0
-
-
-def test_a_figure_that_was_never_measured_is_a_dash(monkeypatch: pytest.MonkeyPatch) -> None:
-    import table
-
-    monkeypatch.setattr(table, "run_checks", lambda *_, **__: [])
-    monkeypatch.setattr(table, "mutants_of", lambda _: {})
-    monkeypatch.setattr(table, "seeds_of", lambda *_: {"test_it.py": {}})
-    assert table.row(CHAPTERS[0]).count("-") == 4
-
-
-def test_no_table_is_written_while_the_second_solution_loses_a_point(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """It may lack a new body, or the machine may be too busy to check it in time."""
-    import sample
-    import table
-
-    monkeypatch.setattr(sample, "grade_submission", lambda *_: report_of("ada"))
-    monkeypatch.setattr(table, "sample_table", lambda: sample.sample_table(["ada"]))
-    before = [page.read_bytes() for page in (table.PAGE, table.CLASS)]
-    console = Console(file=io.StringIO())
-    assert not table.write_tables(console)
-    words = "sample_class/ada must pass every check, and test_angle of exercise 2.2 says: "
-    assert words in console.file.getvalue()
-    assert before == [page.read_bytes() for page in (table.PAGE, table.CLASS)]
 
 
 def test_mutants_differ_in_a_line_of_a_body_and_a_mistake_is_killed() -> None:

@@ -40,7 +40,6 @@ HELPERS = [path.stem for path in python_files("tests/helpers")]
 
 
 def imported(path: Path) -> set[str]:
-    """Return the top-level names that a file imports."""
     names = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
@@ -51,7 +50,6 @@ def imported(path: Path) -> set[str]:
 
 
 def faults(files: Iterable[Path], fault: Callable[[Path], object]) -> dict[str, object]:
-    """Return the files with a fault, and the fault of each."""
     found = {file.relative_to(ROOT).as_posix(): fault(file) for file in files}
     return {file: wrong for file, wrong in found.items() if wrong}
 
@@ -181,13 +179,3 @@ def test_a_manifest_that_is_wrong_is_refused(
     (folder / "chapter.toml").write_text(text.replace(*change, 1), encoding="utf-8")
     with pytest.raises(ValueError, match=re.escape(complaint)):
         load_chapter(folder)
-
-
-def test_the_examples_of_where_to_look_are_there() -> None:
-    text = (ROOT / "studies/README.md").read_text(encoding="utf-8")
-    table = text[text.index("| computed in |") :].split("\n\n")[0]
-    for line in table.splitlines():
-        what, *paths = re.findall(r"\| ([^|]*) ", line)
-        folder = ROOT / "".join(re.findall(r"`(.+)`", what))
-        for path in filter(None, paths):
-            assert (folder / path.strip("`")).is_file(), line

@@ -22,11 +22,9 @@ def of_checks(chapter: Chapter, solution: Path) -> str:
 
 
 def of_check_file(check: Path, chapter: Chapter, solution: Path) -> str:
-    """Return the fingerprint of one file of checks and of the modules that it uses.
+    """Return the fingerprint of a file of checks and of all modules that it imports.
 
-    These are the modules that it imports, directly or not, from the chapter's checks, from the
-    helpers of all checks and from the chapter's solution. Sentences don't count, because no right
-    solution passes or fails by the words of a message.
+    Sentences don't count, because no right solution passes or fails by the words of a message.
     """
     folders = [ROOT / "tests" / chapter.name, ROOT / "tests/shared", solution / chapter.name]
     found: set[Path] = set()
@@ -55,10 +53,9 @@ def _imports(file: Path, chapter: Chapter) -> Iterator[str]:
 
 
 def fingerprint(files: Iterable[Path], *, sentences: bool = True) -> str:
-    """Return a hash of the code in Python files.
+    """Return a hash of the code in files, without docstrings, comments, layout and quoted words.
 
-    Docstrings, comments, layout and the words of the course that checks quote don't count. If
-    ``sentences`` is False, strings that contain a space don't count either.
+    If ``sentences`` is False, strings that contain a space don't count either.
     """
     digest = hashlib.sha256()
     for file in files:
@@ -77,21 +74,17 @@ class WithoutSentences(ast.NodeTransformer):
     """Empties every string that contains a space, and drops docstrings and quoted words."""
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | None:
-        """Drop a docstring."""
         is_text = isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
         return None if is_text else self.generic_visit(node)
 
     def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        """Empty a sentence, such as a part of a message."""
         return ast.Constant("") if isinstance(node.value, str) and " " in node.value else node
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.expr:
-        """Empty a sentence with values in it."""
         texts = [part.value for part in node.values if isinstance(part, ast.Constant)]
         return ast.Constant("") if any(" " in str(text) for text in texts) else node
 
     def visit_keyword(self, node: ast.keyword) -> ast.AST | None:
-        """Drop the words of the course that a check quotes."""
         return None if node.arg == "asks" else self.generic_visit(node)
 
 

@@ -1,7 +1,6 @@
-"""The measured figures of each chapter, in one committed file from which the table is made.
+"""The measured figures of each chapter, each with a fingerprint of what it was measured on.
 
-Each figure is kept with a fingerprint of what it was measured on, and counts as not measured once
-that has changed. Mutants are kept by chapter, and seeds by file of checks, because they take long.
+A figure counts as not measured once that has changed.
 """
 
 from __future__ import annotations
@@ -24,7 +23,6 @@ def mutants_of(chapter: Chapter) -> dict[str, int]:
 
 
 def keep_mutants(chapter: Chapter, **figures: int) -> None:
-    """Keep the figures of a chapter's mutants in place of older ones."""
     everything = _read()
     everything.setdefault("mutants", {})[chapter.name] = figures | {"measured on": _now(chapter)}
     _write(everything)

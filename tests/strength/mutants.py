@@ -1,9 +1,7 @@
 """Mutants of the reference: bodies with one operator or number changed, which checks should notice.
 
-Cosmic Ray makes the mutations. A mutant that survives is either as right as the reference, which
-survivors/ then explains, or a mistake that no check notices. Results are kept in
-build/strength/. A mutant runs again if the file of the check that killed it has changed. A mutant
-that survived runs again if any check of its chapter has changed.
+A survivor is as right as the reference, which survivors/ then explains, or a mistake that no check
+notices. It runs again if any check has changed, and others if the check that killed them has.
 """
 
 from __future__ import annotations
@@ -111,10 +109,7 @@ def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, in
 
 
 def killer_of(waiting: Ready, mutant: Mutant) -> str:
-    """Return the first check that a mutant does not pass, or "" if it survives.
-
-    The checks of its own exercise run first, because most mutants die there.
-    """
+    """Return the first check that a mutant does not pass, its own exercise first, or ""."""
     chapter = waiting.chapter
     (exercise,) = (e.id for e in chapter.exercises if mutant.edit in e.edit)
     waiting.clear()
@@ -182,11 +177,7 @@ def _state(chapter: str, check: str) -> str:
 
 
 def read_survivors(chapter: Chapter) -> Iterator[tuple[str, Change]]:
-    """Yield the mutants that are known to do the same as the reference, each after its reason.
-
-    Raises:
-        ValueError: A body does not have a text exactly once.
-    """
+    """Yield each mutant that is known to do the same as the reference, after its reason."""
     path = Path(__file__).parent / "survivors" / f"{chapter.name}.toml"
     for reason, edits in tomllib.loads(path.read_text(encoding="utf-8")).items():
         for edit, texts in edits.items():

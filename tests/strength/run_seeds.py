@@ -15,10 +15,7 @@ from kept import FILE, SOLUTIONS, files_of_checks, keep_seeds, seeds_of
 
 
 def run_seeds(chapters: list[Chapter], seeds: int, jobs: int) -> bool:
-    """Run the chapters' checks with this many seeds on each solution; return success.
-
-    Files of checks that have passed with as many seeds, and have not changed since, are left out.
-    """
+    """Run the files of checks that have not yet passed with so many seeds; return success."""
     python = ".".join(platform.python_version_tuple()[:2])
     success = True
     for solution in SOLUTIONS:

@@ -19,12 +19,9 @@ WIDTH = 130  # characters of a line; some messages are longer
 
 
 def sample_table(students: Sequence[str] = STUDENTS) -> str:
-    """Grade some students and return their lines of the table that `make grade` prints.
+    """Grade some students; return their indented lines of the table that `make grade` prints.
 
-    The lines are indented, so that Markdown shows them as a block of code.
-
-    Raises:
-        ValueError: Ada's work, the second right solution, loses a point.
+    It is a ValueError if Ada's work, the second right solution, loses a point.
     """
     assignment = Conditions(load_chapters(), "1", Level())
     reports = [
@@ -41,7 +38,6 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
 
 
 def check_whole(report: StudentReport) -> None:
-    """Raise ValueError if a check in the report does not pass."""
     for exercise, check in ((r.exercise.id, check) for r in report.results for check in r.checks):
         if check.status != "passed":
             raise ValueError(

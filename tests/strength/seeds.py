@@ -1,7 +1,5 @@
 """A pytest plugin that calls each check that draws numbers with many seeds, in one run.
 
-    make measure WHAT=seeds SEEDS=1000
-
 The reference must earn every point with every seed. Otherwise a tolerance is wrong.
 """
 

@@ -22,11 +22,7 @@ HEAD = [
 
 
 def write_tables(console: Console) -> bool:
-    """Write all tables into the pages, and say whether a figure is missing.
-
-    Nothing is written if the second solution of the sample class loses a point. This function then
-    returns False.
-    """
+    """Write all tables, unless the second solution loses a point; return whether that was done."""
     try:
         sample = sample_table()
     except ValueError as error:
@@ -47,13 +43,11 @@ def write_tables(console: Console) -> bool:
 
 
 def table_of(rows: list[list[str]]) -> str:
-    """Return the rows of all chapters as a table in Markdown."""
     lines = [HEAD, ["---", *["---:"] * (len(HEAD) - 1)], *rows]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def row(chapter: Chapter) -> list[str]:
-    """Return the cells of a chapter's row."""
     checks = run_checks(chapter, [ROOT / "solutions", ROOT / "chapters"], seed="1")
     by_code = [exercise for exercise in chapter.exercises if exercise.kind != "written"]
     mutants = mutants_of(chapter)

@@ -1,7 +1,6 @@
 """Commands that are killed at random moments lose nothing, and the same command completes them.
 
-KILLS=40 in the environment kills each command so often. Otherwise each is killed once, and those
-with a ``least`` a few times. With KILL_SEED=2 the moments are others.
+KILLS=40 in the environment kills each so often, and KILL_SEED=2 changes the moments.
 """
 
 from __future__ import annotations
@@ -72,11 +71,9 @@ def killed_again_and_again(
     check: Callable[[bool], None],
     least: int = 1,
 ) -> None:
-    """Kill a command, and start it again, until it was killed often enough.
+    """Kill a command and start it again, until it was killed often enough.
 
-    ``same`` returns the content of the folder that every whole run must give. ``check`` checks the
-    folder after each run. Its argument says whether the folder was new when the command started.
-    Without KILLS in the environment, the command is killed ``least`` times.
+    ``same`` returns what every whole run must give, and ``check`` gets whether the folder was new.
     """
     victim.run_whole()
     expected, starts = same(victim.folder), 0

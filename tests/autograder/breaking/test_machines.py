@@ -19,9 +19,7 @@ from autograder.course.model import Deadline
 from autograder.files import is_new, replace_bytes, temporary_of
 from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters
-from autograder.reports.feedback import write_index
-from autograder.submissions.class_list import ClassList, Member, read_class
-from graded import CHAPTERS, SHOUT, class_of, report_of
+from autograder.submissions.class_list import read_class
 from small import RIGHT, hand_in, make_root
 from small_class import grade, scores
 
@@ -29,7 +27,6 @@ FULL = "Free some space on that disk, and run the same command again"
 
 
 def full(*_: object, **__: object) -> None:
-    """Do what a full disk does."""
     raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
 
@@ -177,14 +174,3 @@ def test_odd_times_are_refused_in_a_sentence_or_unknown(
     known, _ = times_of(tmp_path, read_class(tmp_path), UTC)
     late = late_of(Deadline(datetime(2026, 1, 1, tzinfo=UTC)), [], known.get("ann"), 1.0)
     assert late.days is None
-
-
-def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Path) -> None:
-    """Also the names of those who handed nothing in, or whom nobody knows."""
-    names = [SHOUT, "=1+1", " @x;-y"]
-    absent = [Member(name, name, None, None) for name in names]
-    people = ClassList([*class_of("=2+2").members, *absent], has_roster=True)
-    text = write_index(tmp_path, CHAPTERS, [report_of(SHOUT)], people).read_text(encoding="utf-8")
-    assert "owned" in text
-    assert "<script" not in text
-    assert "<b onclick" not in text

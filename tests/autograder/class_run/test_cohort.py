@@ -21,15 +21,6 @@ from small import RIGHT
 from small_class import HALF, SmallClass, everything_in, grade, interrupt, results
 
 
-def test_folders_and_zips_are_graded_alike(small: SmallClass) -> None:
-    assert small.grade(jobs=3) == 0
-    assert small.scores() == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
-    rows = {row["student"]: row["score"] for row in small.table("gradebook.csv")}
-    assert rows == {"points possible": "6", "ann": "6", "bob": "5", "cem": "6"}
-    for name in ("feedback/ann.html", "index.html", "gradescope/cem/results.json"):
-        assert (small.out / name).stat().st_size > 0
-
-
 def test_a_finished_run_is_followed_by_one_with_a_new_seed(small: SmallClass) -> None:
     seeds = []
     for _ in range(2):

@@ -209,10 +209,9 @@ def test_the_handout_for_github_classroom_names_the_points_of_both(tmp_path: Pat
 
 
 def test_the_zip_for_gradescope_grades_the_assignment_with_new_numbers(tmp_path: Path) -> None:
-    """Ann has an extension of a day, so her work is one day late and costs 10 percent of 20.
+    """Ann is one day late, even with her extension, which costs 10 percent of 20 points.
 
-    The seed of the course file has no effect. Otherwise students could copy the numbers from the
-    results of an earlier run.
+    With the course file's seed, students could copy numbers from an earlier run.
     """
     work = course(tmp_path, VECTORS.replace("out_of = 20", 'out_of = 20\nseed = "lab1"'))["lab1"]
     metadata = {

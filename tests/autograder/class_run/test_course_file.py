@@ -20,7 +20,6 @@ LAB = '[[assignment]]\nname = "lab1"\n'
 
 
 def example() -> str:
-    """Return the file that the README shows."""
     page = (ROOT / "autograder/README.md").read_text(encoding="utf-8")
     (text,) = re.findall(r"(?ms)^```toml\n(.+?)^```", page)
     return str(text)
@@ -28,7 +27,6 @@ def example() -> str:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Return a folder with what the example names."""
     (tmp_path / "roster.csv").write_text("student\nann\n", encoding="utf-8")
     (tmp_path / "hidden/ch03_laws_of_motion").mkdir(parents=True)
     return tmp_path

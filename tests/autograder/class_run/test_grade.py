@@ -201,11 +201,7 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
 def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(
     tmp_path: Path, unusable: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A file does not matter that is in the wrong folder, or is not UTF-8, where ours replaces it.
-
-    Without the given chapter it does, and the failures are inherited from it. Bytecode of ours is
-    never where a later run could read it.
-    """
+    """A file that cannot be used does not matter where ours replaces it."""
     engines: dict[Path, list[Path]] = {}
 
     def noted(chapter: Chapter, engine: list[Path], **more: Any) -> list[Verdict]:

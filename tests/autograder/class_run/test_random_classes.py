@@ -1,7 +1,6 @@
 """Random classes never lose, double or mix up a student, on the way from roster to import file.
 
-Each class comes with an account of what went in, which no code under test has made. To draw other
-classes too, set CLASSES=2000.
+No code under test made the account of what went in. CLASSES=2000 draws more classes.
 """
 
 from __future__ import annotations

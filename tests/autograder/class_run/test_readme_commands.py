@@ -26,10 +26,7 @@ PATH = re.compile(r"(?m)^(?:[\w ]+: )?((?:build|\.\.)/\S*\w)$")
 
 
 def run(line: str, root: Path) -> None:
-    """Run a line in a shell. It must succeed, and every path that it prints must be there.
-
-    `make mark` runs until it is stopped as Ctrl-C does.
-    """
+    """Run a line until it ends or waits for Ctrl-C. Every path that it prints must exist."""
     browser = os.environ | {"BROWSER": "true", "PYTHONUNBUFFERED": "1"}
     how = {"shell": True, "cwd": root, "env": browser, "encoding": "utf-8"}
     with subprocess.Popen(

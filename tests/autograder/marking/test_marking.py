@@ -82,10 +82,7 @@ def address(folder: Path) -> Iterator[str]:
 
 
 def ask(address: str, path: str = "", body: Any = None, **headers: str) -> tuple[int, Any, str]:
-    """Ask the server, as its own page would unless headers say otherwise.
-
-    Return the status, the JSON or the text of the answer, and its security policy.
-    """
+    """Ask the server as its own page would, unless headers say otherwise."""
     if body is not None:
         own = {"Origin": address.rsplit("/", 2)[0], "Content-Type": "application/json"}
         headers = own | headers

@@ -47,8 +47,6 @@ def folder(submissions: Path) -> Path:
 
 
 class Page:
-    """A page in a browser, and what a person sees and does there."""
-
     def __init__(self, browser: Any, address: str, **options: Any) -> None:
         # Playwright's waiting needs eval, and axe is a script.
         self.tab = browser.new_page(bypass_csp=True, **options)

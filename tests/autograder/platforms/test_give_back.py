@@ -1,7 +1,4 @@
-"""Moodle and Canvas hand each student's feedback page to that student and to nobody else.
-
-Both find the student by the name of the file alone, so the tests repeat their rules for names.
-"""
+"""Moodle and Canvas hand each page to its own student, whom they find by the name of the file."""
 
 from __future__ import annotations
 
@@ -60,9 +57,7 @@ def files_in(path: Path | io.BytesIO) -> dict[str, bytes]:
 def moodle_finds(path: str, participants: set[int]) -> tuple[int, str, str]:
     """Return the participant, the plugin and the name of a file in a zip that is uploaded.
 
-    The rules are those of is_valid_filename_for_import() and import_zip_files() in Moodle's
-    mod/assign/feedback/file/importziplib.php. Before version 4.1, names with fewer than 5 parts
-    did not count.
+    As in Moodle's mod/assign/feedback/file/importziplib.php. Before 4.1 names needed 5 parts.
     """
     parts = f"/import/{path}".split("/")
     assert not parts[-1].startswith((".", "~"))
@@ -78,10 +73,9 @@ def moodle_finds(path: str, participants: set[int]) -> tuple[int, str, str]:
 
 
 def canvas_finds(path: str) -> tuple[int, int]:
-    """Return the user and the upload for which Canvas takes a file in a zip that is uploaded again.
+    """Return the user and the upload for which Canvas takes a file in a zip.
 
-    The rules are those of infer_comment_context_from_filename() in Canvas's
-    app/models/abstract_assignment.rb (before 2024 in app/models/assignment.rb).
+    As in infer_comment_context_from_filename() of its app/models/abstract_assignment.rb.
     """
     name = PurePosixPath(path).name
     parts = [part for part in name.split("_") if part != "LATE"]

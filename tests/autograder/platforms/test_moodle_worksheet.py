@@ -1,8 +1,4 @@
-"""A grading worksheet of Moodle is understood and filled in any language.
-
-The worksheets have the columns that mod/assign/gradingtable.php writes, and an importer follows the
-rules of mod/assign/feedback/offline (see moodle_sheet.py).
-"""
+"""A grading worksheet of Moodle is understood and filled in any language."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from scipy import stats
 import browser as browsers
 from autograder.analysis.class_page import write_class_page
 from autograder.analysis.common_mistakes import misconceptions, mistakes_of
-from autograder.analysis.discrimination import FEWEST, discrimination
+from autograder.analysis.discrimination import discrimination
 from autograder.checks.verdict import Verdict
 from autograder.message import Kind, Message
 from autograder.reports.feedback import write_feedback, write_index
@@ -59,12 +59,6 @@ def test_discrimination_is_refused_with_a_reason(own: Any, rest: Any, reason: st
     found = discrimination(own, [*map(float, rest)])
     assert (found.value, found.reason) == (None, reason)
     assert not found.is_low
-
-
-def test_as_many_students_are_needed_as_the_page_says() -> None:
-    """By Fisher: the chance that a correlation of 0.5 is estimated below 0.2."""
-    chance = stats.norm.cdf((np.arctanh(0.2) - np.arctanh(0.5)) * np.sqrt(FEWEST - 3))
-    assert round(100 * chance) == 8
 
 
 def wrong(likely: str, read: str = "", **changes: Any) -> Verdict:

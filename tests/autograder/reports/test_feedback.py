@@ -232,15 +232,6 @@ def test_the_index_says_which_earlier_exercise_to_fix(tmp_path: Path) -> None:
     assert "B2.00" not in index.text, "it is blocked itself"
 
 
-def test_a_hidden_check_keeps_its_name_on_the_index(tmp_path: Path) -> None:
-    index = index_page(tmp_path, report_of())
-    assert not re.search("far away|secret", index.text)
-    right, wrong, hidden = report_of().results[1].checks
-    checks = [right, replace(wrong, status="passed"), hidden]
-    index = index_page(tmp_path, with_exercise(report_of(), 1, checks=checks))
-    assert ["2.2 Angles", "0 of 1", "a hidden check"] in index.rows
-
-
 def test_every_student_is_linked_to_a_page_that_is_there(tmp_path: Path) -> None:
     students = ["ada", "50% #1?", "../up", "Åsa B", "a&b", "javascript:x", SHOUT, NASTY]
     reports = [report_of(student) for student in students]

@@ -110,7 +110,6 @@ def engine(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def start(level: Level, engine: Path) -> Iterator[Callable[[], Session]]:
-    """Starts workers over that engine."""
     launcher = Launcher(level, [str(engine)], str(engine), seconds=2.0)
     yield partial(launcher.start_worker, hang)
     launcher.close()

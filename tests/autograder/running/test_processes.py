@@ -34,7 +34,6 @@ def hang() -> NoReturn:
 
 
 def number(session: Session) -> int:
-    """Return the process ID of a worker."""
     return session.ask("name", "ch91_own.own", "number")()
 
 
@@ -129,10 +128,7 @@ def test_without_seccomp_each_worker_has_a_launcher_of_its_own(
 
 
 def start_workers(folder: Path) -> list[list[int]]:
-    """Start two launchers in a grader, and return each one's process ID and that of its worker.
-
-    The first launcher forks two workers, of which the first has ended, and the third is closed.
-    """
+    """Return the process IDs of two launchers, of which the first has two workers, and of these."""
     found = []
     launchers = [start(folder) for _ in range(3)]
     for launcher in (launchers[0], *launchers):

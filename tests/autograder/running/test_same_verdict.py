@@ -1,8 +1,4 @@
-"""What passes at home passes in grading: the same code has the same verdict, in the same words.
-
-Beside the checks, as students run them, and behind the walls, as a class is graded. A file that the
-grader rejects is rejected at home too.
-"""
+"""The same code has the same verdict in the same words, at home and behind the walls of grading."""
 
 from __future__ import annotations
 

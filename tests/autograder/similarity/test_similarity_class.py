@@ -159,14 +159,6 @@ def test_an_assignment_is_compared_alone_with_the_names_of_the_gradebook(tmp_pat
     assert "<bdi>Ann Lee</bdi>" in page_of(tmp_path / "out", 1)
 
 
-def test_the_pages_are_not_written_among_other_files(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="must not be in the folder of the class"):
-        run.similarity(tmp_path, tmp_path / "out", select_chapters("2"))
-    (tmp_path / "mine").touch()
-    with pytest.raises(ValueError, match=r"it has other files\. Name another one"):
-        run.similarity(tmp_path / "class", tmp_path, select_chapters("2"))
-
-
 @pytest.mark.slow
 def test_the_pages_are_accessible_and_fit(browser: Any, out: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe

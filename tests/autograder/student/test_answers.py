@@ -11,7 +11,6 @@ import pytest
 from autograder.answers import PLACE, blank_answers, model_answer, questions_of, sections_of
 from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
-from autograder.student.written import open_questions
 from typed import typed
 
 CH02 = load_chapters()[0]
@@ -134,11 +133,3 @@ def test_a_hand_out_has_neither_and_says_who_has(tmp_path: Path) -> None:
     assert ANSWER in done.stdout
     assert "instructor has the model answer" in done.stdout
     assert "points:" not in done.stdout
-
-
-def test_open_questions_are_counted_and_named_with_their_files(tmp_path: Path) -> None:
-    both = open_questions([CH02], put(tmp_path, BLANK))
-    assert both.startswith("2 questions are open: 2.2b and 2.3, in ")
-    one = open_questions([CH02], put(tmp_path, BEFORE + ANSWER + AFTER))
-    assert one.startswith("1 question is open: 2.3, in ")
-    assert open_questions([CH02], [ROOT / "solutions"]) == ""

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.__main__ import main
 from autograder.diagnosis.explain import explain_exception
-from autograder.manifest import ROOT, load_chapters, select_chapters
+from autograder.manifest import ROOT, load_chapters
 from copies import copy_tree, edit
 from expect import expect_error
 from typed import typed
@@ -105,6 +105,7 @@ def test_a_syntax_error_is_named_with_its_line_also_in_a_console_that_lacks_a_ch
         ("check --engine nowhere", "engine must be a folder of chapters, got 'nowhere'"),
         ("check --exercise 2.2", "'2.2'. Similar ids: 2.2a, 2.2b"),
         ("hint 2.9", "Did you mean B2.9?"),
+        ("hint 2.5 --given 2-3", "exercise 2.5 is in chapter 2, which is given"),
         ("reset 2.3", "2.3 is answered in answers.md"),
         ("check --only", "--only requires --exercise"),
         ("check --chapter 5-2", "chapters must count upwards, got '5-2'"),
@@ -143,11 +144,6 @@ def test_hints_come_one_at_a_time() -> None:
     assert hints[1] in second
     assert all(hint in all_of_them for hint in hints)
     assert "more" not in all_of_them.splitlines()[-1]
-
-
-def test_chapters_are_selected_by_number_and_range() -> None:
-    assert [chapter.number for chapter in select_chapters("2,4-6")] == [2, 4, 5, 6]
-    assert select_chapters("") == load_chapters()
 
 
 LENGTH = "math.hypot(self.x, self.y, self.z)"
@@ -206,10 +202,3 @@ def test_written_code_that_fails_comes_before_code_that_is_not_written(vector: P
     screen = check(vector, "B2.5").stdout
     assert "half written" not in screen
     assert "not written yet" not in screen.partition("Fix this first")[2]
-
-
-def test_a_class_with_another_name_is_named(vector: Path) -> None:
-    edit(vector, "class Vector3:", "class Vector:")
-    screen = check(vector, "B2.1").stdout
-    assert "vector.py does not define Vector3" in screen
-    assert "Did you mean Vector?" in screen

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,10 +19,7 @@ SOLUTIONS = [ROOT / "solutions", ROOT / "chapters"]
 
 
 def report_of(chapter: Chapter, *fail: str, robust: Sequence[str] = ()) -> ChapterResults:
-    """Return a chapter with a check of both tiers in each exercise, of which some fail.
-
-    Those of the exercises in ``fail``, and the robust ones of those in ``robust``.
-    """
+    """Return a chapter with a check of both tiers in each exercise; those in ``fail`` fail both."""
     results = []
     for exercise in chapter.exercises:
         tiers = {False: exercise.id in fail, True: exercise.id in {*fail, *robust}}
@@ -107,10 +103,3 @@ def test_a_scene_is_offered_by_the_exercise_that_unlocks_it() -> None:
     assert shown([broken], for_demo) == ""
     robust = report_of(CH03, "3.5b", robust=ids(CH03))
     assert told in shown([robust], for_demo)
-
-
-def test_without_make_the_commands_are_pythons(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shutil, "which", lambda _: None)
-    words = " ".join(shown([report_of(CH03)]).split())
-    assert "-m lab serve damping-forms --engine solutions" in words
-    assert "-m plots draw --chapter 3 --engine solutions" in words

@@ -16,7 +16,6 @@ from autograder.diagnosis.earlier_chapters import (
     explained_on_given,
     mark_inherited,
     run_on_given,
-    with_given,
 )
 from autograder.grader.conditions import Conditions
 from autograder.grader.grading import grade_submission
@@ -228,24 +227,6 @@ def test_a_helper_that_is_not_handed_in_is_named(engine: Path) -> None:
     assert "Not handed in, so nothing may import it: my_helper.py" in done.stdout
 
 
-def test_the_given_folder_is_gone_afterwards() -> None:
-    with with_given([CH02], REFERENCE) as folders:
-        top = folders[0]
-        assert (top / "ch02_vectors/vector.py").exists()
-    assert not top.exists()
-
-
-@pytest.fixture
-def on_nothing(tmp_path: Path) -> Path:
-    """A student's chapters 3 to 5, on a chapter 2 that cannot be used."""
-    for name in (CH03.name, "ch04_particle_engine", "ch05_forces"):
-        copy_tree(ROOT / "solutions" / name, tmp_path / "engine" / name)
-    (tmp_path / "engine" / CH02.name).mkdir()
-    vector = tmp_path / "engine" / CH02.name / "vector.py"
-    vector.write_text("class Vector3:\n    pass\n", encoding="utf-8")
-    return tmp_path / "engine"
-
-
 @pytest.mark.parametrize(
     ("command", "given", "made"),
     [
@@ -254,24 +235,12 @@ def on_nothing(tmp_path: Path) -> Path:
     ],
 )
 def test_plots_and_scenes_are_made_on_what_is_given(
-    command: str, given: str, made: str, on_nothing: Path, tmp_path: Path
+    command: str, given: str, made: str, engine: Path, vector: Path, tmp_path: Path
 ) -> None:
-    words = [*command.split(), "--engine", on_nothing, "--out", tmp_path / "out"]
+    vector.write_text("class Vector3:\n    pass\n", encoding="utf-8")
+    for name in ("ch04_particle_engine", "ch05_forces"):
+        copy_tree(ROOT / "solutions" / name, engine / name)
+    words = [*command.split(), "--engine", engine, "--out", tmp_path / "out"]
     after = typed(*words, "--given", given, MPLBACKEND="Agg")
     assert after.returncode == 0, after.stdout + after.stderr
     assert (tmp_path / "out" / made).exists()
-
-
-@pytest.mark.parametrize(
-    ("command", "says"),
-    [
-        ("autograder hint 2.5 --given 2-3", "exercise 2.5 is in chapter 2, which is given"),
-        ("lab record ballistics --given 19", "no chapter 19"),
-    ],
-)
-def test_what_cannot_be_given_or_is_given_is_one_sentence(command: str, says: str) -> None:
-    refused = typed(*command.split())
-    assert refused.returncode == 2
-    assert says in refused.stderr
-    assert "Traceback" not in refused.stderr
-    assert refused.stdout == ""

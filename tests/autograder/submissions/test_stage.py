@@ -314,10 +314,3 @@ def test_the_search_in_a_crowd_stops_and_says_so(tmp_path: Path) -> None:
     why = "it is not among the first 5,000 files and folders handed in"
     stopped = "the search stopped after 5,000 files and folders"
     assert boxed(ann) == ({}, dict.fromkeys(EDITED, why), [stopped])
-
-
-@posix
-def test_names_that_are_no_text_are_escaped_in_notes(tmp_path: Path) -> None:
-    ann = make_folder(tmp_path, {f"a\udcff\n\x1b/{VECTOR}": CODE, f"b/{VECTOR}": CODE})
-    (note,) = boxed(ann)[2]
-    assert r"a\udcff\n\x1b/ch02_vectors' was used" in note

@@ -1,7 +1,5 @@
-"""canvas.csv and moodle.csv, read by the rules that the importers of Canvas and Moodle follow.
-
-The rules are those of Canvas's lib/gradebook_importer.rb, and of Moodle's
-grade/import/csv/classes/load_data.php (those for a grading worksheet are in moodle_sheet.py).
+"""canvas.csv and moodle.csv, read as Canvas's lib/gradebook_importer.rb and Moodle's
+grade/import/csv/classes/load_data.php do (worksheets: moodle_sheet.py).
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Submissions that nobody would think of: every check has a verdict, and every loss a sentence.
 
-More of them:
-.venv/bin/python -m pytest tests/autograder/untrusted/test_fuzz.py --hypothesis-profile=long
+To draw more of them, add --hypothesis-profile=long.
 """
 
 from __future__ import annotations

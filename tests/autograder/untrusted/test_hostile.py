@@ -1,7 +1,6 @@
 """Hostile submissions get what their honest code is worth, and nothing else comes of them.
 
-All of hostile/ is graded in one run, by a process of its own, and then looked at: each submission,
-and what the run as a whole has left behind. HOSTILE_KEEP=folder keeps everything there.
+All are graded in one run, in a process of its own. HOSTILE_KEEP=folder keeps everything there.
 """
 
 from __future__ import annotations
@@ -143,7 +142,6 @@ def run() -> Iterator[Run]:
 
 
 def grade(world: World) -> int | None:
-    """Grade the class; return the exit status."""
     environment = os.environ | {
         "HOME": str(world.home),
         "TMPDIR": str(world.temporary),

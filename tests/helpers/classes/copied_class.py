@@ -1,8 +1,6 @@
 """Make a class in which most students solved the exercises themselves, and a few copied.
 
-Correct functions come from the reference and from Ada. Wrong functions come from wrong.toml and
-from the sample class. Each student writes in a personal style, gets some functions wrong, and
-leaves some out. What is rewritten does the same, except that the last digit of a sum may change.
+Functions come from the reference, the sample class and wrong.toml, in each student's own style.
 """
 
 from __future__ import annotations

@@ -145,7 +145,6 @@ def blocked(student: str = "cy") -> StudentReport:
 
 
 def nothing_done(student: str = "eli") -> StudentReport:
-    """Return a report in which every check fails."""
     report = report_of(student, score=0.0, score_on_given=0.0)
     lost = [check("test_it", "failed", "vector.py is missing")]
     for number, result in enumerate(report.results):

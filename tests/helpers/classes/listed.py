@@ -17,10 +17,9 @@ Files = Mapping[str, str]
 
 
 def class_in(folder: Path, names: str, roster: str = "", files: Files | None = None) -> ClassList:
-    """Return the class that has handed in folders, zips and PDFs of these names, all empty.
+    """Return the class that handed in empty folders, zips and PDFs of these names, separated by |.
 
-    The names are separated by |. ``roster`` has the lines below the header, and ``files`` the texts
-    of other files in the folder of the class.
+    ``roster`` has the lines below the header, and ``files`` the texts of other files.
     """
     place = folder / "class"
     place.mkdir(exist_ok=True)

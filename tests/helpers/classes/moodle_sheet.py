@@ -76,10 +76,7 @@ NOT_THERE = 15  # has handed nothing in
 
 
 def download(sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE) -> str:
-    """Return a worksheet with the columns of assign_grading_table in mod/assign/gradingtable.php.
-
-    It has commas, like the writer of Moodle's dataformat_csv.
-    """
+    """Return a worksheet with the columns of mod/assign/gradingtable.php, and with commas."""
     say = sheet.language
     most = f"{sheet.most:.2f}".replace(".", say.decsep)
     rows: list[dict[str, str]] = []
@@ -121,13 +118,9 @@ def download(sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE) -> 
 def upload(
     content: bytes, sheet: Sheet, people: dict[int, tuple[str, str, str]] = PEOPLE
 ) -> tuple[dict[int, float], list[int]]:
-    """Import a worksheet by the rules of Moodle.
+    """Return the new grade of each participant, and those whose comments have changed.
 
-    These are init() and next() in mod/assign/feedback/offline/importgradeslib.php, and
-    process_import_grades() in mod/assign/feedback/offline/locallib.php.
-
-    Returns:
-        The new grade of each participant, and the participants whose comments have changed.
+    As importgradeslib.php and locallib.php in mod/assign/feedback/offline import a worksheet.
     """
     say = sheet.language
     text = content.decode("utf-8").removeprefix("\ufeff")

@@ -21,11 +21,7 @@ HOW += ["moodle with a worksheet and groups", "gradescope with groups", "github 
 
 @dataclass
 class Person:
-    """A student, and what the student did.
-
-    ``path`` is what should be graded: the name of a submission, or "" if nothing was handed in. It
-    is the same for everybody in a group.
-    """
+    """A student, and the ``path`` of the submission to be graded, which a group shares, or ""."""
 
     id: str
     given: str
@@ -54,7 +50,6 @@ class RandomClass:
 
 
 def plain(text: str) -> str:
-    """Return the letters and digits of a text, in lower case."""
     return "".join(c for c in unicodedata.normalize("NFKC", text).lower() if c.isalnum())
 
 

@@ -39,10 +39,7 @@ def test_a_particle_can_be_made() -> None:
 
 
 def make_readme_class(folder: Path, page: str) -> Path:
-    """Copy the repository into a folder, and make the class beside it. Return the copy.
-
-    ``page`` is the page with the course file.
-    """
+    """Return a copy of the repository beside the class; ``page`` has the course file."""
     root = folder / "companion"
     unneeded = shutil.ignore_patterns(".?*", "build", "__pycache__", "hostile")
     shutil.copytree(ROOT, root, ignore=unneeded)

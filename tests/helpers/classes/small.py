@@ -113,6 +113,5 @@ def make_students_root(folder: Path) -> Path:
 
 
 def hand_in(folder: Path, student: str, code: str) -> None:
-    """Write a student's code into the folder of a class."""
     (folder / student / "ch90_small").mkdir(parents=True)
     (folder / student / "ch90_small/small.py").write_text(code, encoding="utf-8")

@@ -31,10 +31,7 @@ HALF = RIGHT.replace("4 * x", "3 * x")
 
 
 def make_class(folder: Path) -> Path:
-    """Make a class of three: a correct one, a half correct one, and a correct one in a zip.
-
-    The zip contains a folder around the files.
-    """
+    """Make a class of three: a correct one, a half correct one, and a correct one in a zip."""
     hand_in(folder, "ann", RIGHT)
     hand_in(folder, "bob", HALF)
     with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:
@@ -102,7 +99,6 @@ def scores(out: Path) -> dict[str, float | None]:
 
 
 def table(path: Path) -> list[dict[str, str]]:
-    """Read a CSV file that a run has written, such as gradebook.csv."""
     with path.open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
@@ -114,8 +110,6 @@ def everything_in(out: Path) -> str:
 
 
 class SmallClass:
-    """A class that has solved the small chapter, and the folder of its grades."""
-
     def __init__(
         self, place: Path, folder: Path, root: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
@@ -130,7 +124,6 @@ class SmallClass:
         hand_in(self.folder, student, code)
 
     def write(self, name: str, text: str) -> None:
-        """Write a file in the folder of the class."""
         (self.folder / name).write_text(text, encoding="utf-8")
 
     def grade(self, seed: str | None = "1", **more: Any) -> int:

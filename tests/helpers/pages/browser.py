@@ -1,10 +1,6 @@
 """A real browser for tests: Debian's Chromium, controlled by Playwright.
 
-It is Chromium's headless shell if that is installed, because without windows a test takes two
-thirds of the processor time. Otherwise it is Chromium itself.
-
-If one of them is missing, the tests that need a browser are skipped. If the environment variable CI
-is set, they fail instead.
+Where one of them is missing, a test is skipped, or fails if the environment variable CI is set.
 """
 
 from __future__ import annotations
@@ -34,7 +30,6 @@ def missing() -> str:
 
 
 def browser() -> Iterator[Any]:
-    """Yield a browser, for a fixture."""
     yield from launched()
 
 
@@ -44,7 +39,6 @@ def browser_alone() -> Iterator[Any]:
 
 
 def launched(*arguments: str) -> Iterator[Any]:
-    """Yield a browser that was started with additional arguments."""
     need(missing())
     from playwright.sync_api import sync_playwright
 

@@ -50,24 +50,19 @@ input.dispatchEvent(new Event("change"));
 
 
 class Student:
-    """A visitor of the site."""
-
     def __init__(self, browser: Browser, site: Served) -> None:
         self.browser, self.site = browser, site
         self.troubles: list[str] = []
 
     def visit(self, page: str) -> None:
-        """Open a page of the site."""
         self.listen()
         self.browser.open(f"{self.site.address}{page}")
         self.browser.run(PREPARED)
 
     def see(self, condition: str) -> None:
-        """Wait until an expression of JavaScript is true."""
         self.browser.run(f"await until(() => {condition})")
 
     def text(self, place: str) -> str:
-        """Return the text that a part of the page shows."""
         return str(self.browser.run(f"return {place}.innerText"))
 
     def read(self, words: str, place: str = "document.body") -> str:
@@ -92,7 +87,6 @@ class Student:
         return panel
 
     def turn(self, exercise: str) -> str:
-        """Go to the panel of an exercise."""
         return self.panel(f"#ex-{exercise.replace('.', '-')}", ".cm-content")
 
     def write(self, panel: str, text: str) -> None:
@@ -114,7 +108,6 @@ class Student:
         return self.text(status)
 
     def upload(self, archive: Path) -> None:
-        """Choose a zip on the start page."""
         self.see("document.querySelector('#zip-file')")
         sent = [archive.name, base64.b64encode(archive.read_bytes()).decode()]
         self.browser.run(CHOSEN % json.dumps(sent))

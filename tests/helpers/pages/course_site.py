@@ -29,10 +29,7 @@ BELOW = "some/where"  # the site must work from any path
 
 
 def built(factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with the site below BELOW.
-
-    The first process that needs it builds the site.
-    """
+    """Return a folder with the site below BELOW, which the first process builds."""
     need(missing())
     return _made_once(factory, "site", functools.partial(build, with_solutions=False))
 
@@ -60,7 +57,6 @@ def data_in(site: Path, name: str) -> dict[str, Any]:
 
 
 def pack_in(site: Path) -> zipfile.ZipFile:
-    """Open the files that a site has packed for Python."""
     return zipfile.ZipFile(io.BytesIO(lzma.decompress((site / "course.xz").read_bytes())))
 
 
@@ -104,7 +100,6 @@ class Served:
         return f"http://127.0.0.1:{self.port}/{BELOW}/"
 
     def start(self) -> None:
-        """Start to serve the folder."""
         handler = functools.partial(Quiet, directory=str(self.folder))
         self.server = ThreadingHTTPServer(("127.0.0.1", self.port), handler)
         self.port = self.server.server_address[1]
@@ -117,7 +112,6 @@ class Served:
 
 
 def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    """Yield a server of the site, for a fixture."""
     with served_site(built(tmp_path_factory)) as server:
         yield server
 

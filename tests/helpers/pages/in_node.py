@@ -19,8 +19,6 @@ SCRIPT = ROOT / "tests" / "web" / "engines.mjs"
 
 
 class NodeEngines:
-    """A Node process that runs the engines of a site."""
-
     def __init__(self, site: Path) -> None:
         self.process = subprocess.Popen(
             ["node", str(SCRIPT), str(site)],
@@ -30,7 +28,6 @@ class NodeEngines:
         )
 
     def ask(self, what: str, **request: Any) -> dict[str, Any]:
-        """Send a request to the process, and return the answer."""
         assert self.process.stdin is not None
         assert self.process.stdout is not None
         print(json.dumps({"what": what, **request}), file=self.process.stdin, flush=True)
@@ -48,14 +45,12 @@ class NodeEngines:
         return report
 
     def scene(self, link: int, kind: str, **message: Any) -> list[dict[str, Any]]:
-        """Return the answers to a message about a scene."""
         answers: list[dict[str, Any]] = self.ask(
             "scene", link=link, message={"kind": kind, **message}
         )["answers"]
         return answers
 
     def close(self) -> None:
-        """End the process."""
         self.process.stdin.close()
         self.process.wait()
 
@@ -70,7 +65,6 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> NodeEngines:
 
 
 def engines_of(site: Path) -> Iterator[NodeEngines]:
-    """Yield the engines of a site."""
     engines = NodeEngines(site)
     yield engines
     engines.close()

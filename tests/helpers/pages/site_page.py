@@ -25,10 +25,7 @@ PASTE = """([text]) => {
 
 @contextmanager
 def visit(browser: Any, width: int = 1280, **options: Any) -> Iterator[Any]:
-    """Yield the browser context of a new visitor.
-
-    Fail if an error occurs on a page, or if a page requests anything from another host.
-    """
+    """Yield a new visitor's browser context, in which no error and no other host may occur."""
     context = browser.new_context(viewport={"width": width, "height": 900}, **options)
     context.set_default_timeout(60_000.0)  # ms; machines of CI are slow
     context.troubles, context.hosts = [], set()
@@ -74,7 +71,6 @@ def accessible(page: Any) -> None:
 
 
 def turn(page: Any, exercise: str) -> Any:
-    """Open the panel of an exercise, and return it with its editor."""
     panel = page.locator(f"#ex-{exercise.replace('.', '-')}")
     panel.scroll_into_view_if_needed()
     panel.locator(".cm-content, textarea").wait_for()
@@ -121,7 +117,6 @@ def rows(panel: Any) -> list[tuple[str, str]]:
 
 
 def upload(page: Any, address: str, texts: dict[str, str], folder: Path) -> None:
-    """Upload these texts to the site as a zip, on its start page."""
     import zipfile
 
     archive = folder / "mine.zip"
@@ -144,7 +139,6 @@ STORED = """(path) => new Promise(resolve => {
 
 
 def stored(page: Any, path: str = VECTOR) -> str:
-    """Return the text of a file that the page keeps in the browser."""
     return str(page.evaluate(STORED, path))
 
 

@@ -1,11 +1,7 @@
 """Firefox and WebKit for tests, controlled by WebDriver, the standard protocol for browsers.
 
-Debian has no geckodriver, so Firefox is controlled by WebDriver BiDi, which it understands itself.
-WebKit comes with a driver for the classic WebDriver. It cannot do without a screen, so it gets a
-virtual one.
-
-If one of them is missing, its tests are skipped. If the environment variable CI is set, they fail
-instead.
+Debian has no geckodriver, so Firefox is controlled by WebDriver BiDi. WebKit has a driver for the
+classic WebDriver, and needs a virtual screen. If CI is set, a missing browser is a failure.
 """
 
 from __future__ import annotations
@@ -59,13 +55,11 @@ class Browser:
         raise NotImplementedError
 
     def press(self, *keys: str) -> None:
-        """Press keys at the same time, as a person does."""
         down = [{"type": "keyDown", "value": key} for key in keys]
         up = [{"type": "keyUp", "value": key} for key in reversed(keys)]
         self.act([{"type": "key", "id": "keyboard", "actions": [*down, *up]}])
 
     def act(self, actions: list[dict[str, Any]]) -> None:
-        """Perform actions of input devices."""
         raise NotImplementedError
 
 
@@ -85,7 +79,6 @@ class Firefox(Browser):
         return await websocket_connect(address)
 
     def send(self, method: str, **parameters: Any) -> Any:
-        """Send a command, and return the result."""
         self.number += 1
         command = {"id": self.number, "method": method, "params": parameters}
         answer = self.runner.run(asyncio.wait_for(self._answer(command), ANSWERED))
@@ -126,7 +119,6 @@ class Firefox(Browser):
         self.send("input.performActions", context=self.page, actions=actions)
 
     def close(self) -> None:
-        """End Firefox."""
         self.send("browser.close")
         self.runner.close()
 
@@ -145,7 +137,6 @@ class WebKit(Browser):
     def send(
         self, command: str, method: str = "POST", timeout: float = ANSWERED, **parameters: Any
     ) -> Any:
-        """Send a command, and return the result."""
         connection = HTTPConnection("127.0.0.1", self.port, timeout=timeout)
         connection.request(method, f"{self.session or '/session'}{command}", json.dumps(parameters))
         answer = json.loads(connection.getresponse().read())["value"]
@@ -184,7 +175,6 @@ class WebKit(Browser):
         self.send("/actions", actions=actions)
 
     def close(self) -> None:
-        """End the browser and its driver."""
         if self.session:
             self.send("", method="DELETE")
         self.session = ""
@@ -193,7 +183,6 @@ class WebKit(Browser):
 
 @contextmanager
 def firefox(home: Path) -> Iterator[Firefox]:
-    """Yield a Firefox with its home folder."""
     need("" if FIREFOX else "there is no Firefox; on Debian: apt-get install firefox-esr")
     profile, log = home / "profile", home / "firefox.log"
     profile.mkdir()
@@ -212,7 +201,6 @@ def firefox(home: Path) -> Iterator[Firefox]:
 
 @contextmanager
 def webkit(home: Path) -> Iterator[WebKit]:
-    """Yield a WebKit with its home folder."""
     for command, package in WEBKIT.items():
         found = shutil.which(command)
         need("" if found else f"there is no {command}; on Debian: apt-get install {package}")

@@ -70,18 +70,6 @@ def test_what_a_command_does_not_know_is_an_error_that_names_what_it_takes(
         assert word in done.stderr
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        *("watch CH=3 SEED=4 ENGINE=solutions", "check CH=3 EX=3.1 PYTHON=python3"),
-        *("hint EX=3.1 N=2", "reset EX=3.1 WHOLE=1", "plot CH=3", "lab SCENE=ball"),
-    ],
-)
-def test_every_command_of_students_takes_given(arguments: str) -> None:
-    done = make("--dry-run", *arguments.split(), "GIVEN=2")
-    assert "--given '2'" in done.stdout, done.stderr
-
-
 def test_a_scene_takes_several_settings_beside_another_command() -> None:
     done = make("--dry-run", "check", "lab", "EX=2.5", "SCENE=cloth", "SET=rate=240 mass=2")
     assert "--set 'rate=240' --set 'mass=2'" in done.stdout

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 import sys
 import tomllib
@@ -12,14 +11,11 @@ from importlib import metadata
 from pathlib import Path
 
 import pytest
-from packaging.markers import Marker
-from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from autograder.commands import PACKAGES
 from autograder.handouts.handout import CHARTS, make_handout
 from autograder.manifest import ROOT, load_chapters
-from printed import TAKES
 from web.imports import imported_by, imports_of
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -33,7 +29,6 @@ WANTED = {
     "everything": ALL,
 }
 OURS = ("autograder", "lab", "plots", "scenes", "studies", "web")
-needs_make = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 
 
 def pins(lock: str) -> dict[str, str]:
@@ -70,31 +65,6 @@ def test_a_lock_pins_what_the_project_asks_for_with_hashes(lock: str, wanted: li
     assert names("requirements") <= names(lock)
 
 
-def test_a_lock_has_only_what_its_packages_need_here() -> None:
-    """Computed from what the installed packages say that they need."""
-    for lock, wanted in WANTED.items():
-        needed: set[str] = set()
-        waiting = [Requirement(each) for each in wanted]
-        while waiting:
-            one = waiting.pop()
-            name = canonicalize_name(one.name)
-            if name in needed or (one.marker and not one.marker.evaluate()):
-                continue
-            needed.add(name)
-            waiting += [
-                Requirement(text)
-                for text in metadata.requires(name) or ()
-                if "extra ==" not in text or one.extras
-            ]
-        here = {
-            pin.partition("==")[0]
-            for pin, entry in pins(lock).items()
-            if not (found := re.match(r"\S+ ; (.+?) \\\n", entry)) or Marker(found[1]).evaluate()
-        }
-        assert here - needed == set(), lock
-    assert {"numpy", "scipy", "mypy", "ruff", "jinja2"} & names("requirements") == set()
-
-
 def test_the_packages_that_a_command_asks_for_are_those_of_its_group() -> None:
     assert PACKAGES.keys() == WANTED.keys()
     known = metadata.packages_distributions()
@@ -106,7 +76,6 @@ def test_the_packages_that_a_command_asks_for_are_those_of_its_group() -> None:
 
 @pytest.fixture(scope="module")
 def handout(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a handout of all chapters."""
     out = tmp_path_factory.mktemp("handout") / "out"
     make_handout(load_chapters(), [], out)
     return out
@@ -170,7 +139,6 @@ STAND_IN = "import sys\nfor name in {!r}:\n    sys.modules[name] = None\n"
 
 
 def without(packages: str, folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
-    """Run a Python command as if some packages were not installed."""
     (folder / "sitecustomize.py").write_text(STAND_IN.format(packages.split()), encoding="utf-8")
     return subprocess.run(
         [sys.executable, *command],
@@ -210,17 +178,6 @@ def test_a_command_without_its_packages_names_the_command_that_installs_them(
     assert not (tmp_path / "out").exists()
 
 
-BEYOND = "PIL hypothesis jinja2 matplotlib numpy ruff scipy yaml"
-
-
-def test_the_commands_of_students_and_of_gradescope_run_without_any_group(tmp_path: Path) -> None:
-    check = without(BEYOND, tmp_path, "-m", "autograder", "hint", "B2.5")
-    assert check.returncode == 0, check.stderr
-    for module in ("autograder.student.reset", "lab.server", "autograder.platforms.grade_one"):
-        imported = without(BEYOND, tmp_path, "-c", f"import {module}")
-        assert imported.returncode == 0, imported.stderr
-
-
 def test_the_scene_of_the_charts_says_which_packages_it_lacks(tmp_path: Path) -> None:
     code = """
 from scenes.reason import reason
@@ -231,30 +188,3 @@ print(Host(reason).receive(message)[0]['why'])
     done = without("scipy", tmp_path, "-c", code)
     assert done.stdout.startswith("this Python lacks scipy, "), done.stderr
     assert "autograder/make_venv.py everything" in done.stdout
-
-
-def would_run(*arguments: str) -> str:
-    """Return what make would run if the students' packages were installed, and no group."""
-    groups = [f"--what-if=autograder/locks/{group}.lock" for group in GROUPS]
-    command = ["make", "--dry-run", "--old-file=.venv/ready", *groups, *arguments]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
-    return done.stdout
-
-
-VALUES = {"hint": "EX=B2.5", "reset": "EX=B2.5", "choose": "SCENE=pendulum"}
-VALUES |= {"measure": "WHAT=bench", "mark": "SUBMISSIONS=a"}
-VALUES |= dict.fromkeys(("release", "handout", "classroom", "gradescope"), "CHAPTERS=2")
-GROUP_OF = dict.fromkeys(("watch", "check", "debug", "python", "hint", "reset", "lab"), "")
-GROUP_OF |= dict.fromkeys(("plot", "site"), "pictures")
-GROUP_OF |= dict.fromkeys(("grade", "release", "similarity", "mark", "handout"), "teaching")
-GROUP_OF |= dict.fromkeys(("classroom", "gradescope"), "teaching")
-
-
-@needs_make
-def test_each_make_command_first_installs_the_group_of_its_python_command() -> None:
-    for name in {name for name in TAKES if "-" not in name} - {"help", "setup"}:
-        done = would_run(name, *filter(None, [VALUES.get(name)]))
-        found = [group for group in GROUPS if f"make_venv.py {group}\n" in done]
-        assert found == [*filter(None, [GROUP_OF.get(name, "everything")])], name
-    charts = would_run("lab", "SCENE=charts")
-    assert charts.index("make_venv.py everything") < charts.index("-m lab serve")

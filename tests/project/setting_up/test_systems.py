@@ -131,12 +131,6 @@ def test_the_commands_without_make_are_those_that_make_runs() -> None:
         assert sorted(words[:at] + words[at + 2 :]) == sorted(python.split())
 
 
-def test_every_chapter_leads_to_the_commands_without_make() -> None:
-    for page in ROOT.glob("chapters/ch*/README.md"):
-        assert "](../README.md#without-make)" in page.read_text(encoding="utf-8")
-    assert "\n## Without make\n" in (ROOT / "chapters/README.md").read_text(encoding="utf-8")
-
-
 def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Path) -> None:
     no_make = {"PATH": str(tmp_path)}
     done = run(sys.executable, "-m", "autograder", "check", "--exercise", "B2.5", **no_make)
@@ -164,18 +158,6 @@ def test_a_command_without_the_packages_says_what_to_do(command: str) -> None:
     needed = "this Python lacks the companion's packages. Run make setup (without make: "
     assert needed in done.stderr
     assert "Traceback" not in done.stderr
-
-
-def test_a_console_that_lacks_a_character_stops_no_plot(tmp_path: Path) -> None:
-    """A code page may have no sign for infinity, as on Windows."""
-    (tmp_path / "ch02_vectors").mkdir()
-    wrong = tmp_path / "ch02_vectors/vector.py"
-    wrong.write_text("raise ValueError('\u221e meters')\n", encoding="utf-8")
-    options = ("--chapter", "2", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
-    drawn = run(
-        sys.executable, "-m", "plots", "draw", *options, PYTHONIOENCODING="cp1252", PYTHONUTF8="0"
-    )
-    assert drawn.stdout.startswith("chapter 2 cannot be drawn: ValueError: ? meters ("), drawn
 
 
 # A stack dump escapes letters that are not ASCII, but not backslashes.

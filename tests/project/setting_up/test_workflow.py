@@ -5,11 +5,9 @@ from __future__ import annotations
 import re
 import tomllib
 
-import pytest
 import yaml
 
 from autograder.manifest import ROOT
-from typed import typed
 
 JOBS = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
 STEPS = [step for job in JOBS.values() for step in job["steps"]]
@@ -55,13 +53,3 @@ def test_students_systems_run_each_of_their_commands_without_make() -> None:
     assert "python autograder/make_venv.py" in LINES
     lines = [step.get("run", "") for step in JOBS["student"]["steps"]]
     assert not re.search(r"(?m)^make", "\n".join(lines))
-
-
-@pytest.mark.parametrize(
-    ("module", "name", "rest"), COMMANDS, ids=[f"{module} {name}" for module, name, _ in COMMANDS]
-)
-def test_a_command_and_its_options_are_there(module: str, name: str, rest: str) -> None:
-    done = typed(module, name, "--help")
-    assert done.returncode == 0, done.stderr
-    for option in re.findall(r"--\w+", rest):
-        assert f"{option} " in done.stdout

@@ -128,10 +128,7 @@ class World:
 
 @dataclass(frozen=True)
 class Submission:
-    """A hostile submission, and what it is worth.
-
-    ``label`` is part of the student's name, or all of it.
-    """
+    """A hostile submission and its worth. ``label`` is part of the student's name, or all of it."""
 
     kind: str
     name: str
@@ -146,7 +143,6 @@ class Submission:
 
     @property
     def score(self) -> int:
-        """The honest score."""
         return sum(POINTS[exercise] for exercise in self.earns)
 
 
@@ -182,7 +178,6 @@ def _attack(
 
 
 def completed(source: str, earns: frozenset[str]) -> str:
-    """Return a source with the definitions that it leaves out."""
     defined = {getattr(node, "name", "") for node in ast.parse(source).body}
     missing = DEFINITIONS.keys() - defined
     solved = {name for name in missing if EXERCISES[DEFINITIONS[name]] in earns}
@@ -194,13 +189,11 @@ def completed(source: str, earns: frozenset[str]) -> str:
 
 
 def _only(source: str, names: set[str]) -> str:
-    """Return the definitions of these names alone."""
     found = (node for node in ast.parse(source).body if getattr(node, "name", "") in names)
     return "".join(f"\n\n{ast.unparse(node)}\n" for node in found)
 
 
 def with_places(text: str, world: World) -> str:
-    """Put the places of a run into a source."""
     places = {
         "ROOT": world.root,
         "HOME": world.home,
@@ -239,7 +232,6 @@ def _line(path: Path) -> int:
 
 
 def write(path: Path, content: str | bytes) -> None:
-    """Write a file, and the folders above it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(content.encode() if isinstance(content, str) else content)
 
@@ -260,7 +252,6 @@ def build_world(world: World, submissions: list[Submission], tests: Path) -> Non
 
 
 def read_results(out: Path) -> list[dict[str, Any]]:
-    """Return what stands in the results of a run."""
     files = sorted((out / "results").glob("*.json"))
     return [json.loads(path.read_text(encoding="utf-8")) for path in files]
 

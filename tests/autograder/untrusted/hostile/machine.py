@@ -98,7 +98,6 @@ def status_of(pid: int) -> list[str]:
 
 
 def descendants() -> set[int]:
-    """Return our children, theirs, and so on."""
     pids = [int(path.name) for path in Path("/proc").glob("[0-9]*")]
     parents = {pid: int(status_of(pid)[1]) for pid in pids}
     found = {os.getpid()}

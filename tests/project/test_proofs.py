@@ -179,7 +179,9 @@ def test_a_wrong_submission_is_caught(
     first = failed[0]
     assert first.message.likely
     assert first.message.read
-    assert wrong.says in str(first.message), f"{first.name} fails first: {first.message}"
+    assert wrong.says in str(first.message), (
+        f"{first.name} fails first, and says: {first.message.likely}"
+    )
     file, _, line = next_place(waiting.engine, chapter, exercise, first).rpartition(":")
     module, _, name = (wrong.opens or wrong.edit).partition(".")
     assert Path(file) == waiting.top / chapter.name / f"{module}.py"

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+import tiers
 from autograder.manifest import ROOT, load_chapters
 from by_chapter import chapters_of, latest
 
@@ -44,3 +46,17 @@ def test_every_test_of_the_reference_is_about_a_chapter_and_every_chapter_has_so
     found = {path.name: latest(path) for path in REFERENCE if path.name not in by_parameter}
     assert [name for name, chapters in found.items() if len(chapters) != 1] == []
     assert set().union(*found.values()) == {chapter.number for chapter in CHAPTERS}
+
+
+@pytest.mark.parametrize(("chapter", "runs"), [(2, True), (None, False)])
+def test_some_tests_are_slow_only_if_no_chapter_is_chosen(chapter: int | None, runs: bool) -> None:
+    mark = pytest.mark.slow(but_for="chapter").mark
+    path = ROOT / "tests/project/test_proofs.py"
+    items: list[Any] = [SimpleNamespace(path=path, nodeid="", get_closest_marker=lambda _: mark)]
+    options = {"tier": "quick", "chapter": chapter}
+    config: Any = SimpleNamespace(
+        getoption=lambda name, _=None: options[name],
+        hook=SimpleNamespace(pytest_deselected=dict),
+    )
+    tiers.pytest_collection_modifyitems(config, items)
+    assert bool(items) == runs

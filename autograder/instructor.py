@@ -19,8 +19,8 @@ def run_grade(arguments: argparse.Namespace) -> int:
     refuse_windows("grade")
     import signal
 
-    from autograder.grader.class_folder import SAMPLE, earlier_choice, graded_folder
     from autograder.grader.cohort import ClassOptions, grade
+    from autograder.grader.reports_folder import SAMPLE, earlier_choice, graded_folder
     from autograder.platforms.uploads import Column
     from autograder.submissions.unpack import class_folder, refuse_newer_zip
 

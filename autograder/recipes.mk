@@ -59,7 +59,7 @@ else
 endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes $(if $(value CH),half a minute,about 4 minutes)."
+	@echo "This tests the companion itself, and takes $(if $(value CH),one or two minutes,about 4 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
 test-all: test ## run all tests, as before a release

@@ -25,13 +25,13 @@ from autograder.manifest import ROOT
 from autograder.message import Kind, Message
 
 if TYPE_CHECKING:
-    from autograder.isolation.judges import ForkedJudge
+    from autograder.isolation.forked_checks import ForkedChecks
 
 GRACE = 10.0  # seconds beyond a check's limit that we wait for output before we kill the process
 MOST_STDERR = 2000  # bytes; of standard error we keep only the end
 MISSING = re.compile(r"No module named '(ch\d\d_\w+)'")  # an earlier chapter
 
-_processes: set[subprocess.Popen[str] | ForkedJudge] = set()
+_processes: set[subprocess.Popen[str] | ForkedChecks] = set()
 _stopping = threading.Event()
 
 
@@ -119,13 +119,13 @@ def run_process(run: Listener) -> Ending:
     return Ending(stack, silent, code, said)
 
 
-def _start(config: Config, folder: Path, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
+def _start(config: Config, folder: Path, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedChecks:
     file = folder / "config.pickle"  # too long for a command line; no one else may write to it
     file.write_bytes(pickle.dumps(config))
     if config.level is not None:
-        from autograder.isolation.judges import ForkedJudge  # not in handouts
+        from autograder.isolation.forked_checks import ForkedChecks  # not in handouts
 
-        return ForkedJudge(file, Path(config.root), environment, stderr)
+        return ForkedChecks(file, Path(config.root), environment, stderr)
     return subprocess.Popen(
         [sys.executable, "-m", "autograder.checks.pytest_plugin", str(file)],
         cwd=config.root,
@@ -139,7 +139,7 @@ def _start(config: Config, folder: Path, stderr: IO[bytes]) -> subprocess.Popen[
 
 
 def _lines(
-    process: subprocess.Popen[str] | ForkedJudge, time_limit: float, deadline: float
+    process: subprocess.Popen[str] | ForkedChecks, time_limit: float, deadline: float
 ) -> Iterator[str | None]:
     """Yield each line that a process prints, and None if it is silent for too long."""
     stream = process.stdout
@@ -162,7 +162,7 @@ def _lines(
         yield None
 
 
-def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
+def _kill(process: subprocess.Popen[str] | ForkedChecks) -> None:
     """Kill a check process and, on systems with process groups, every program that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":

@@ -1,4 +1,4 @@
-"""Grade the submissions of a class, and write each report as soon as it is ready."""
+"""Grade submissions at the same time, and write the report on each student once it is ready."""
 
 from __future__ import annotations
 

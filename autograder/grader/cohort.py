@@ -1,4 +1,4 @@
-"""Grade a whole class: run the checks on every submission, and write all reports."""
+"""Grade a class: choose the conditions, run a ``ClassRun``, and write what is about everybody."""
 
 from __future__ import annotations
 
@@ -18,7 +18,12 @@ from autograder.checks.runner import Limits
 from autograder.course.lateness import lateness
 from autograder.course.model import Work
 from autograder.course.points import scaled_marks
-from autograder.grader.class_folder import (
+from autograder.grader.class_run import ClassRun, grade_here, print_class
+from autograder.grader.cluster import connect, grade_over
+from autograder.grader.conditions import Conditions, check_hidden, run_key
+from autograder.grader.people import differences, people_of
+from autograder.grader.regrade import Regrade
+from autograder.grader.reports_folder import (
     SAMPLE,
     only_run,
     put_others_aside,
@@ -28,11 +33,6 @@ from autograder.grader.class_folder import (
     refuse_place,
     temporary_files_in,
 )
-from autograder.grader.class_run import ClassRun, grade_here, print_class
-from autograder.grader.cluster import connect, grade_over
-from autograder.grader.conditions import Conditions, check_hidden, run_key
-from autograder.grader.people import differences, people_of
-from autograder.grader.regrade import Regrade
 from autograder.isolation.probe import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.marking.marked_answers import MarkedAnswers

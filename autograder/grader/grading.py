@@ -1,4 +1,4 @@
-"""Grade one submission: copy its files, run its checks in the sandbox, and write its report."""
+"""Grade one submission: copy its files, run its checks in the sandbox, and return its report."""
 
 from __future__ import annotations
 

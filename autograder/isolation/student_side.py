@@ -117,7 +117,7 @@ class StudentSide:
     do_length, do_iterate = staticmethod(len), staticmethod(iter)
 
     def do_begin(self, broken: list[str]) -> None:
-        """Put placeholders in the place of broken modules. The checks' process explains them."""
+        """Put placeholders in the place of broken modules. The check process explains them."""
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 

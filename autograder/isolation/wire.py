@@ -3,7 +3,7 @@
 Each message is one line of JSON. A value is sent as it is if its type is exactly None, bool, int,
 float, str, list, tuple or dict. Any other object stays in its process, because it could lie about
 itself. Only a reference such as ``{"object": 3}`` is sent, which stands for the object when it is
-sent back. All sizes are limited, so that no message can fill the memory of the checks' process.
+sent back. All sizes are limited, so that no message can fill the memory of the check process.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from autograder.course.model import Course
 from autograder.course.reading import read_course
 from autograder.diagnosis.earlier_chapters import has_reference
 from autograder.files import is_new
-from autograder.grader.class_folder import graded_folder
+from autograder.grader.reports_folder import graded_folder
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.release.pages import Compared, Texts, compare, write_page
 from autograder.release.reference import chosen, write_reference

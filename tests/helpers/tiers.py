@@ -1,6 +1,8 @@
 """A pytest plugin that runs the quick or the slow tests: see tests/tiers.toml and the marker slow.
 
-The longest tests start first, so that no core waits at the end.
+tests/tiers.toml says which folders and files are quick and which are slow. In a quick file, a test
+with the marker `slow` is slow too, unless the option is given that the marker may name with
+`but_for`. The longest tests start first, so that no core waits at the end.
 """
 
 from __future__ import annotations
@@ -46,7 +48,10 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     chosen, others = [], []
     for item in items:
-        slow = is_slow(item.path) or item.get_closest_marker("slow") is not None
+        marker = item.get_closest_marker("slow")
+        unless = marker and marker.kwargs.get("but_for")
+        marked = marker and not (unless and config.getoption(unless, None))
+        slow = is_slow(item.path) or bool(marked)
         (chosen if slow == (config.getoption("tier") == "slow") else others).append(item)
     config.hook.pytest_deselected(items=others)
     items[:] = sorted(chosen, key=place)

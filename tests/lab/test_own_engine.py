@@ -12,7 +12,7 @@ import pytest
 from matplotlib import pyplot
 
 from ch02_vectors.vector import Vector3
-from lab.catalog import entries, load
+from lab.catalog import load
 from lab.drawing.pen import Pen
 from plots.draw import plots_of
 
@@ -91,15 +91,3 @@ def test_contacts_that_are_not_resolved_are_seen(
         with monkeypatch.context() as patch:
             patch.setattr(f"ch07_constraints.contacts.{name}", IDLE[name])
             assert show("", "scenes", target) != right, name
-
-
-def test_every_scene_and_almost_every_plot_claims_something() -> None:
-    scenes, plots = (
-        {target for kinds in SHOWN.values() for target in kinds[kind]}
-        for kind in ("scenes", "plots")
-    )
-    # The scene of the charts replays measurements of the reference.
-    assert {entry.name for entry in entries()} - scenes == {"charts"}
-    # Other plots of the same chapters claim the functions that these call.
-    others = {"trajectories", "integration_error", "energy_over_time"}
-    assert {plot for chapter in SHOWN for plot in plots_of(chapter)} - plots == others

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import math
+import tomllib
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from autograder.manifest import Chapter, load_chapters
 from lab.catalog import entries, load
 from lab.drawing.pen import COLORS, Pen
 from lab.host import Host
 from lab.scene import Scene, parameters_of
+from plots.draw import plots_of
 from scenes.parameters import Choice, Slider
 
 SCENES = [entry.name for entry in entries()]
+# The scene of the charts replays measurements of the reference. Other plots of the same chapters
+# claim the functions that these call.
+CLAIM_NOTHING = {"charts", "trajectories", "integration_error", "energy_over_time"}
 RESERVED = {" ", ".", "r", "?"}  # keys that the page uses itself
 
 
@@ -49,6 +56,18 @@ def test_there_are_three_scenes_per_chapter_and_two_for_the_first() -> None:
         2: 2,
         **dict.fromkeys(range(3, 10), 3),
     }
+
+
+@pytest.mark.parametrize("chapter", load_chapters(), ids=lambda chapter: chapter.name)
+def test_every_scene_and_almost_every_plot_claims_what_it_shows(chapter: Chapter) -> None:
+    file = Path(__file__).parent / "shown.toml"
+    claims = tomllib.loads(file.read_text(encoding="utf-8"))[chapter.name]
+    scenes = {entry.name for entry in entries() if entry.chapter == chapter.number}
+    for kind, shown in (("scenes", scenes), ("plots", plots_of(chapter.name).keys())):
+        claimed = claims.get(kind, {}).keys()
+        left = shown - claimed - CLAIM_NOTHING
+        assert not left, f"list the functions that these {kind} show in {file}: {left}"
+        assert claimed <= shown, f"{file} lists {kind} that are not there: {claimed - shown}"
 
 
 def test_every_chapter_has_a_question_to_predict() -> None:

@@ -67,10 +67,12 @@ SPINE, TEN_HOURS = ([n for cells in table for n in ids(cells[0])] for table in (
 each_path = pytest.mark.parametrize("path", [SPINE, TEN_HOURS], ids=["spine", "ten hours"])
 
 
-def test_every_exercise_is_named_once() -> None:
-    named = [n for cells in WHOLE for cell in (cells[0], *cells[2:4]) for n in ids(cell)]
-    assert sorted(named) == sorted(EXERCISES)
-    assert f"has {len(EXERCISES)} exercises" in PAGE
+@pytest.mark.parametrize(("chapter", "cells"), [*zip(CHAPTERS.values(), WHOLE, strict=True)])
+def test_every_exercise_is_named_once(chapter: Chapter, cells: list[str]) -> None:
+    named = [number for cell in (cells[0], *cells[2:4]) for number in ids(cell)]
+    assert sorted(named) == sorted(e.id for e in chapter.exercises), "see docs/learning_path.md"
+    words = f"has {len(EXERCISES)} exercises"
+    assert words in PAGE, f"the first sentence of docs/learning_path.md must say {words!r}"
 
 
 @each_path

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+import tiers
 from autograder.manifest import ROOT, load_chapters
 from by_chapter import chapters_of
 
@@ -36,3 +38,17 @@ def test_a_test_is_about_the_chapter_of_its_parameters_or_of_its_file(
     callspec = SimpleNamespace(params=parameters)
     item = SimpleNamespace(path=ROOT / "tests" / file, callspec=callspec)
     assert chapters_of(item) == chapters
+
+
+@pytest.mark.parametrize(("chapter", "runs"), [(2, True), (None, False)])
+def test_some_tests_are_slow_only_if_no_chapter_is_chosen(chapter: int | None, runs: bool) -> None:
+    mark = pytest.mark.slow(but_for="chapter").mark
+    path = ROOT / "tests/project/test_proofs.py"
+    items: list[Any] = [SimpleNamespace(path=path, nodeid="", get_closest_marker=lambda _: mark)]
+    options = {"tier": "quick", "chapter": chapter}
+    config: Any = SimpleNamespace(
+        getoption=lambda name, _=None: options[name],
+        hook=SimpleNamespace(pytest_deselected=dict),
+    )
+    tiers.pytest_collection_modifyitems(config, items)
+    assert bool(items) == runs

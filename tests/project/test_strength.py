@@ -51,7 +51,8 @@ def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
 
     page = table.PAGE.read_text(encoding="utf-8")
     rows = between(page, table.BEGIN, table.END).splitlines()[2:]
-    assert table.table_of([table.row(chapter)]).splitlines()[2] == rows[CHAPTERS.index(chapter)]
+    row = table.table_of([table.row(chapter)]).splitlines()[2]
+    assert row == rows[CHAPTERS.index(chapter)], f"run make update, which writes {row}"
     assert len(rows) == len(CHAPTERS)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from autograder.grader import cohort, grading
-from autograder.grader.class_folder import SAMPLE, only_run
+from autograder.grader.reports_folder import SAMPLE, only_run
 from autograder.isolation import probe
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT

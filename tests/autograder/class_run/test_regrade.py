@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from autograder.grader import class_run
-from autograder.grader.class_folder import earlier_choice
+from autograder.grader.reports_folder import earlier_choice
 from small import CHECKS, RIGHT
 from small_class import SmallClass, grade
 

@@ -1,4 +1,4 @@
-"""Workers, launchers and judges as processes: how much time they get, and that they end."""
+"""Workers, launchers and check processes: how much time they get, and that they end."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from typing import NoReturn
 import pytest
 
 from autograder.checks.check_process import environment
+from autograder.isolation.forked_checks import ForkedChecks
 from autograder.isolation.handles import Session, WorkerFailure, extra_time
-from autograder.isolation.judges import ForkedJudge
 from autograder.isolation.launcher import Launcher, LauncherError
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT
@@ -151,15 +151,15 @@ def test_nothing_outlives_its_grader(folder: Path) -> None:
 
 
 @pytest.fixture
-def judge(tmp_path: Path) -> Iterator[Callable[..., ForkedJudge]]:
-    """Starts judges with a configuration, which by default is none."""
+def fork(tmp_path: Path) -> Iterator[Callable[..., ForkedChecks]]:
+    """Starts check processes with a configuration, which by default is none."""
     (tmp_path / "config.pickle").write_text("{}", encoding="utf-8")
-    started: list[ForkedJudge] = []
+    started: list[ForkedChecks] = []
     with (tmp_path / "stderr.txt").open("w+b") as stderr:
         rest = tmp_path, environment, stderr
 
-        def fork(config: str = "config.pickle") -> ForkedJudge:
-            started.append(ForkedJudge(Path(config), *rest))
+        def fork(config: str = "config.pickle") -> ForkedChecks:
+            started.append(ForkedChecks(Path(config), *rest))
             return started[-1]
 
         yield fork
@@ -167,42 +167,42 @@ def judge(tmp_path: Path) -> Iterator[Callable[..., ForkedJudge]]:
         one.stdin.close()
 
 
-def test_a_judge_has_its_own_folder_output_and_exit_code(
-    judge: Callable[..., ForkedJudge], tmp_path: Path
+def test_a_check_process_has_its_own_folder_output_and_exit_code(
+    fork: Callable[..., ForkedChecks], tmp_path: Path
 ) -> None:
-    one = judge()
+    one = fork()
     assert one.stdout.read() == ""
     assert os.getpgid(one.pid) == one.pid, "the runner ends its whole group"
     assert one.wait() == 1
     assert "UnpicklingError" in (tmp_path / "stderr.txt").read_text(encoding="utf-8")
 
 
-def test_a_judge_that_is_killed_at_once_is_waited_for(
-    judge: Callable[..., ForkedJudge], tmp_path: Path
+def test_a_check_process_that_is_killed_at_once_is_waited_for(
+    fork: Callable[..., ForkedChecks], tmp_path: Path
 ) -> None:
     os.mkfifo(tmp_path / "config")  # it waits for this configuration
-    one = judge("config")
+    one = fork("config")
     os.killpg(one.pid, signal.SIGKILL)
     assert one.wait() == -signal.SIGKILL
 
 
-def test_after_the_helper_has_ended_the_next_judge_gets_another(
-    judge: Callable[..., ForkedJudge],
+def test_after_the_helper_has_ended_the_next_fork_gets_another(
+    fork: Callable[..., ForkedChecks],
 ) -> None:
-    first = judge()
+    first = fork()
     os.kill(int(state_of(first.pid)[1]), signal.SIGKILL)
     with pytest.raises(OSError, match="has ended"):
         first.wait()
-    assert judge().wait() == 1
+    assert fork().wait() == 1
 
 
-# A grader that prints the process ID of its child, which starts the judges, and then leaves.
+# A grader that prints the process ID of its child, which forks check processes, and then leaves.
 GRADER = """
 import contextlib, os, sys
 from pathlib import Path
-from autograder.isolation.judges import ForkedJudge
+from autograder.isolation.forked_checks import ForkedChecks
 
-ForkedJudge(Path("none"), Path(sys.argv[1]), lambda: dict(os.environ), open(os.devnull, "w+b"))
+ForkedChecks(Path("none"), Path(sys.argv[1]), lambda: dict(os.environ), open(os.devnull, "w+b"))
 for status in Path("/proc").glob("[0-9]*/stat"):
     with contextlib.suppress(OSError):  # a process that has just ended
         if status.read_text().rpartition(")")[2].split()[1] == str(os.getpid()):
@@ -211,7 +211,7 @@ os._exit(0)
 """
 
 
-def test_the_process_that_starts_judges_ends_with_its_grader(tmp_path: Path) -> None:
+def test_the_process_that_starts_them_ends_with_its_grader(tmp_path: Path) -> None:
     command = [sys.executable, "-c", GRADER, str(tmp_path)]
     grader = subprocess.run(command, cwd=ROOT, capture_output=True, check=True, timeout=60)
     assert end(int(grader.stdout))

@@ -1,10 +1,10 @@
-"""Start processes that run checks, without importing pytest in each of them.
+"""Fork check processes, the processes that run checks, without importing pytest in each of them.
 
-A process that runs checks is called a judge. A helper process imports pytest once, which takes a
-while, and then forks a judge for each request. It never runs a check, never sees a submission, and
-ends with the grader. The forkserver of ``multiprocessing`` does not fit: a thread that starts a
-process there can take away the exit code for which another thread waits, and it cannot put a judge
-into its own process group before the grader may have to kill that group.
+A helper process imports pytest once, which takes a while, and then forks a check process for each
+request. It never runs a check, never sees a submission, and ends with the grader. The forkserver of
+``multiprocessing`` does not fit: a thread that starts a process there can take away the exit code
+for which another thread waits, and it cannot put a check process into its own process group before
+the grader may have to kill that group.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ _lock = threading.Lock()
 _helpers: dict[int, _Helper] = {}  # the key is the process ID of the grader that uses it
 
 
-class ForkedJudge:
-    """A process that runs checks, forked from a helper process that has already imported pytest.
+class ForkedChecks:
+    """A check process, forked from a helper process that has already imported pytest.
 
     It provides the methods and attributes of ``subprocess.Popen`` that the grader needs, which
-    raise OSError if the helper process has ended. All judges have the ``environment`` of the first.
+    raise OSError if the helper process has ended. All have the ``environment`` of the first.
     """
 
     def __init__(
@@ -45,7 +45,7 @@ class ForkedJudge:
                 _helpers[os.getpid()] = _Helper(environment())
             self._helper = _helpers[os.getpid()]
         (their_input, own_input), (own_output, their_output) = os.pipe(), os.pipe()
-        # If this process dies, the pipe closes, and the judge ends too.
+        # If this process dies, the pipe closes, and the check process ends too.
         self.stdin = os.fdopen(own_input, "w", encoding="utf-8")
         self.stdout = os.fdopen(own_output, encoding="utf-8")
         order = {"config": str(config), "folder": str(folder)}
@@ -60,7 +60,7 @@ class ForkedJudge:
 
 
 class _Helper:
-    """The connection to a helper process that forks judges."""
+    """The connection to a helper process that forks check processes."""
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._lock = threading.Lock()
@@ -68,7 +68,7 @@ class _Helper:
         self._answers = self._control.makefile("r", encoding="utf-8")
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "autograder.isolation.judges", str(theirs.fileno())],
+                [sys.executable, "-m", "autograder.isolation.forked_checks", str(theirs.fileno())],
                 env=environment,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
@@ -77,27 +77,27 @@ class _Helper:
             )
 
     def ask(self, order: dict[str, Any], descriptors: list[int]) -> int:
-        """Return the process ID of a new judge with these streams or, for "wait", its exit code."""
+        """Return the ID of a new check process with these streams or, for "wait", its exit code."""
         try:
             with self._lock:
                 socket.send_fds(self._control, [json.dumps(order).encode()], descriptors)
                 return int(self._answers.readline())
         except (OSError, ValueError) as error:
             with _lock:
-                if _helpers.get(os.getpid()) is self:  # the next judge gets another helper
+                if _helpers.get(os.getpid()) is self:  # the next check process gets another helper
                     del _helpers[os.getpid()]
             self._process.kill()
             self._process.wait()
-            raise OSError("the process that starts the judges has ended") from error
+            raise OSError("the process that starts the check processes has ended") from error
 
 
 def main() -> None:
     """Run the helper process until the grader ends."""
     from autograder.checks import pytest_plugin
-    from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
+    from autograder.isolation import in_worker  # noqa: F401 - imported once for all forks
 
     control = socket.socket(fileno=int(sys.argv[1]))
-    gc.freeze()  # so that collecting garbage in a judge does not copy the memory that it shares
+    gc.freeze()  # so that collecting garbage in a fork does not copy the memory that it shares
     # The grader has ended, perhaps in the middle of an order.
     with contextlib.suppress(ConnectionError, json.JSONDecodeError):
         while True:
@@ -110,15 +110,17 @@ def main() -> None:
                 answer = os.fork()
                 if answer == 0:
                     control.close()
-                    _judge(order, descriptors, pytest_plugin.run_and_exit)
-                with contextlib.suppress(OSError):  # the judge may have done so, or have ended
+                    _run_checks(order, descriptors, pytest_plugin.run_and_exit)
+                with contextlib.suppress(OSError):  # the fork may have done so, or have ended
                     os.setpgid(answer, answer)  # the runner may now kill its group
             for descriptor in descriptors:
                 os.close(descriptor)
             control.send(b"%d\n" % answer)
 
 
-def _judge(order: dict[str, Any], descriptors: list[int], run: Callable[[], NoReturn]) -> NoReturn:
+def _run_checks(
+    order: dict[str, Any], descriptors: list[int], run: Callable[[], NoReturn]
+) -> NoReturn:
     """Run checks in this forked process, as a new Python process with these streams would do."""
     try:
         os.setpgid(0, 0)

@@ -66,10 +66,7 @@ def plots_of(chapter: str, listed: str = "PLOTS") -> dict[str, Callable[[], Pict
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Draw a plot, save it as PNG and its numbers as CSV, and return False if it fails.
-
-    If the plot takes longer than ``limit`` seconds, the program ends.
-    """
+    """Draw a plot within ``limit`` s, save it as PNG and CSV, and return False if it fails."""
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
     for older in (png, table):  # so that nobody mistakes them for the new plot

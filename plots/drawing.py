@@ -19,7 +19,7 @@ from scenes.readings import Numbers, is_drawable
 # Okabe and Ito's colors, which color-blind readers can tell apart.
 BLUE, ORANGE, GREEN, GRAY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
-VIOLET, BROWN = "#9600F0", "#663300"  # two more that can be told apart from these
+VIOLET = "#9600F0"  # one more that can be told apart from these
 # The colors of chapter 6's integrators, by name, in all pictures.
 COLORS = {
     "explicit Euler": RED,

@@ -39,7 +39,6 @@ def reason(error: BaseException) -> str:
 def time_limit(seconds: float) -> Iterator[None]:
     """End the program if the block takes longer, and say in which line it was then."""
     timer = threading.Timer(seconds, _give_up, (seconds, threading.get_ident()))
-    timer.daemon = True
     timer.start()
     try:
         yield
@@ -60,8 +59,7 @@ def _give_up(seconds: float, thread: int) -> None:
 def _last_of_theirs(frames: Sequence[traceback.FrameSummary]) -> traceback.FrameSummary:
     """Return the innermost frame that is neither in a library nor in the autograder."""
     not_theirs = [*LIBRARY, ROOT / "autograder"]  # autograder itself rejects some imports
-    theirs = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
-    return (theirs or frames)[-1]
+    return ([f for f in frames if not is_inside(f.filename, not_theirs)] or list(frames))[-1]
 
 
 def shown(path: Path) -> Path:

@@ -113,9 +113,7 @@ def measured_in(
             keep()
         progress.remove_task(task)
         task = progress.add_task("timing", total=left * len(found.points))
-        for number in range(left):
-            if hidden:
-                print(f"timing, round {number + 1} of {left}", file=sys.stderr, flush=True)
+        for _ in range(left):
             time_once(found, scenes, advance)
             keep()
     return found

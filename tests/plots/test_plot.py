@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import math
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,7 +15,7 @@ import pytest
 from matplotlib import pyplot
 from matplotlib.text import Text
 
-from autograder.manifest import load_chapters
+from autograder.manifest import ROOT, load_chapters
 from plots.draw import draw, plots_of
 from plots.drawing import Picture
 
@@ -242,3 +244,14 @@ def test_the_rates_near_gimbal_lock_are_those_of_theory() -> None:
     for left, rate in rates.items():  # the difference of angles has 8 digits at least
         wanted = 1.0 / (math.sqrt(2.0) * math.sin(math.radians(0.5 * left)))
         assert rate == pytest.approx(wanted, rel=1e-7)
+
+
+def test_a_plot_that_does_not_end_says_in_which_line_it_was(tmp_path: Path) -> None:
+    (tmp_path / "loop.py").write_text("def endless():\n    while True: pass\n", encoding="utf-8")
+    code = f"import sys; sys.path.append({str(ROOT)!r}); from plots.draw import draw; "
+    code += "from pathlib import Path; from loop import endless; draw(endless, Path(), 0.5)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, encoding="utf-8"
+    )
+    assert "endless: not finished after 0.5 s, at loop.py, line 2." in done.stdout
+    assert (done.returncode, done.stderr) == (1, "")

@@ -83,6 +83,15 @@ def test_an_ordinary_name_stays_as_it_is(name: str) -> None:
     assert as_cell(name) == name
 
 
+def test_a_hostile_name_is_one_line_without_control_characters(tmp_path: Path) -> None:
+    table = rows(tmp_path, hostile('a\r\nb,"c\x1b[31m\x00\ud800'), report_of())
+    assert len(table) == 4
+    assert {len(row) for row in table} == {11}
+    assert table[2][0] == 'a b,"c\\x1b[31m\\x00\\ud800'
+    text = (tmp_path / "gradebook.csv").read_text(encoding="utf-8")
+    assert {c for c in text if unicodedata.category(c) in ("Cc", "Cs")} <= {"\r", "\n"}
+
+
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 MARKED = apply_marks(report_of(), {("ada", "2.3"): Mark(2.5, "Say why.")})
@@ -135,6 +144,14 @@ def test_an_exercise_is_a_test_with_its_own_points_and_what_was_lost() -> None:
     assert "failed" not in by_number(results_of(lacking))["2.2"]["output"]
     for words in ("seed: 7", "isolation: none", "given chapters: 8 points", "person: 3 points"):
         assert words in results["output"]
+
+
+def test_a_hidden_check_shows_its_rationale_and_not_its_name() -> None:
+    results = results_of(report_of())
+    assert "failed: a hidden check\nAngles turn once round." in by_number(results)["2.2"]["output"]
+    assert "far away" not in json.dumps(results).replace("_", " ")
+    assert "secret plan" not in json.dumps(results).replace("_", " ")
+    assert "secret message" not in json.dumps(results)
 
 
 def test_a_written_exercise_waits_without_a_score_until_a_person_marks_it() -> None:

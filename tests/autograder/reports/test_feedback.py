@@ -17,6 +17,7 @@ from autograder.message import Kind, Message
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
+from autograder.submissions.class_list import ClassList, Member
 from graded import (
     CHAPTERS,
     NASTY,
@@ -307,3 +308,13 @@ def test_a_browser_shows_and_prints_the_pages_and_nothing_leaves(
         assert tab.pdf().startswith(b"%PDF-")
         assert asked == [path.as_uri(), *loads]
         tab.close()
+
+
+def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Path) -> None:
+    """Also the names of those who handed nothing in, or whom nobody knows."""
+    absent = [Member(name, name, None, None) for name in (SHOUT, "=1+1", " @x;-y")]
+    people = ClassList([*class_of("=2+2").members, *absent], has_roster=True)
+    text = write_index(tmp_path, CHAPTERS, [report_of(SHOUT)], people).read_text(encoding="utf-8")
+    assert "owned" in text
+    assert "<script" not in text
+    assert "<b onclick" not in text

@@ -225,7 +225,8 @@ def test_the_cheapest_built_in_model_that_will_do_is_named_with_one_that_will_no
     assert found
     assert found[1] in ("not accurate enough", "accurate only by chance")
     assert found[2].startswith(("pymunk at its best", "not accurate enough"))
-    assert told.endswith("timing, round 1 of 1"), "into a pipe, progress goes to stderr"
+    progress = "elastic pendulum: pymunk at its best, from two runs"  # on stderr, into a pipe
+    assert told.endswith(progress)
     status, told = tell("", "k = 100 ", "--tolerance", "1e-20")
     assert status == 1
     assert "cheapest: none of our models is accurate enough" in told

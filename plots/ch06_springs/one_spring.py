@@ -100,7 +100,7 @@ def three_regimes() -> Picture:
     left.set_title("1 kg on a spring of 100 N/m, released from rest at x = 1 m", fontsize=10)
     right.set(xlabel="time, s", ylabel="x of the steps minus x of the formula, m")
     if words:
-        title = f"Semi-implicit Euler at 60 Hz has errors of up to {', '.join(words)} m"
+        title = f"Semi-implicit Euler at 60 Hz has errors\nof up to {', '.join(words)} m"
         right.set_title(title, fontsize=10)
         left.legend(fontsize=8)
     for axes in (left, right):

@@ -194,7 +194,7 @@ def penalty_bounces() -> Picture:
     right.set(xlabel="k h$^2$ / m", ylabel="largest rise / fall, in 21 falls from 0.5 to 1 m")
     thrown = [kappa for kappa, high in zip(kappas, highest, strict=True) if high > 1.05]
     if thrown:
-        words = "on, some bodies rise over 5 % higher than they fell from,\nand one rises"
+        words = "on, some bodies rise over 5 % higher\nthan they fell from, and one rises"
         title = f"From {thrown[0]:.2g} {words} {max(highest):.1f} times as high"
         right.set_title(title, fontsize=10)
     for axes in (left, right):

@@ -127,7 +127,7 @@ def _energies(what: str, make: Make, more: dict[str, tuple[Make, int, str]]) -> 
         right.set_ylim(-1.3 * reach, 2.2 * reach)
     steady = "all energies vary" if not bad else f"all energies but {', '.join(bad)} vary"
     right.set_title(
-        f"From {SETTLED:g} to {SECONDS:g} s, {steady} by less than {STEADY:g} %", fontsize=10
+        f"From {SETTLED:g} to {SECONDS:g} s,\n{steady} by less than {STEADY:g} %", fontsize=10
     )
     left.set(xlabel="time, s", ylabel="mechanical energy relative to the ground, J")
     right.set(xlabel="time, s", ylabel="deviation from the middle of the range, %")

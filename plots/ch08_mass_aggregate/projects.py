@@ -72,8 +72,8 @@ def wheel_deformation() -> Picture:
         fontsize=10,
     )
     right.set_title(
-        f"{COUNT} particles driven by {DRIVE:g} N each: after {SPINNING:g} s the spin lags by\n"
-        f"{', '.join(lags) or '?'}, because turning a rod costs speed",
+        f"{COUNT} particles driven by {DRIVE:g} N each: after {SPINNING:g} s\nthe spin lags by "
+        f"{', '.join(lags) or '?'},\nbecause turning a rod costs speed",
         fontsize=10,
     )
     left.set(xlabel="force on each driven particle, N", ylabel="deformation, % of a rod")
@@ -152,7 +152,7 @@ def sleeping_balls() -> Picture:
         rows += [(name, *row) for row in columns]
         notes += [f"{name}: {awake.message}"] * bool(awake.message)
     figure.suptitle(
-        f"Sleeping balls cost nothing. Particles moved and contacts resolved: {'; '.join(costs)}",
+        f"Sleeping balls cost nothing. Particles moved and contacts resolved:\n{'; '.join(costs)}",
         fontsize=11,
     )
     panels[0].set(ylabel="number per frame of 1/60 s")

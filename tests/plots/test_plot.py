@@ -207,6 +207,10 @@ def test_a_plot_says_what_theory_says_and_has_its_numbers_beside_it(
     assert len(rows) > 2
     words = "".join(f"{text.get_text()}\n" for text in picture.figure.findobj(Text))
     assert [said for said in SAYS[name] if not re.search(said, words)] == [], words
+    figure, width = picture.figure, picture.figure.bbox.x1
+    titles_seen = [*figure.texts, *(axes.title for axes in figure.axes)]
+    ends = [text.get_window_extent() for text in titles_seen if text.get_text()]
+    assert [end for end in ends if end.x0 < -1.0 or end.x1 > width + 1.0] == [], "a title is cut"
     pyplot.close("all")
 
 

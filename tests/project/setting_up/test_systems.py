@@ -173,7 +173,7 @@ def test_an_endless_loop_is_placed_whatever_the_folder_is_called(name: str, tmp_
     endless = RIGHT.replace("return 4 * x", "while True: pass")
     (folder / "small.py").write_text(endless, encoding="utf-8")
     (chapter,) = load_chapters(root)
-    verdicts = run_checks(chapter, [folder.parent], seed="1", root=root, limits=Limits(0.5))
+    verdicts = run_checks(chapter, [folder.parent], seed="1", root=root, limits=Limits(2.0))
     assert "where     ch90_small/small.py, line 7, in quadruple" in str(verdicts[-2].message)
 
 

@@ -88,7 +88,8 @@ def _record(options: argparse.Namespace, settings: dict[str, str]) -> int:
     use_engine(argparse.ArgumentParser(prog="python -m lab"), options.engine, options.given)
     try:
         with time_limit(TIME_LIMIT):
-            files = record(load(options.scene)(**settings), options.out, options.seconds)
+            scene = load(options.scene)(**settings)
+        files = record(scene, options.out, options.seconds)
     except (Exception, SystemExit) as error:
         print(f"{options.scene}: cannot be recorded, {reason(error)}")
         return 1

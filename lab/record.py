@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import faulthandler
 import sys
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ from lab.drawing.pen import Pen
 from lab.drawing.picture import LIGHT, Painter
 from lab.scene import Scene, name_of
 from scenes.clock import FRAME
+from scenes.reason import time_limit
 
 STEPS_A_PICTURE = 3  # gives 20 pictures per second; GIF delays are whole hundredths of a second
 TILES = 12
@@ -47,7 +47,8 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
         drawn[:] = painter.draw(pen.items)
         title.set_text(f"{scene.title}, {scene.time:.2f} s\n{scene.facts()}")
 
-    draw()
+    with time_limit(TIME_LIMIT):
+        draw()
     canvas.draw()
     figure.set_layout_engine("none")  # one layout is enough, and layout is slow
     wanted = scene.seconds if seconds is None else seconds
@@ -57,17 +58,16 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
     writer.setup(figure, str(files[0]), dpi=80)
     rows, tiles = [_row(scene)], []
     for number in track(range(pictures), name, transient=True, disable=not sys.stdout.isatty()):
-        faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)
-        for _ in range(STEPS_A_PICTURE):
-            scene.play(scene.time)
-            scene.advance(FRAME)
-            rows.append(_row(scene))
-        draw()
-        writer.grab_frame()
+        with time_limit(TIME_LIMIT):
+            for _ in range(STEPS_A_PICTURE):
+                scene.play(scene.time)
+                scene.advance(FRAME)
+                rows.append(_row(scene))
+            draw()
+            writer.grab_frame()
         if number in on_sheet:
             canvas.draw()
             tiles.append(numpy.array(canvas.buffer_rgba()))
-    faulthandler.cancel_dump_traceback_later()
     writer.finish()
     _save_sheet(tiles, files[1])
     with files[2].open("w", encoding="utf-8", newline="") as table:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import subprocess
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from wrong import write_all
 
 UNLOCKED = {name: (c, e) for c in load_chapters() for e in c.exercises for name in e.play}
 FEW = {"STEPS_A_PICTURE": 30, "TILES": 4}  # pictures, because drawing takes most of the time
+SHORT = {"TIME_LIMIT": 2}  # s; a picture takes a small part of it, and 160 of them take more
 LATER = "raise NotImplementedError('later')"
 
 
@@ -87,6 +89,22 @@ def test_a_scene_plays_with_what_is_written(engine: Path, tmp_path: Path) -> Non
         done = record(name, "--engine", engine, "--seconds", "1", "--out", tmp_path)
         assert done.returncode == 0, done.stdout
         assert (tmp_path / f"{name}.gif").exists()
+
+
+def test_the_time_limit_is_for_each_picture_and_not_for_a_long_recording(tmp_path: Path) -> None:
+    done = record("throw", "--engine", "solutions", "--seconds", "8", "--out", tmp_path, **SHORT)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "throw.gif, " in done.stdout
+
+
+def test_a_scene_that_does_not_end_says_in_which_line_it_was(engine: Path, tmp_path: Path) -> None:
+    file = engine / "ch03_laws_of_motion/particle.py"
+    text = file.read_text(encoding="utf-8")
+    loop = "duration: float) -> None:\n        while True: pass"
+    file.write_text(text.replace("duration: float) -> None:", loop), encoding="utf-8")
+    done = record("throw", "--engine", engine, "--out", tmp_path, **SHORT)
+    assert (done.returncode, done.stderr) == (1, "")
+    assert re.search(r"not finished after 2 s, at \S*particle.py, line \d", done.stdout)
 
 
 @pytest.mark.parametrize(

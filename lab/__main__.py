@@ -12,10 +12,11 @@ from pathlib import Path
 from urllib.parse import urlencode
 
 from autograder.commands import find_engine, prepare, sentence
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from lab.catalog import entries, find, load
 from scenes.engine import add_engine_options, use_engine
-from scenes.reason import reason, shown, time_limit
+from scenes.reason import reason, time_limit
 
 
 def main() -> int:
@@ -93,7 +94,7 @@ def _record(options: argparse.Namespace, settings: dict[str, str]) -> int:
     except (Exception, SystemExit) as error:
         print(f"{options.scene}: cannot be recorded, {reason(error)}")
         return 1
-    print(f"{options.scene}: {', '.join(str(shown(file)) for file in files)}")
+    print(f"{options.scene}: {', '.join(str(from_here(file)) for file in files)}")
     return 0
 
 

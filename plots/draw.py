@@ -15,10 +15,11 @@ from pathlib import Path
 
 from matplotlib import pyplot
 
+from autograder.files import from_here
 from autograder.manifest import ROOT, Chapter, select_chapters, split_given
 from plots.drawing import Picture
 from scenes.engine import add_engine_options, use_engine
-from scenes.reason import reason, shown, time_limit
+from scenes.reason import reason, time_limit
 
 TIME_LIMIT = 120.0  # s for one plot, which takes a few seconds, or longer with a slow resolver
 
@@ -82,5 +83,5 @@ def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -
         return False
     with table.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([picture.columns, *picture.rows])
-    print(f"{shown(png)} and {shown(table)}")
+    print(f"{from_here(png)} and {from_here(table)}")
     return True

@@ -17,10 +17,10 @@ from pathlib import Path
 from matplotlib import pyplot
 from PIL import Image, ImageChops, ImageSequence, ImageStat
 
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from plots.draw import draw, plots_of
 from scenes.engine import use_engine
-from scenes.reason import shown
 
 # The plots that lessons show, such as "ch02_vectors/addition".
 PLOTS = [
@@ -146,4 +146,4 @@ def _write(pictures: list[Image.Image], place: Path) -> None:
     else:
         rest, time = pictures[1:], PICTURE_TIME
         pictures[0].save(place, save_all=True, append_images=rest, duration=time, loop=0)
-    print(f"  {shown(place)}, {place.stat().st_size // 1000} kB")
+    print(f"  {from_here(place)}, {place.stat().st_size // 1000} kB")

@@ -14,6 +14,7 @@ from autograder.at_home.restrictions import LIBRARY
 from autograder.commands import LackingError, advice
 from autograder.diagnosis.faults import is_inside
 from autograder.diagnosis.slips import slip_of
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from scenes.engine import RejectedFileError
 
@@ -31,7 +32,7 @@ def reason(error: BaseException) -> str:
         file, line, words = last.filename, last.lineno, str(error)
     told = f"{type(error).__name__}: {words}"
     likely = slip_of(told) or advice(error)
-    where = f"{told} ({shown(Path(file))}, line {line})"
+    where = f"{told} ({from_here(Path(file))}, line {line})"
     return f"{where}\nlikely    {likely}" if likely else where
 
 
@@ -48,8 +49,9 @@ def time_limit(seconds: float) -> Iterator[None]:
 
 def _give_up(seconds: float, thread: int) -> None:
     last = _last_of_theirs(traceback.extract_stack(sys._current_frames()[thread]))
+    file = from_here(Path(last.filename))
     print(
-        f"not finished after {seconds:g} s, at {shown(Path(last.filename))}, line {last.lineno}. "
+        f"not finished after {seconds:g} s, at {file}, line {last.lineno}. "
         "Is there an endless loop, or is the computer busy with something else?",
         flush=True,
     )
@@ -60,8 +62,3 @@ def _last_of_theirs(frames: Sequence[traceback.FrameSummary]) -> traceback.Frame
     """Return the innermost frame that is neither in a library nor in the autograder."""
     not_theirs = [*LIBRARY, ROOT / "autograder"]  # autograder itself rejects some imports
     return ([f for f in frames if not is_inside(f.filename, not_theirs)] or list(frames))[-1]
-
-
-def shown(path: Path) -> Path:
-    """Make a path relative to the current folder if it is inside."""
-    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

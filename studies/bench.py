@@ -17,9 +17,9 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.commands import TUNED, find_engine
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from scenes.reason import shown
 from scenes.timing import Line, Measurement, measure, significant
 from studies.stored import store
 
@@ -59,7 +59,8 @@ def main(arguments: list[str]) -> int:
     minutes = (time.monotonic() - start) / 60.0
     console.print(f"\n{met} targets met, {missed} missed, in {minutes:.1f} minutes")
     console.print(
-        f"Written to {shown(options.out)}. Run make update to update the READMEs.", soft_wrap=True
+        f"Written to {from_here(options.out)}. Run make update to update the READMEs.",
+        soft_wrap=True,
     )
     console.print(f"Python {platform.python_version()}, {_versions()}; {platform.platform()}")
     return 0

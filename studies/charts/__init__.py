@@ -22,9 +22,9 @@ from rich.console import Console
 from rich.table import Table
 
 from autograder.commands import TUNED, find_engine
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from scenes.reason import shown
 
 if TYPE_CHECKING:
     from studies.accuracy.measure import Measured
@@ -82,9 +82,9 @@ def main(arguments: list[str]) -> int:
         csv.writer(file).writerows([COLUMNS, *table])
     page.write(scenes, measured.points, _how(measured, options.quick), options.out)
     said = (
-        f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
-        f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}\n"
-        f"all charts on one page: {shown(options.out / 'index.html')}"
+        f"overview of all scenes: {from_here(options.out / 'overview.png')}\n"
+        f"{rounds} rounds; all numbers: {from_here(options.out / 'table.csv')}\n"
+        f"all charts on one page: {from_here(options.out / 'index.html')}"
     )
     if not options.quick and not options.scene:
         page.keep(rows, measured.day, options.out)

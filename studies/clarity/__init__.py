@@ -18,10 +18,10 @@ from typing import Any
 from matplotlib import pyplot
 
 from autograder.commands import TUNED, find_engine
+from autograder.files import from_here
 from autograder.text.marked import with_text
 from autograder.text.wrapping import plain_console, print_wrapped
 from plots.drawing import BLUE, GRAY
-from scenes.reason import shown
 from scenes.timing import Line, Measurement, Timer, measure, significant, versus
 from studies.clarity.steps import SCENES
 from studies.stored import store
@@ -55,7 +55,7 @@ def main(arguments: list[str]) -> int:
     draw(rows, PICTURE)
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(with_text(page, BEGIN, END, table(rows)), encoding="utf-8", newline="\n")
-    console.print(f"Written to {shown(FIGURES)}, {shown(PICTURE)} and {shown(PAGE)}")
+    console.print(f"Written to {from_here(FIGURES)}, {from_here(PICTURE)} and {from_here(PAGE)}")
     return 0
 
 

@@ -18,9 +18,9 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from autograder.commands import TUNED, find_engine
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from scenes.reason import shown
 
 QUICK, FULL = (1, 0.02), (3, 1.0)  # rounds, and the time in s for the slowest run of a solver
 
@@ -60,11 +60,10 @@ def main(arguments: list[str]) -> int:
     console.print("Time in ms per frame that a solver needs to stay within an error for 1 s:")
     console.print(table)
     console.print("-: the longest run is not accurate enough, or the solver does not apply.")
-    told = f"picture: {shown(png)}\nall points: {shown(numbers)}"
+    told = f"picture: {from_here(png)}\nall points: {from_here(numbers)}"
     if not options.quick:
         shutil.copy(numbers, scenes.FILE)
-        told += (
-            f"\nWritten to {shown(scenes.FILE)}. Run make figures to redraw the lesson's picture."
-        )
+        told += f"\nWritten to {from_here(scenes.FILE)}."
+        told += " Run make figures to redraw the lesson's picture."
     console.print(told, soft_wrap=True)
     return 0

@@ -23,9 +23,9 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from autograder.commands import find_engine
+from autograder.files import from_here
 from autograder.manifest import ROOT
 from autograder.text.wrapping import plain_console
-from scenes.reason import shown
 
 if TYPE_CHECKING:
     from studies.limits.search import Bound
@@ -80,8 +80,8 @@ def main(arguments: list[str]) -> int:
         f"grow even at {search.LEAST:g}.\n"
         f"Energies are relative to the initial energy, at k h^2 / m = {search.KAPPA:.3g},\n"
         "where explicit Euler is unstable.\n"
-        f"\nMaps: {shown(picture)}\nTime to divergence, energies: {shown(curves)}\n"
-        f"All numbers: {shown(out)}",
+        f"\nMaps: {from_here(picture)}\nTime to divergence, energies: {from_here(curves)}\n"
+        f"All numbers: {from_here(out)}",
         soft_wrap=True,
     )
     every = (*springs, *drags)

@@ -120,7 +120,7 @@ def test_shells_and_balls_land_where_and_when_the_closed_form_says() -> None:
     scene = after("fall-in-air", 8.0, left_mass=4.0, left_drag=0.02, right_drag=0.0, rate=240)
     speed = math.sqrt(4.0 * G / 0.02)  # terminal speed; y = v^2 / g ln cosh(g t / v)
     drag = speed / G * math.acosh(math.exp(G * scene.TOP / speed**2))
-    # One step, plus the half step by which the book's integrator is late in the whole fall.
+    # One step, plus half a step because the book's integrator lags behind during the fall.
     assert scene.landed[0] == pytest.approx(drag, abs=2.0 / 240.0)
     assert scene.landed[1] == pytest.approx(math.sqrt(2.0 * scene.TOP / G), abs=2.0 / 240.0)
 

@@ -91,7 +91,7 @@ HIDDEN = WIND.format("""force = 10.0 * math.cos(3.0 * self.time)
         self.last = particle.position.x""")
 MEMORY = "Wind gave different forces, although no particle had moved. "
 GUESSES = "Warning: errors marked ? are only guesses"
-# What is told of a file, with the status of the command.
+# What the command prints about a file, and its exit status.
 TOLD = [
     ("", 0, ["exact steps", "error about 3e-12"]),  # 1e-12 of the lowest position, 2 - 5 = -3 m
     (BALL.format(""), 0, ["cheapest: time division, once per frame", GUESSES]),

@@ -81,7 +81,7 @@ def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
 
 
 class Uplift:
-    """Exercise 5.1: a column of rising air, upright and without an end."""
+    """Exercise 5.1: a vertical column of rising air that has no top."""
 
     def __init__(self, origin: Vector3, radius: float, force: Vector3) -> None:
         self.origin = finite_vector("origin", origin)

@@ -46,7 +46,7 @@ def spring(stiffness: float) -> AnchoredSpring:
 
 
 def growth(stiffness: float, steps: int, h: float = FRAME) -> float:
-    """Return the factor by which the book's step multiplies the energy of a spring."""
+    """Return how many times as much energy a spring has after some of the book's steps."""
     x, v = after(explicit_euler, spring(stiffness), steps, h)
     return x * x + v * v / stiffness
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from autograder.accepted_files import module_of
 from autograder.at_home.restrictions import graded_files
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
 from autograder.message import Message
@@ -136,11 +137,17 @@ def _put_probes(folder: Path, name: str, root: Path, hidden: Path | None) -> lis
 
 
 def _modules(chapter: Chapter, chapters: list[Chapter], request: Request) -> list[str]:
-    """List the student's modules, with all files of an earlier chapter without a manifest."""
+    """List the student's modules, with all files of an earlier chapter without a manifest.
+
+    Checks import the complete modules of the chapter too, which may run the student's code.
+    """
     files = {c.name: c.edited_files for c in chapters}
+    complete = [file for file in chapter.complete if file.endswith(".py")]
+    files[chapter.name] = chapter.edited_files + complete
     listed = {c.name for c in load_chapters(request.root)}
     for file in sorted(f for folder in request.engine for f in folder.glob("ch??_*/*.py")):
         name = file.parent.name
         if name < chapter.name and name not in listed:
             files.setdefault(name, []).append(file.name)
-    return [f"{name}.{file[:-3]}" for name in sorted(files) for file in files[name]]
+    places = [(name, file.replace("/", ".")) for name in sorted(files) for file in files[name]]
+    return [module_of(*place) for place in places]

@@ -85,6 +85,8 @@ def both_ways(root: Path, code: str) -> BothWays:
     for engine in (home, graded):
         hand_in(root, engine.name, code)
         (engine / "ch90_small/drops.csv").write_text("1,2", encoding="utf-8")
+        for file in (root / "chapters/ch90_small").glob("*.py"):
+            shutil.copy(file, engine / "ch90_small")
     (home / "ch90_small/helper.py").write_text("x = 1\n", encoding="utf-8")
     (home / "ch90_small/data").mkdir()
     for name in ("ch90_small/notes.txt", "ch90_small/data/more.txt", "notes.txt"):
@@ -156,6 +158,28 @@ def test_a_module_that_asks_for_it_is_told_the_same(line: str, words: str, root:
     home, graded = both_ways(root, f"{line}\n{RIGHT}")
     assert [told(home[name]) for name in home] == [told(graded[name]) for name in graded]
     assert re.search(words, str(home["test_double"].message))
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("def double(x:", "ch90_small/small.py cannot be read: "),
+        (RIGHT.replace("return x", "return y"), "given.py cannot be imported: NameError"),
+    ],
+)
+def test_a_complete_module_that_runs_wrong_code_is_explained(
+    code: str, words: str, root: Path
+) -> None:
+    title, imports = 'title = "Small"', "from ch90_small import small"
+    edit(root / "chapters/ch90_small/chapter.toml", title, f'{title}\ncomplete = ["given.py"]')
+    given = "from ch90_small.small import double\nFOUR = double(2)\n"
+    (root / "chapters/ch90_small/given.py").write_text(given, encoding="utf-8")
+    checks = root / "tests/ch90_small/test_small.py"
+    edit(checks, imports, f"{imports}\nfrom ch90_small.given import FOUR")
+    edit(checks, "(0) == 0", "(FOUR()) == 0")
+    home, graded = both_ways(root, code)
+    assert [told(home[name]) for name in home] == [told(graded[name]) for name in graded]
+    assert words in str(home["test_quadruple_of_zero"].message)
 
 
 def test_a_plot_and_a_scene_refuse_what_a_check_refuses(tmp_path: Path) -> None:

@@ -190,5 +190,5 @@ def mark(
     try:
         asyncio.run(serve())
     except KeyboardInterrupt:
-        print(f"\nTo add the marks to the reports: {again}")
+        print(f"\nTo add the marks to the reports, grade with the same options as before: {again}")
     return 0

@@ -69,6 +69,5 @@ def damping_difference(
     keeps ``damping`` per second (Eq. 3.6), the other ``damping ** mean`` per step (Eq. 3.5), where
     ``mean`` is the mean duration of all steps of all runs. Return the mean over all runs of the
     length of the difference between their final velocities.
-
     """
     raise NotImplementedError("Exercise 3.5b: How far apart the two damping equations end")

@@ -88,7 +88,6 @@ def damping_difference(
     keeps ``damping`` per second (Eq. 3.6), the other ``damping ** mean`` per step (Eq. 3.5), where
     ``mean`` is the mean duration of all steps of all runs. Return the mean over all runs of the
     length of the difference between their final velocities.
-
     """
     not_negative("damping", damping)
     durations = [positive("duration", duration) for frames in runs for duration in frames]

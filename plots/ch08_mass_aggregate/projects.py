@@ -37,8 +37,8 @@ def wheel_deformation() -> Picture:
         return recorded(partial(Wheel, DRIVE), lambda w: spin(w.hub, w.rim), rate, SPINNING)
 
     ways = [(driven, force) for driven in (1, 2, COUNT) for force in FORCES]
-    scenes = {way: partial(deformed, *way) for way in ways}
-    scenes |= {rate: partial(spun, rate) for rate in (60, 240, 960)}
+    scenes = {rate: partial(spun, rate) for rate in (60, 240, 960)}
+    scenes |= {way: partial(deformed, *way) for way in ways}
     both = written(scenes)
     rows: list[Sequence[object]] = []
     gives, lags = [], []

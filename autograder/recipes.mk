@@ -59,11 +59,11 @@ else
 endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes $(if $(value CH),one or two minutes,about 4 minutes)."
+	@echo "This tests the companion itself, and takes $(if $(value CH),one or two minutes,about 5 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
 test-all: test ## run all tests, as before a release
-	@echo "The slow tests take about 10 minutes."
+	@echo "The slow tests take about 13 minutes."
 	@$(PYTEST) -n $(WORKERS) -p tiers --tier slow --ignore=$(HOSTILE)
 	@$(PYTEST) $(HOSTILE)
 

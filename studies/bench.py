@@ -36,7 +36,7 @@ def main(arguments: list[str]) -> int:
     start = time.monotonic()
     with console.status("preparing the scenes and finding how many steps each one needs"):
         measurements = every(console)
-    console.print(f"Taking all {len(measurements)} measurements takes about ten minutes.")
+    console.print(f"Taking all {len(measurements)} measurements takes about five minutes.")
     lines = measure(measurements)
     console.print("Each figure is a ratio of two times, first / second, unless stated otherwise.")
     console.print("It is the median of several rounds, with the quartiles in parentheses.\n")

@@ -50,7 +50,7 @@ def rejected_modules(chapters: Iterable[Chapter], engine: Sequence[Path]) -> dic
 
 def module_of(chapter: str, name: str) -> str:
     """Return the name under which a file is imported, such as ch02_vectors.vector."""
-    return f"{chapter}.{name.removesuffix('.py')}"
+    return f"{chapter}.{name.removesuffix('.py').replace('/', '.')}"
 
 
 def rejection(chapter: str, name: str, error: NotTakenError) -> str:

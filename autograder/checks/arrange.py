@@ -149,5 +149,4 @@ def _modules(chapter: Chapter, chapters: list[Chapter], request: Request) -> lis
         name = file.parent.name
         if name < chapter.name and name not in listed:
             files.setdefault(name, []).append(file.name)
-    places = [(name, file.replace("/", ".")) for name in sorted(files) for file in files[name]]
-    return [module_of(*place) for place in places]
+    return [module_of(name, file) for name in sorted(files) for file in files[name]]
